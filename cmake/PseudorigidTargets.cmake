@@ -1,0 +1,43 @@
+# Compile options shared by every target, and the helpers that declare a layer or a test.
+
+add_library(pseudorigid_options INTERFACE)
+target_include_directories(pseudorigid_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_compile_features(pseudorigid_options INTERFACE cxx_std_20)
+target_compile_options(pseudorigid_options INTERFACE -Wall -Wextra $<$<BOOL:${PSEUDORIGID_WERROR}>:-Werror>)
+if(PSEUDORIGID_SANITIZE)
+  target_compile_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE})
+endif()
+
+# pseudorigid_layer(NAME [SOURCES file…] [LIBS target…]): the library of one folder of src/; header-only without SOURCES.
+function(pseudorigid_layer name)
+  cmake_parse_arguments(LAYER "" "" "SOURCES;LIBS" ${ARGN})
+  if(LAYER_SOURCES)
+    add_library(${name} STATIC ${LAYER_SOURCES})
+    target_link_libraries(${name} PUBLIC pseudorigid_options ${LAYER_LIBS})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE pseudorigid_options ${LAYER_LIBS})
+  endif()
+  add_library(pseudorigid::${name} ALIAS ${name})
+endfunction()
+
+# pseudorigid_use_dealii(TARGET): links deal.II, whose own flags lower the optimisation; these lines raise it again.
+function(pseudorigid_use_dealii target)
+  deal_ii_setup_target(${target})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_compile_options(${target} PUBLIC $<$<CONFIG:Release>:-O3 -g0 -DNDEBUG>
+    $<$<AND:$<CONFIG:Release>,$<BOOL:${PSEUDORIGID_NATIVE}>>:-march=native>)
+endfunction()
+
+# pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…] [TIMEOUT s]): one GoogleTest executable, one ctest entry per test case.
+function(pseudorigid_test name)
+  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;LIBS" ${ARGN})
+  if(NOT TEST_TIMEOUT)
+    set(TEST_TIMEOUT 300)
+  endif()
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE pseudorigid_options ${TEST_LIBS} GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${TEST_LABEL} TIMEOUT ${TEST_TIMEOUT})
+endfunction()
