@@ -1,0 +1,15 @@
+#pragma once
+/// What this executable was built from; fixed when it was built.
+
+#include <string_view>
+
+namespace pseudorigid::io {
+
+struct BuildInfo {
+  std::string_view version;
+  std::string_view git_hash;  ///< "unknown" outside a git checkout; ends in "-dirty" if files were changed
+  std::string_view compiler, flags, build_type;
+};
+BuildInfo build_info();
+
+}  // namespace pseudorigid::io

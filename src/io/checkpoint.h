@@ -1,0 +1,53 @@
+#pragma once
+/// The state of a run in one binary file of named values, replaced atomically.
+///
+///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
+///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
+///
+/// Sizes and checksum are verified before anything is believed: a truncated, altered or foreign file is a UserError.
+
+#include <concepts>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace pseudorigid::io {
+
+/// FNV-1a, 64 bit: every change of a single byte changes it.
+std::uint64_t checksum(std::string_view bytes);
+
+class Checkpoint {
+ public:
+  void set(const std::string& name, std::span<const double> values);
+  void set(const std::string& name, std::string text);
+  void set(const std::string& name, double value) { set(name, std::span<const double>(&value, 1)); }
+  template <std::integral Integer>
+  void set(const std::string& name, Integer value) {
+    values_[name] = static_cast<std::int64_t>(value);
+  }
+
+  bool has(const std::string& name) const { return values_.contains(name); }
+  /// A UserError names the file and the entry if it is missing or of another type or size.
+  const std::vector<double>& get_doubles(const std::string& name) const;
+  const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
+  double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }
+  std::int64_t get_integer(const std::string& name) const;
+  const std::string& get_string(const std::string& name) const;
+
+  void save(const std::filesystem::path& path) const;  ///< WriteError
+  static Checkpoint load(const std::filesystem::path& path);
+
+ private:
+  using Value = std::variant<std::vector<double>, std::int64_t, std::string>;
+  template <class T>
+  const T& get(const std::string& name, const char* type) const;
+  std::map<std::string, Value> values_;
+  std::filesystem::path path_;  ///< where it was loaded from, for messages
+};
+
+}  // namespace pseudorigid::io

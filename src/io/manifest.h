@@ -1,0 +1,46 @@
+#pragma once
+/// manifest.json: what ran, with what, on what, for how long, and how it ended.
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pseudorigid::io {
+
+struct Manifest {
+  struct Model {
+    std::map<std::string, double> counters, timers;  ///< counts; seconds
+  };
+  std::vector<std::string> command;              ///< argv
+  std::string title;                             ///< of the scene
+  std::map<std::string, std::string> libraries;  ///< name → version
+  std::map<std::string, Model> models;           ///< "reduced", "continuum"
+};
+
+/// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by
+/// the destructor (state "failed"), so that a thrown exception leaves a manifest too.
+class ManifestFile {
+ public:
+  ManifestFile(std::filesystem::path path, Manifest content);
+  ~ManifestFile();
+  ManifestFile(const ManifestFile&) = delete;
+  ManifestFile& operator=(const ManifestFile&) = delete;
+
+  Manifest& content() { return content_; }
+  /// `state`: done, interrupted, failed; `message` is the sentence the user saw, if any.
+  void finish(const std::string& state, int exit_code, const std::string& message = {});
+
+ private:
+  void write(const std::string& state, const int* exit_code, const std::string& message);
+  std::filesystem::path path_;
+  Manifest content_;
+  std::chrono::system_clock::time_point start_;
+  bool finished_ = false;
+};
+
+/// The processor's name from /proc/cpuinfo, "unknown" without one.
+std::string cpu_model();
+
+}  // namespace pseudorigid::io

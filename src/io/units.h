@@ -1,0 +1,28 @@
+#pragma once
+/// From the program's internal units to the units of the input.
+///
+/// The program computes with length r, mass ρr³ and time r/c, c = √(μ/ρ); a quantity of dimension
+/// length^a mass^b time^d is multiplied by r^a (ρr³)^b (r/c)^d on its way to a file:
+///   energy  mass·length²/time²     J, Z  mass·length²/time     Q̇  1/time     λ per m̄  1/time²     a_i  length
+
+#include "mechanics/body_observables.h"
+
+namespace pseudorigid::io {
+
+struct Units {
+  double length = 1, mass = 1, time = 1;
+
+  double velocity() const { return length / time; }
+  double energy() const { return mass * velocity() * velocity(); }
+  double momentum() const { return mass * length * velocity(); }  ///< of J and Z
+  double stress() const { return energy() / (length * length * length); }
+  double multiplier() const { return 1 / (time * time); }
+};
+
+/// The units of a ball with radius r, density ρ and shear modulus μ, all positive.
+Units ball_units(double radius, double density, double shear_modulus);
+
+mechanics::BodyObservables to_physical(const mechanics::BodyObservables& internal, const Units& units);
+mechanics::ContinuumObservables to_physical(const mechanics::ContinuumObservables& internal, const Units& units);
+
+}  // namespace pseudorigid::io

@@ -1,0 +1,44 @@
+#pragma once
+/// VTK unstructured grids for ParaView: file version 1.0, one piece, Float64, inline base64, nothing that changes from
+/// run to run. Read alike by VTK and meshio (tests/support/check_vtu.py).
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pseudorigid::io {
+
+/// VTK's numbers.
+enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, lagrange_hexahedron = 72 };
+
+/// A grid of cells of one type with values at its points.
+struct UnstructuredGrid {
+  struct Field {
+    std::string name;
+    int n_components;  ///< 1 scalar, 3 vector, 9 tensor (row-major)
+    std::vector<double> values;
+  };
+  std::vector<double> points;  ///< x, y, z of each point
+  CellType cell_type = CellType::hexahedron;
+  int nodes_per_cell = 8;
+  std::vector<std::int64_t> connectivity;  ///< nodes_per_cell point numbers per cell, in VTK's order
+  std::vector<Field> fields;
+
+  std::size_t n_points() const { return points.size() / 3; }
+  std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
+};
+
+/// Replaces the file atomically. WriteError if the disk refuses; std::logic_error if the arrays do not fit together, a
+/// point number is out of range or a value is not finite.
+void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
+
+/// Lexicographic numbers (x fastest, (degree+1)³ nodes) of the nodes of a Lagrange hexahedron, in the order that a file
+/// of version 1.0 lists them: vertices, edges, faces, interior. (Files from version 2.1 on swap two edges; VTK's reader
+/// knows both.)
+std::vector<int> lagrange_hexahedron_nodes(int degree);
+
+std::string base64(std::string_view bytes);
+
+}  // namespace pseudorigid::io
