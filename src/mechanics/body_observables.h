@@ -10,6 +10,16 @@
 
 namespace pseudorigid::mechanics {
 
+/// What somebody will look at; the rest is not evaluated.
+struct ObservableRequest {
+  bool energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
+};
+
+/// The axial vector ε_ijk A_jk.
+inline Eigen::Vector3d axial_vector(const Eigen::Matrix3d& A) {
+  return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
+}
+
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Identity();     ///< Q (reduced) or the mass moment Q_M (continuum)
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Zero();      ///< its rate

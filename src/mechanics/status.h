@@ -1,23 +1,34 @@
 #pragma once
 /// Failure as a value: what a force, a constraint or a step returns instead of throwing or passing on a NaN.
 
+#include <memory>
 #include <string>
 #include <utility>
 
 namespace pseudorigid::mechanics {
 
-/// Empty reason: all is well. Otherwise a sentence for the user ("det F = -0.03 at X = (…)").
+/// Success, or one sentence for the user ("det F = -0.03 at X = (…)"). Success costs one null pointer.
 class [[nodiscard]] Status {
  public:
   Status() = default;
-  static Status failure(std::string reason) { return Status(std::move(reason)); }
-  bool ok() const { return reason_.empty(); }
+  static Status failure(std::string reason) {
+    Status status;
+    status.reason_ = std::make_shared<const std::string>(std::move(reason));
+    return status;
+  }
+  bool ok() const { return !reason_; }
   explicit operator bool() const { return ok(); }
-  const std::string& reason() const { return reason_; }
+  /// The sentence; empty after success.
+  std::string reason() const { return reason_ ? *reason_ : std::string(); }
 
  private:
-  explicit Status(std::string reason) : reason_(std::move(reason)) {}
-  std::string reason_;
+  std::shared_ptr<const std::string> reason_;
+};
+
+/// Outcome of a Gram solve: how many iterations it took (0 where the solve is a division).
+struct [[nodiscard]] SolveReport {
+  Status status;
+  int iterations = 0;
 };
 
 }  // namespace pseudorigid::mechanics

@@ -1,0 +1,48 @@
+#pragma once
+/// Ciarlet–Geymonat law (Oliva 5.7.9(2), with the standard coefficient λ/4; Ciarlet, Mathematical Elasticity I, 4.10),
+/// per unit reference volume, I = |F|², III = J², J = det F:
+///
+///   W = (λ/4)(III − 1 − ln III) + (μ/2)(I − 3 − ln III)
+///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ
+///
+/// The neo-Hookean law of this program on GL⁺(3) is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
+/// (λ/4)(III − 1 − ln III). On SL(3) it has no bulk term: λ = 0. Both are stress-free at F = Id.
+///
+/// Energies of small strains are computed from H = F − Id without cancellation, J − 1 = tr H + II(H) + det H = δ:
+///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
+
+#include "materials/scalar.h"
+#include "materials/tensor.h"
+
+namespace pseudorigid::materials {
+
+struct CiarletGeymonat {
+  double mu, lambda;
+
+  /// W(F); F must have J > 0.
+  template <class T>
+  T energy(const Tensor<T>& F) const {
+    Tensor<T> H = F;
+    for (int i = 0; i < 3; ++i) H(i, i) = H(i, i) - 1.0;
+    const Tensor<T> cof = cofactor(H);
+    const T second_and_det = cof(0, 0) + cof(1, 1) + cof(2, 2) + determinant(H, cof);
+    const T delta = H(0, 0) + H(1, 1) + H(2, 2) + second_and_det;
+    const T excess = delta - log1p(delta);  // (J² − 1 − ln J²) / 2 = excess + δ²/2
+    return 0.5 * mu * (dot(H, H) - 2.0 * second_and_det + 2.0 * excess) +
+           0.25 * lambda * (2.0 * excess + delta * delta);
+  }
+
+  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  template <class T>
+  Tensor<T> stress(const Tensor<T>& F) const {
+    const Tensor<T> cof = cofactor(F);
+    const T J = determinant(F, cof);
+    const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
+    Tensor<T> P;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) P(i, j) = mu * F(i, j) + s * cof(i, j);
+    return P;
+  }
+};
+
+}  // namespace pseudorigid::materials

@@ -1,0 +1,229 @@
+#pragma once
+/// RATTLE (Andersen 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.4), one substep of size h:
+///
+///   v_{n+1/2} = v_n + (h/2) M⁻¹[f(q_n) + G(q_n)ᵀ λ_n]
+///   q_{n+1}   = q_n + h v_{n+1/2},                             g(q_{n+1}) = 0
+///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
+///
+/// The velocity projection μ_n moves v_{n+1} along M⁻¹G(q_{n+1})ᵀ, which is just where the next λ_{n+1} acts: leaving
+/// it out between substeps changes λ_{n+1} and nothing else (SHAKE and RATTLE have the same positions). So `advance`
+/// omits it and `project_velocity` makes it where a state is looked at.
+///
+/// With Λ = (sum of the half steps) λ_n, the position solve is Newton's iteration
+///
+///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q)/h,   v ← v + M⁻¹G(q_n)ᵀδ,   q ← q + h M⁻¹G(q_n)ᵀδ,
+///
+/// started from the multiplier extrapolated along the motion and driven until |g| ≤ tolerance (or round-off).
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mechanics/constrained_system.h"
+
+namespace pseudorigid::mechanics {
+
+struct Counters {
+  long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
+};
+
+/// Guess of the multiplier at a time by the line through its last two values.
+template <class S>
+struct MultiplierHistory {
+  typename S::Multiplier latest, before;
+  double t_latest = 0, t_before = 0;
+  int n_known = 0;
+
+  void record(double t, const typename S::Multiplier& lambda) {
+    std::swap(latest, before);
+    t_before = t_latest;
+    latest = lambda;
+    t_latest = t;
+    if (n_known < 2) ++n_known;
+  }
+
+  /// lambda ← guess at t. The slope is used at most a little beyond the interval that it was measured on: a composed
+  /// step mixes long and short substeps, and a long extrapolation from a short base line amplifies round-off.
+  void guess(double t, typename S::Multiplier& lambda) const {
+    lambda = latest;
+    if (n_known < 2 || t_latest == t_before) return;
+    const double theta = (t - t_latest) / (t_latest - t_before);
+    if (std::abs(theta) > 4) return;
+    scale(1 + theta, lambda);
+    axpy(-theta, before, lambda);
+  }
+};
+
+/// Temporaries, caches and warm starts of one integration. `history`, `pending_weight` and `has_multiplier` belong to
+/// the state of the computation (checkpoints keep them); the rest is recomputed.
+template <ConstrainedSystem S>
+struct RattleWorkspace {
+  explicit RattleWorkspace(const S& system)
+      : system(system.make_workspace()),
+        acceleration(system.make_vector()),
+        q_start(system.make_vector()),
+        reaction(system.make_vector()),
+        residual(system.make_multiplier()),
+        delta(system.make_multiplier()),
+        impulse(system.make_multiplier()),
+        history{system.make_multiplier(), system.make_multiplier()} {}
+
+  typename S::Workspace system;
+  typename S::Vector acceleration, q_start, reaction;  // M⁻¹f at the state; q_n; M⁻¹Gᵀδ
+  typename S::Multiplier residual, delta, impulse;     // g or Gv; δ; Λ
+  MultiplierHistory<S> history;
+  double pending_weight = 0;  // half steps since the last projection, whose reaction is still to come
+  bool acceleration_known = false;
+  Counters counters;
+};
+
+namespace detail {
+
+inline constexpr int max_constraint_iterations = 30;
+
+/// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
+/// counts as zero if it is within a factor 1000 of the tolerance.
+struct ConvergenceMonitor {
+  double tolerance, previous = HUGE_VAL;
+  int iteration = 0;
+  enum class Verdict { done, go_on, stuck };
+
+  Verdict judge(double residual) {
+    if (residual <= tolerance) return Verdict::done;
+    const bool falling = residual < 0.5 * previous;
+    if (!falling && residual <= 1000 * tolerance) return Verdict::done;
+    // One rise is forgiven (a first Newton step from far away); a NaN compares false everywhere and is stuck at once.
+    if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
+    previous = residual;
+    return Verdict::go_on;
+  }
+};
+
+inline std::string constraint_stuck(const char* what, double residual, double h) {
+  return std::string("the ") + what + " iteration of the constraint does not converge (residual " +
+         std::to_string(residual) + " at a substep of " + std::to_string(h) +
+         " internal time units); use a smaller step";
+}
+
+}  // namespace detail
+
+struct Rattle {
+  static constexpr const char* name = "rattle";
+  static constexpr int order = 2;
+  static constexpr int n_stages = 1;
+  static constexpr bool symplectic = true, symmetric = true, needs_tangent = false;
+  /// Largest hω of the harmonic oscillator for which the step is stable.
+  static constexpr double stability_limit = 2.0;
+
+  /// One substep without the final velocity projection.
+  template <ConstrainedSystem S>
+  static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    axpy(h / 2, w.acceleration, state.v);
+    if (Status status = move_on_constraint(system, h, state, w); !status) return status;
+    state.t += h;
+    w.acceleration_known = false;
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    axpy(h / 2, w.acceleration, state.v);
+    w.pending_weight = h / 2;
+    ++w.counters.n_substeps;
+    return {};
+  }
+
+  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until |G v| ≤ tolerance; the state is then one of RATTLE.
+  template <ConstrainedSystem S>
+  static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
+    if constexpr (!unconstrained<S>) {
+      detail::ConvergenceMonitor monitor{system.constraint_tolerance()};
+      for (;;) {
+        system.constraint_rate(state.q, state.v, w.residual);
+        const double residual = max_norm(w.residual);
+        const auto verdict = monitor.judge(residual);
+        if (verdict == detail::ConvergenceMonitor::Verdict::done) break;
+        if (verdict == detail::ConvergenceMonitor::Verdict::stuck)
+          return Status::failure(detail::constraint_stuck("velocity", residual, 0));
+        scale(-1.0, w.residual);
+        if (Status status = react(system, state.q, state.q, w); !status) return status;
+        axpy(1.0, w.reaction, state.v);
+      }
+      w.pending_weight = 0;
+      ++w.counters.n_projections;
+    }
+    return {};
+  }
+
+ private:
+  template <ConstrainedSystem S>
+  static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
+    if (w.acceleration_known) return {};
+    if (Status status = system.force(state.t, state.q, state.v, w.system, w.acceleration); !status) return status;
+    system.apply_inverse_mass(w.acceleration, w.acceleration);
+    ++w.counters.n_force;
+    w.acceleration_known = true;
+    return {};
+  }
+
+  /// δ from G(q)M⁻¹G(q₀)ᵀ δ = residual, and reaction = M⁻¹G(q₀)ᵀ δ.
+  template <ConstrainedSystem S>
+  static Status react(const S& system, const typename S::Vector& q, const typename S::Vector& q0,
+                      RattleWorkspace<S>& w) {
+    SolveReport report = system.solve_gram(q, q0, w.residual, w.system, w.delta);
+    w.counters.n_gram_iterations += report.iterations;
+    if (!report.status) return std::move(report.status);
+    set_reaction(system, q0, w.delta, w);
+    return {};
+  }
+
+  template <ConstrainedSystem S>
+  static void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
+                           RattleWorkspace<S>& w) {
+    scale(0.0, w.reaction);
+    system.add_reaction(q0, lambda, w.reaction);
+    system.apply_inverse_mass(w.reaction, w.reaction);
+  }
+
+  /// q ← q + h v with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0.
+  template <ConstrainedSystem S>
+  static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    if constexpr (unconstrained<S>) {
+      axpy(h, state.v, state.q);
+      return {};
+    } else {
+      w.q_start = state.q;
+      const double weight = w.pending_weight + h / 2;
+      w.history.guess(state.t, w.impulse);
+      scale(weight, w.impulse);
+      set_reaction(system, w.q_start, w.impulse, w);
+      axpy(1.0, w.reaction, state.v);
+      axpy(h, state.v, state.q);
+
+      detail::ConvergenceMonitor monitor{system.constraint_tolerance()};
+      for (;;) {
+        if (Status status = system.constraint(state.q, w.residual); !status) return status;
+        const double residual = max_norm(w.residual);
+        const auto verdict = monitor.judge(residual);
+        if (verdict == detail::ConvergenceMonitor::Verdict::done) break;
+        if (verdict == detail::ConvergenceMonitor::Verdict::stuck)
+          return Status::failure(detail::constraint_stuck("position", residual, h));
+        scale(-1 / h, w.residual);
+        if (Status status = react(system, state.q, w.q_start, w); !status) return status;
+        axpy(1.0, w.delta, w.impulse);
+        axpy(1.0, w.reaction, state.v);
+        axpy(h, w.reaction, state.q);
+        ++w.counters.n_position_iterations;
+      }
+      record_multiplier(state.t, weight, h, w);
+      return {};
+    }
+  }
+
+  /// λ(t_n) = Λ / weight. Where substeps of opposite sign meet, the weight may nearly vanish and says nothing.
+  template <ConstrainedSystem S>
+  static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
+    if (std::abs(weight) < 0.1 * std::abs(h)) return;
+    scale(1 / weight, w.impulse);
+    w.history.record(t, w.impulse);
+  }
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,57 @@
+#pragma once
+/// The three operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, and |x|_∞.
+/// A distributed vector specialises VectorSpace; its max_norm is collective.
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+namespace pseudorigid::mechanics {
+
+template <class V>
+struct VectorSpace {  // dense Eigen vectors and matrices
+  static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
+  static void scale(double a, V& x) { x *= a; }
+  static double max_norm(const V& x) { return x.size() == 0 ? 0.0 : x.template lpNorm<Eigen::Infinity>(); }
+  static std::span<double> local_values(V& x) { return {x.data(), static_cast<std::size_t>(x.size())}; }
+};
+
+template <>
+struct VectorSpace<double> {  // the multiplier of one constraint
+  static void axpy(double a, double x, double& y) { y += a * x; }
+  static void scale(double a, double& x) { x *= a; }
+  static double max_norm(double x) { return std::abs(x); }
+  static std::span<double> local_values(double& x) { return {&x, 1}; }
+};
+
+/// Multiplier of a system without constraints.
+struct NoMultiplier {};
+
+template <>
+struct VectorSpace<NoMultiplier> {
+  static void axpy(double, NoMultiplier, NoMultiplier&) {}
+  static void scale(double, NoMultiplier&) {}
+  static double max_norm(NoMultiplier) { return 0; }
+  static std::span<double> local_values(NoMultiplier&) { return {}; }
+};
+
+template <class V>
+void axpy(double a, const V& x, V& y) {
+  VectorSpace<V>::axpy(a, x, y);
+}
+template <class V>
+void scale(double a, V& x) {
+  VectorSpace<V>::scale(a, x);
+}
+template <class V>
+double max_norm(const V& x) {
+  return VectorSpace<V>::max_norm(x);
+}
+/// The entries that this process owns, for checkpoints.
+template <class V>
+std::span<double> local_values(V& x) {
+  return VectorSpace<V>::local_values(x);
+}
+
+}  // namespace pseudorigid::mechanics

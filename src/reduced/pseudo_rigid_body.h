@@ -1,0 +1,107 @@
+#pragma once
+/// The pseudo-rigid body (Dirichlet–Riemann; Oliva 5.7): x = Q X, Q ∈ SL(3) or GL⁺(3),
+///
+///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q),
+///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
+///
+/// On SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²), so that
+/// G M⁻¹ Gᵀ Λ = r is one division: tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The book's multiplier per m̄ is λ = Λ/m̄.
+/// On GL⁺(3) there is no constraint and nothing of this remains.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <type_traits>
+
+#include "materials/tensor.h"
+#include "mechanics/body_observables.h"
+#include "mechanics/constrained_system.h"
+
+namespace pseudorigid::reduced {
+
+/// Inertia and volume of the reference body. A ball of radius r and density ρ has E₀ = (4/15)πρr⁵ Id (5.7.2).
+struct ReferenceBody {
+  Eigen::Matrix3d E0;
+  double volume;
+
+  /// The ball of the internal units: r = ρ = 1.
+  static ReferenceBody unit_ball() {
+    return {4.0 / 15.0 * std::numbers::pi * Eigen::Matrix3d::Identity(), 4.0 / 3.0 * std::numbers::pi};
+  }
+};
+
+template <class Law, bool incompressible>
+class PseudoRigidBody {
+ public:
+  using Vector = Eigen::Matrix3d;
+  using Multiplier = std::conditional_t<incompressible, double, mechanics::NoMultiplier>;
+  struct Workspace {};
+  static constexpr int n_constraints = incompressible ? 1 : 0;
+
+  PseudoRigidBody(Law law, const ReferenceBody& body)
+      : law_(law), volume_(body.volume), E0_(body.E0), E0_inverse_(body.E0.inverse()), m_bar_(body.E0.trace() / 3) {}
+
+  mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
+    if (mechanics::Status status = admissible(Q); !status) return status;
+    f = -volume_ * materials::to_matrix(law_.stress(materials::to_tensor(Q)));
+    return {};
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f * E0_inverse_; }
+
+  mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
+    if (mechanics::Status status = admissible(Q); !status) return status;
+    if constexpr (incompressible) g = std::log(Q.determinant());
+    return {};
+  }
+  void constraint_rate(const Vector& Q, const Vector& v, Multiplier& r) const {
+    if constexpr (incompressible) r = (Q.inverse() * v).trace();
+  }
+  void constraint_curvature(const Vector& Q, const Vector& v, Multiplier& r) const {
+    if constexpr (incompressible) {
+      const Eigen::Matrix3d L = Q.inverse() * v;
+      r = -(L * L).trace();
+    }
+  }
+  void add_reaction(const Vector& Q, const Multiplier& lambda, Vector& f) const {
+    if constexpr (incompressible) f += lambda * Q.inverse().transpose();
+  }
+  mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
+                                    Multiplier& lambda) const {
+    if constexpr (incompressible) lambda = r / (Q1.inverse() * Q0.inverse().transpose() * E0_inverse_).trace();
+    return {};
+  }
+  /// Round-off of ln det Q; bodies with large axis ratios stop at the round-off that they have (ConvergenceMonitor).
+  double constraint_tolerance() const { return 4e-16; }
+
+  Vector make_vector() const { return Vector::Zero(); }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {}; }
+
+  double kinetic_energy(const Vector& v) const { return 0.5 * (v * E0_ * v.transpose()).trace(); }
+  double elastic_energy(const Vector& Q) const { return volume_ * law_.energy(materials::to_tensor(Q)); }
+  const Law& law() const { return law_; }
+  double m_bar() const { return m_bar_; }
+  const Eigen::Matrix3d& E0() const { return E0_; }
+
+  /// Cauchy stress of the homogeneous state, σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q; λ is the multiplier per m̄.
+  Eigen::Matrix3d cauchy_stress(const Vector& Q, double lambda) const {
+    const Eigen::Matrix3d P = materials::to_matrix(law_.stress(materials::to_tensor(Q)));
+    return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
+  }
+
+ private:
+  static mechanics::Status admissible(const Vector& Q) {
+    const double J = Q.determinant();
+    if (J > 0 && std::isfinite(J)) return {};
+    return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
+                                      std::to_string(J));
+  }
+
+  Law law_;
+  double volume_;
+  Eigen::Matrix3d E0_, E0_inverse_;
+  double m_bar_;
+};
+
+}  // namespace pseudorigid::reduced

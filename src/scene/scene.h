@@ -1,0 +1,76 @@
+#pragma once
+/// What a parameter file says, as plain values with their defaults. The entries themselves (names, ranges, units,
+/// documentation) live in one place, scene/entries.h.
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace pseudorigid::scene {
+
+/// Row-major 3×3 matrix; the scene layer needs no linear algebra library.
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+enum class System { ball };
+enum class Analysis { motion };
+enum class Law { neo_hookean, ciarlet_geymonat };
+enum class Method { automatic, rattle, rattle4, rattle6, rattle8 };
+enum class Mesh { builtin };
+enum class Graphics { none, vtu };
+
+/// Which coordinate planes are symmetry planes of the computed sector; `automatic` lets the scene decide.
+/// x, y, z name the normals of the planes: xyz is one octant, none the full ball.
+enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
+
+/// Groups of columns of the CSV files; `time` is always written.
+struct Quantities {
+  bool state = true;       ///< Q, Qdot, centre of mass, mean gradient
+  bool energies = true;    ///< kinetic … energy
+  bool momenta = true;     ///< J, Z
+  bool multiplier = true;  ///< multiplier
+  bool axes = true;        ///< volume_ratio, a1, a2, a3
+  bool nonaffine = true;   ///< continuum only: non-affine fractions, min_jacobian
+};
+
+struct Scene {
+  std::string title;
+  struct Models {
+    bool reduced = true, continuum = true;
+  } models;
+  System system = System::ball;
+  Analysis analysis = Analysis::motion;
+
+  struct Body {
+    double radius = 1, density = 1;
+    bool incompressible = true;
+  } body;
+  struct Material {
+    Law law = Law::neo_hookean;
+    double shear_modulus = 1, lame_lambda = 1;
+  } material;
+  struct InitialState {
+    Matrix3 deformation = identity3;  ///< Q₀
+    Matrix3 velocity{};               ///< Q̇₀, per time
+  } initial_state;
+  struct Time {
+    double end = 10;
+    std::optional<double> step;  ///< empty: auto
+    Method method = Method::automatic;
+    double tolerance = 1e-6;
+  } time;
+  struct Continuum {
+    int degree = 4, refinements = 0;
+    Mesh mesh = Mesh::builtin;
+    Symmetry symmetry = Symmetry::automatic;
+  } continuum;
+  struct Output {
+    std::string directory = "output";
+    int samples = 200;
+    Quantities quantities;
+    Graphics graphics = Graphics::none;
+    int frames = 20;
+  } output;
+};
+
+}  // namespace pseudorigid::scene
