@@ -1,5 +1,6 @@
 #pragma once
-/// What this executable was built from; fixed when it was built.
+/// What this executable was built from; fixed when it was built. A library of its own (CMake target build_info): it
+/// changes with every commit, and only the executables should be linked again for that.
 
 #include <string_view>
 

@@ -7,12 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "io/build_info.h"
+
 namespace pseudorigid::io {
 
 struct Manifest {
   struct Model {
     std::map<std::string, double> counters, timers;  ///< counts; seconds
   };
+  BuildInfo build;                               ///< build_info(), from the executable
   std::vector<std::string> command;              ///< argv
   std::string title;                             ///< of the scene
   std::map<std::string, std::string> libraries;  ///< name → version

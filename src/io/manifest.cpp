@@ -1,0 +1,98 @@
+#include "io/manifest.h"
+
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "io/files.h"
+
+namespace pseudorigid::io {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using SystemClock = std::chrono::system_clock;
+
+std::string utc(SystemClock::time_point time) {
+  const std::time_t seconds = SystemClock::to_time_t(time);
+  std::tm parts;
+  gmtime_r(&seconds, &parts);
+  char text[32];
+  return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
+}
+
+/// Counts read better without ".0".
+Json number(double value) {
+  const bool is_count = std::abs(value) < 9e15 && value == std::floor(value);
+  return is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
+}
+
+Json numbers(const std::map<std::string, double>& values) {
+  Json object = Json::object();
+  for (const auto& [name, value] : values) object[name] = number(value);
+  return object;
+}
+
+Json to_json(const Manifest& content) {
+  Json json;
+  json["program"] = "pseudorigid";
+  json["version"] = content.build.version;
+  json["git_hash"] = content.build.git_hash;
+  json["compiler"] = content.build.compiler;
+  json["flags"] = content.build.flags;
+  json["build_type"] = content.build.build_type;
+  json["libraries"] = content.libraries;
+  json["cpu"] = cpu_model();
+  json["command"] = content.command;
+  json["title"] = content.title;
+  json["models"] = Json::object();
+  for (const auto& [name, model] : content.models)
+    json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};
+  return json;
+}
+
+}  // namespace
+
+std::string cpu_model() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != line.npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+ManifestFile::ManifestFile(std::filesystem::path path, Manifest content)
+    : path_(std::move(path)), content_(std::move(content)), start_(SystemClock::now()) {
+  write("running", nullptr, {});
+}
+
+ManifestFile::~ManifestFile() {
+  if (finished_) return;
+  try {
+    write("failed", nullptr, {});
+  } catch (const WriteError&) {
+  }
+}
+
+void ManifestFile::finish(const std::string& state, int exit_code, const std::string& message) {
+  finished_ = true;
+  write(state, &exit_code, message);
+}
+
+void ManifestFile::write(const std::string& state, const int* exit_code, const std::string& message) {
+  Json json = to_json(content_);
+  json["start"] = utc(start_);
+  if (state != "running") {
+    const auto end = SystemClock::now();
+    json["end"] = utc(end);
+    json["wall_seconds"] = std::chrono::duration<double>(end - start_).count();
+  }
+  json["state"] = state;
+  if (exit_code != nullptr) json["exit_code"] = *exit_code;
+  if (!message.empty()) json["message"] = message;
+  write_file_atomically(path_, {json.dump(2, ' ', false, Json::error_handler_t::replace), "\n"});
+}
+
+}  // namespace pseudorigid::io

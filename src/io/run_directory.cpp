@@ -1,0 +1,127 @@
+#include "io/run_directory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "io/files.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::io {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Every name that a run may give to a file of its directory, but for the checkpoints and graphics matched below.
+/// Another analysis or system adds its own here.
+constexpr std::array<std::string_view, 12> owned_names{
+    "used.prm",  "manifest.json",   "log.txt",     "reduced.csv",   "continuum.csv", "comparison.csv",
+    "modes.csv", "equilibrium.csv", "reduced.pvd", "continuum.pvd", "report.html",   "comparison.json"};
+
+bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
+  return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
+}
+
+std::string_view without_partial_suffix(std::string_view name) {
+  if (name.ends_with(partial_suffix)) name.remove_suffix(partial_suffix.size());
+  return name;
+}
+
+UserError cannot(const char* what, const fs::path& path, const std::string& reason) {
+  return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
+}
+
+/// Unlinks the files (never folders) of `directory` whose names satisfy `owned`.
+void remove_files(const fs::path& directory, bool (*owned)(std::string_view)) {
+  for (const auto& entry : fs::directory_iterator(directory))
+    if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
+}
+
+fs::path locate(const fs::path& output_directory, const fs::path& scene_file, const std::optional<fs::path>& option) {
+  return option ? *option : output_directory / scene_name(scene_file);
+}
+
+}  // namespace
+
+std::string scene_name(const fs::path& scene_file) {
+  const fs::path name = scene_file.filename();
+  return name.extension() == ".prm" ? name.stem().native() : name.native();
+}
+
+RunDirectory::RunDirectory(const fs::path& output_directory, const fs::path& scene_file,
+                           const std::optional<fs::path>& output_option)
+    : path_(locate(output_directory, scene_file, output_option)) {}
+
+bool RunDirectory::owns(std::string_view name) {
+  name = without_partial_suffix(name);
+  return std::ranges::find(owned_names, name) != owned_names.end() || matches(name, "checkpoint-", ".bin");
+}
+
+bool RunDirectory::owns_graphics(std::string_view name) {
+  name = without_partial_suffix(name);
+  const auto frame_of = [&](std::string_view model) {
+    return matches(name, model, ".vtu") || matches(name, model, ".pvtu");
+  };
+  return frame_of("reduced-") || frame_of("continuum-");
+}
+
+void RunDirectory::require_writable() const {
+  const fs::path probe = path_ / "used.prm";
+  try {
+    // A probe under a name of ours that no run leaves behind; the file proper may belong to a run being resumed.
+    fs::path attempt = probe;
+    attempt += ".probe";
+    write_file_atomically(attempt, {});
+    fs::remove(attempt);
+  } catch (const WriteError& error) {
+    throw cannot("write to", path_, std::strerror(error.error_number));
+  }
+}
+
+void RunDirectory::prepare_fresh() const {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error) throw cannot("create", path_, error.message());
+  require_writable();
+  try {
+    remove_files(path_, &RunDirectory::owns);
+    const fs::path graphics = path_ / "graphics";
+    if (fs::is_directory(graphics)) {
+      remove_files(graphics, &RunDirectory::owns_graphics);
+      if (!fs::is_symlink(graphics) && fs::is_empty(graphics)) fs::remove(graphics);
+    }
+  } catch (const fs::filesystem_error& failure) {
+    throw cannot("clear earlier results from", path_, failure.code().message());
+  }
+}
+
+void RunDirectory::prepare_resume() const {
+  std::error_code error;
+  const auto is_checkpoint = [](const fs::directory_entry& entry) {
+    return matches(entry.path().filename().native(), "checkpoint-", ".bin");
+  };
+  if (std::none_of(fs::directory_iterator(path_, error), fs::directory_iterator(), is_checkpoint))
+    throw UserError(fmt::format("nothing to resume: '{}' holds no checkpoint", path_.native()));
+  require_writable();
+}
+
+void RunDirectory::prepare_graphics() const {
+  std::error_code error;
+  fs::create_directory(path_ / "graphics", error);
+  if (error) throw cannot("create", path_ / "graphics", error.message());
+}
+
+fs::path RunDirectory::csv(std::string_view name) const { return path_ / fmt::format("{}.csv", name); }
+fs::path RunDirectory::pvd(std::string_view model) const { return path_ / fmt::format("{}.pvd", model); }
+fs::path RunDirectory::checkpoint(std::string_view model) const {
+  return path_ / fmt::format("checkpoint-{}.bin", model);
+}
+fs::path RunDirectory::frame(std::string_view model, int index) const {
+  return path_ / "graphics" / fmt::format("{}-{:06}.vtu", model, index);
+}
+
+}  // namespace pseudorigid::io

@@ -1,0 +1,132 @@
+#include "io/vtu.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "io/files.h"
+
+namespace pseudorigid::io {
+
+namespace {
+
+constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+template <class T>
+constexpr const char* vtk_type = nullptr;
+template <>
+constexpr const char* vtk_type<double> = "Float64";
+template <>
+constexpr const char* vtk_type<std::int64_t> = "Int64";
+template <>
+constexpr const char* vtk_type<std::uint8_t> = "UInt8";
+
+/// <DataArray> with one base64 stream: the number of bytes as UInt64, then the bytes.
+template <class T>
+void append_array(std::string& out, std::string_view name, int n_components, const std::vector<T>& values) {
+  const std::uint64_t n_bytes = values.size() * sizeof(T);
+  std::string bytes(sizeof n_bytes + n_bytes, '\0');
+  std::copy_n(reinterpret_cast<const char*>(&n_bytes), sizeof n_bytes, bytes.begin());
+  std::copy_n(reinterpret_cast<const char*>(values.data()), n_bytes, bytes.begin() + sizeof n_bytes);
+  out += fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="binary">)", vtk_type<T>, name,
+                     n_components);
+  out += base64(bytes);
+  out += "</DataArray>\n";
+}
+
+void require(bool condition, const std::string& complaint) {
+  if (!condition) throw std::logic_error("VTU grid: " + complaint);
+}
+
+void validate(const UnstructuredGrid& grid) {
+  const auto all_finite = [](const std::vector<double>& values) {
+    return std::ranges::all_of(values, [](double x) { return std::isfinite(x); });
+  };
+  const auto n_points = static_cast<std::int64_t>(grid.n_points());
+  require(grid.points.size() % 3 == 0 && all_finite(grid.points), "points are not triples of finite numbers");
+  require(grid.nodes_per_cell > 0 && grid.connectivity.size() % grid.nodes_per_cell == 0, "a cell is incomplete");
+  require(std::ranges::all_of(grid.connectivity, [&](std::int64_t i) { return 0 <= i && i < n_points; }),
+          "a cell has a point that does not exist");
+  for (const auto& field : grid.fields) {
+    require(field.values.size() == grid.n_points() * field.n_components, field.name + " has the wrong size");
+    require(all_finite(field.values), field.name + " is not finite");
+  }
+}
+
+void append_cells(std::string& out, const UnstructuredGrid& grid) {
+  std::vector<std::int64_t> offsets(grid.n_cells());
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
+  const std::vector<std::uint8_t> types(grid.n_cells(), static_cast<std::uint8_t>(grid.cell_type));
+  out += "<Cells>\n";
+  append_array(out, "connectivity", 1, grid.connectivity);
+  append_array(out, "offsets", 1, offsets);
+  append_array(out, "types", 1, types);
+  out += "</Cells>\n";
+}
+
+}  // namespace
+
+std::string base64(std::string_view bytes) {
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  auto out = text.begin();
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t triple = 0;
+    for (std::size_t j = 0; j < 3; ++j) triple = triple << 8 | (j < n ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for (std::size_t j = 0; j <= n; ++j) out[j] = base64_digits[triple >> (18 - 6 * j) & 63];
+    out += 4;
+  }
+  return text;
+}
+
+void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid) {
+  validate(grid);
+  constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
+      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
+      byte_order, grid.n_points(), grid.n_cells());
+  append_array(out, "Points", 3, grid.points);
+  out += "</Points>\n";
+  append_cells(out, grid);
+  out += "<PointData>\n";
+  for (const auto& field : grid.fields) append_array(out, field.name, field.n_components, field.values);
+  out += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  write_file_atomically(path, {out});
+}
+
+std::vector<int> lagrange_hexahedron_nodes(int degree) {
+  const int p = degree;
+  std::vector<int> nodes;
+  const auto add = [&](int i, int j, int k) { nodes.push_back(i + (p + 1) * (j + (p + 1) * k)); };
+  for (const int k : {0, p}) add(0, 0, k), add(p, 0, k), add(p, p, k), add(0, p, k);
+  for (const int k : {0, p}) {
+    for (int i = 1; i < p; ++i) add(i, 0, k);
+    for (int j = 1; j < p; ++j) add(p, j, k);
+    for (int i = 1; i < p; ++i) add(i, p, k);
+    for (int j = 1; j < p; ++j) add(0, j, k);
+  }
+  for (const int j : {0, p})
+    for (const int i : {0, p})
+      for (int k = 1; k < p; ++k) add(i, j, k);
+  for (const int i : {0, p})
+    for (int k = 1; k < p; ++k)
+      for (int j = 1; j < p; ++j) add(i, j, k);
+  for (const int j : {0, p})
+    for (int k = 1; k < p; ++k)
+      for (int i = 1; i < p; ++i) add(i, j, k);
+  for (const int k : {0, p})
+    for (int j = 1; j < p; ++j)
+      for (int i = 1; i < p; ++i) add(i, j, k);
+  for (int k = 1; k < p; ++k)
+    for (int j = 1; j < p; ++j)
+      for (int i = 1; i < p; ++i) add(i, j, k);
+  return nodes;
+}
+
+}  // namespace pseudorigid::io
