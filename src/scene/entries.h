@@ -1,0 +1,180 @@
+#pragma once
+/// Every entry of a parameter file, in one place: name, member of Scene, kind with range, unit and documentation; the
+/// default is the member's own in scene/scene.h. Reading, range checks, used.prm, the suggestions for misspelt names
+/// and all formats of `pseudorigid parameters` derive from here. A new entry is a member of Scene and one call below.
+
+#include <concepts>
+#include <string_view>
+#include <type_traits>
+
+#include "scene/entry_kinds.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+inline constexpr Choice<System, 1> system_kind{{{{"ball", System::ball}}}};
+inline constexpr Choice<Analysis, 1> analysis_kind{{{{"motion", Analysis::motion}}}};
+inline constexpr Choice<Law, 2> law_kind{{{
+    {"neo-hookean", Law::neo_hookean},
+    {"ciarlet-geymonat", Law::ciarlet_geymonat},
+}}};
+inline constexpr Choice<Method, 5> method_kind{{{
+    {"auto", Method::automatic},
+    {"rattle", Method::rattle},
+    {"rattle-4", Method::rattle4},
+    {"rattle-6", Method::rattle6},
+    {"rattle-8", Method::rattle8},
+}}};
+inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
+inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
+inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
+    {"auto", Symmetry::automatic},
+    {"none", Symmetry::none},
+    {"x", Symmetry::x},
+    {"y", Symmetry::y},
+    {"z", Symmetry::z},
+    {"xy", Symmetry::xy},
+    {"xz", Symmetry::xz},
+    {"yz", Symmetry::yz},
+    {"octant", Symmetry::octant},
+}}};
+inline constexpr Switches<Scene::Models, 2> models_kind{{{
+    {"reduced", &Scene::Models::reduced},
+    {"continuum", &Scene::Models::continuum},
+}}};
+inline constexpr Switches<Quantities, 6> quantities_kind{{{
+                                                             {"state", &Quantities::state},
+                                                             {"energies", &Quantities::energies},
+                                                             {"momenta", &Quantities::momenta},
+                                                             {"multiplier", &Quantities::multiplier},
+                                                             {"axes", &Quantities::axes},
+                                                             {"nonaffine", &Quantities::nonaffine},
+                                                         }},
+                                                         true};
+
+/// Where the defaults are looked up.
+inline const Scene default_scene;
+
+/// Path ("Section/Entry"), unit in words ("" for none) and documentation in full sentences.
+struct About {
+  std::string_view path, unit, documentation;
+};
+
+template <class S>
+concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
+
+template <SceneOrConst S, class Visit>
+void visit_problem(S& scene, Visit& visit) {
+  visit(scene.title, Text{}, About{"Title", "", "A line of text for the reader; it changes nothing."});
+  visit(scene.models, models_kind,
+        About{"Models", "", "Which models of the body to run; if both, they are compared automatically."});
+  visit(scene.system, system_kind, About{"System", "", "What moves: an elastic ball."});
+  visit(scene.analysis, analysis_kind,
+        About{"Analysis", "", "What to compute: the motion that follows from the initial state."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_body(S& scene, Visit& visit) {
+  auto& [radius, density, incompressible] = scene.body;
+  visit(radius, positive, About{"Body/Radius", "length", "Radius r of the undeformed ball."});
+  visit(density, positive, About{"Body/Density", "mass/length^3", "Density of the undeformed ball."});
+  visit(incompressible, Boolean{},
+        About{"Body/Incompressible", "",
+              "Whether volume is preserved (det F = 1 everywhere, by a pressure). "
+              "The continuum is offered for incompressible bodies."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_material(S& scene, Visit& visit) {
+  auto& [law, shear_modulus, lame_lambda] = scene.material;
+  visit(law, law_kind,
+        About{"Material/Law", "",
+              "Stored energy per undeformed volume, with C = F^T F, I = tr C, J = det F and III = J^2: "
+              "(shear modulus/2) (I - 3 - 2 ln J) + (Lame lambda/4) (III - 1 - ln III). "
+              "Both names mean this energy; neo-hookean is the usual name on incompressible bodies."});
+  visit(shear_modulus, positive,
+        About{"Material/Shear modulus", "pressure",
+              "Shear modulus at rest; sqrt(shear modulus/density) is the speed c."});
+  visit(lame_lambda, positive,
+        About{"Material/Lame lambda", "pressure",
+              "First Lame modulus at rest, the resistance to a change of volume. "
+              "Ignored for incompressible bodies, on which its term of the energy vanishes."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_initial_state(S& scene, Visit& visit) {
+  auto& [deformation, velocity] = scene.initial_state;
+  visit(deformation, Matrix{},
+        About{"Initial state/Deformation", "",
+              "Q0: the ball starts as x = Q0 X; det Q0 > 0, and det Q0 = 1 within 1e-8 for an incompressible body "
+              "(it is then projected exactly)."});
+  visit(velocity, Matrix{},
+        About{"Initial state/Velocity", "1/time",
+              "Qdot0: the ball starts with the velocity Qdot0 X; for an incompressible body "
+              "|tr(Q0^-1 Qdot0)| r/c <= 1e-8 (it is then projected exactly)."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_time(S& scene, Visit& visit) {
+  auto& [end, step, method, tolerance] = scene.time;
+  visit(end, positive, About{"Time/End", "time", "The motion is computed from time 0 to this time."});
+  visit(step, AutoOrNumber{positive},
+        About{"Time/Step", "time",
+              "Upper bound of the time step (of the whole composed step for rattle-4, -6, -8); each interval between "
+              "samples holds a whole number of steps. auto: found from Tolerance."});
+  visit(
+      method, method_kind,
+      About{"Time/Method", "",
+            "Integrator: RATTLE (order 2) or its symmetric compositions of order 4, 6, 8. auto: chosen by Tolerance."});
+  visit(tolerance, Number{1e-13, 1e-1},
+        About{"Time/Tolerance", "", "Bound of the time error of Q over the run (largest entry, over all samples)."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_continuum(S& scene, Visit& visit) {
+  auto& [degree, refinements, mesh, symmetry] = scene.continuum;
+  visit(degree, Integer{2, 6},
+        About{"Continuum/Degree", "", "Polynomial degree of the displacement; the pressure has one degree less."});
+  visit(refinements, Integer{0, 4},
+        About{"Continuum/Refinements", "", "How often each cell of the mesh is divided into eight."});
+  visit(mesh, mesh_kind, About{"Continuum/Mesh", "", "The mesh to start from: the builtin mesh of the ball."});
+  visit(
+      symmetry, symmetry_kind,
+      About{"Continuum/Symmetry", "",
+            "Normals of the coordinate planes taken as symmetry planes, so that only a sector of the ball is computed "
+            "(octant: all three; none: the full ball). auto: every plane that the initial state admits. "
+            "Motions that would break the symmetry are then excluded."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_output(S& scene, Visit& visit) {
+  auto& [directory, samples, quantities, graphics, frames] = scene.output;
+  visit(directory, Text{.may_be_empty = false},
+        About{"Output/Directory", "", "Results go to the folder <Directory>/<name of the scene>."});
+  visit(samples, Integer{1, 10'000'000},
+        About{"Output/Samples", "", "Number of equal intervals of time at whose ends the quantities are written."});
+  visit(
+      quantities, quantities_kind,
+      About{"Output/Quantities", "",
+            "Groups of columns to compute and write; the time is always written. state: Q, Qdot, centre of mass, mean "
+            "gradient; energies; momenta: J, Z; multiplier; axes: volume ratio and semi-axes; nonaffine: how far the "
+            "continuum is from an affine motion."});
+  visit(graphics, graphics_kind,
+        About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
+  visit(frames, Integer{1},
+        About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
+}
+
+/// Calls visit(member, kind, About) for every entry, in the order of a parameter file.
+template <SceneOrConst S, class Visit>
+void visit_entries(S& scene, Visit&& visit) {
+  visit_problem(scene, visit);
+  visit_body(scene, visit);
+  visit_material(scene, visit);
+  visit_initial_state(scene, visit);
+  visit_time(scene, visit);
+  visit_continuum(scene, visit);
+  visit_output(scene, visit);
+}
+
+}  // namespace pseudorigid::scene

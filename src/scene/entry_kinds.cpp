@@ -1,0 +1,139 @@
+#include "scene/entry_kinds.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "scene/wording.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+/// std::from_chars knows no leading '+', which people and other programs write.
+std::string_view without_plus(std::string_view text) {
+  const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return plus ? text.substr(1) : text;
+}
+
+template <class T>
+std::optional<T> whole_text_as(std::string_view text) {
+  text = without_plus(text);
+  T value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::string got(std::string_view text) { return text.empty() ? "got nothing" : "got " + quote(text); }
+
+std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed) {
+  return got(word) + did_you_mean(word, allowed);
+}
+
+std::string one_of(const std::vector<std::string_view>& words) {
+  return (words.size() > 2 ? "one of " : "") + joined_with_or(words);
+}
+
+std::vector<std::string_view> parts_of(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  if (trimmed(text).empty()) return parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const auto end = std::min(text.find(separator, begin), text.size());
+    parts.push_back(trimmed(text.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  const auto value = whole_text_as<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::string print_number(double value) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
+std::string print_matrix(const Matrix3& matrix) {
+  std::string text;
+  for (const auto& row : matrix)
+    text += fmt::format("{}{}, {}, {}", text.empty() ? "" : "; ", print_number(row[0]), print_number(row[1]),
+                        print_number(row[2]));
+  return text;
+}
+
+Problem Number::read(std::string_view text, double& value) const {
+  const auto number = finite_number(text);
+  if (!number || *number < low || *number > high || (low_excluded && *number == low)) return got(text);
+  value = *number;
+  return std::nullopt;
+}
+
+std::string Number::expected() const {
+  if (std::isinf(low)) return "a finite number";
+  if (std::isinf(high)) return fmt::format("a number {} {}", low_excluded ? ">" : ">=", print_number(low));
+  return fmt::format("a number from {} to {}", print_number(low), print_number(high));
+}
+
+Problem AutoOrNumber::read(std::string_view text, std::optional<double>& value) const {
+  if (text == "auto") return value.reset(), std::nullopt;
+  double read_value = 0;
+  if (auto problem = number.read(text, read_value)) return problem;
+  value = read_value;
+  return std::nullopt;
+}
+
+Problem Integer::read(std::string_view text, int& value) const {
+  const auto number = whole_text_as<int>(text);
+  if (!number || *number < low || *number > high) return got(text);
+  value = *number;
+  return std::nullopt;
+}
+
+std::string Integer::expected() const {
+  if (high == std::numeric_limits<int>::max()) return fmt::format("a whole number >= {}", low);
+  return fmt::format("a whole number from {} to {}", low, high);
+}
+
+Problem Boolean::read(std::string_view text, bool& value) const {
+  if (text != "true" && text != "false") return got(text);
+  value = text == "true";
+  return std::nullopt;
+}
+
+Problem Text::read(std::string_view text, std::string& value) const {
+  if (text.empty() && !may_be_empty) return got(text);
+  value = text;
+  return std::nullopt;
+}
+
+Problem Matrix::read(std::string_view text, Matrix3& value) const {
+  const auto rows = parts_of(text, ';');
+  if (rows.size() != 3)
+    return fmt::format("{}, which has {} row{}", got(text), rows.size(), rows.size() == 1 ? "" : "s");
+  Matrix3 matrix{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto entries = parts_of(rows[i], ',');
+    if (entries.size() != 3)
+      return fmt::format("{}, where row {} has {} entr{}", got(text), i + 1, entries.size(),
+                         entries.size() == 1 ? "y" : "ies");
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto number = finite_number(entries[j]);
+      if (!number) return fmt::format("{} as entry ({},{})", got(entries[j]), i + 1, j + 1);
+      matrix[i][j] = *number;
+    }
+  }
+  value = matrix;
+  return std::nullopt;
+}
+
+std::string Matrix::expected() const {
+  return "a 3x3 matrix of finite numbers, rows separated by \";\" and entries by \",\"";
+}
+
+}  // namespace pseudorigid::scene

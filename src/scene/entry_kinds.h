@@ -1,0 +1,181 @@
+#pragma once
+/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and says
+/// in words what it expects; the entries themselves are in scene/entries.h.
+///
+/// Every kind has, for its value type T:
+///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
+///   set std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for
+///   bit std::string expected() const;                                             // "a number > 0" static constexpr
+///   std::string_view type;                                   // "number" std::vector<std::string_view> words() const;
+///   // the words allowed, if they are a list
+
+#include <array>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+using Problem = std::optional<std::string>;
+
+/// `got "…"`: the problem where nothing better can be said.
+std::string got(std::string_view text);
+
+/// The whole text as a finite number; nothing if it is anything else.
+std::optional<double> finite_number(std::string_view text);
+
+/// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
+std::string print_number(double value);
+
+/// "1, 0, 0; 0, 1, 0; 0, 0, 1".
+std::string print_matrix(const Matrix3& matrix);
+
+/// A finite number, > low or >= low, and <= high.
+struct Number {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false;
+
+  static constexpr std::string_view type = "number";
+  Problem read(std::string_view text, double& value) const;
+  std::string print(double value) const { return print_number(value); }
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+inline constexpr Number positive{.low = 0, .low_excluded = true};
+
+/// The word `auto` (no value) or a number.
+struct AutoOrNumber {
+  Number number;
+
+  static constexpr std::string_view type = "auto or number";
+  Problem read(std::string_view text, std::optional<double>& value) const;
+  std::string print(const std::optional<double>& value) const { return value ? number.print(*value) : "auto"; }
+  std::string expected() const { return "auto or " + number.expected(); }
+  std::vector<std::string_view> words() const { return {"auto"}; }
+};
+
+/// A whole number, low <= value <= high; the largest int stands for no upper limit.
+struct Integer {
+  int low = 0;
+  int high = std::numeric_limits<int>::max();
+
+  static constexpr std::string_view type = "integer";
+  Problem read(std::string_view text, int& value) const;
+  std::string print(int value) const { return std::to_string(value); }
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+struct Boolean {
+  static constexpr std::string_view type = "boolean";
+  Problem read(std::string_view text, bool& value) const;
+  std::string print(bool value) const { return value ? "true" : "false"; }
+  std::string expected() const { return "true or false"; }
+  std::vector<std::string_view> words() const { return {"true", "false"}; }
+};
+
+/// Free text on one line.
+struct Text {
+  bool may_be_empty = true;
+
+  static constexpr std::string_view type = "text";
+  Problem read(std::string_view text, std::string& value) const;
+  std::string print(const std::string& value) const { return value; }
+  std::string expected() const { return may_be_empty ? "any text" : "a text that is not empty"; }
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+/// Three rows separated by `;`, each of three numbers separated by `,`.
+struct Matrix {
+  static constexpr std::string_view type = "matrix";
+  Problem read(std::string_view text, Matrix3& value) const;
+  std::string print(const Matrix3& value) const { return print_matrix(value); }
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+/// What to say of a word that is not among those allowed.
+std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
+
+/// The names of an enumeration, each beside its value.
+template <class E, std::size_t n>
+using NameTable = std::array<std::pair<std::string_view, E>, n>;
+
+template <class E, std::size_t n>
+std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
+  std::vector<std::string_view> words;
+  for (const auto& [name, value] : table) words.push_back(name);
+  return words;
+}
+
+std::string one_of(const std::vector<std::string_view>& words);
+
+/// One word out of a table of names.
+template <class E, std::size_t n>
+struct Choice {
+  NameTable<E, n> table;
+
+  static constexpr std::string_view type = "choice";
+  Problem read(std::string_view text, E& value) const {
+    for (const auto& [name, named] : table)
+      if (name == text) return value = named, std::nullopt;
+    return unknown_word(text, words());
+  }
+  std::string print(E value) const {
+    for (const auto& [name, named] : table)
+      if (named == value) return std::string(name);
+    return {};
+  }
+  std::string expected() const { return one_of(words()); }
+  std::vector<std::string_view> words() const { return words_of(table); }
+};
+
+/// Splits at the separator and trims the parts; an empty text has no parts.
+std::vector<std::string_view> parts_of(std::string_view text, char separator);
+
+/// A comma-separated list of words, each a switch (member of type bool) of the value; `all` stands for every word.
+template <class S, std::size_t n>
+struct Switches {
+  NameTable<bool S::*, n> table;
+  bool knows_all = false;
+
+  static constexpr std::string_view type = "list";
+  Problem read(std::string_view text, S& value) const {
+    const bool all = knows_all && text == "all";
+    for (const auto& [name, member] : table) value.*member = all;
+    if (all) return std::nullopt;
+    for (const std::string_view word : parts_of(text, ',')) {
+      bool found = false;
+      for (const auto& [name, member] : table)
+        if (name == word) found = value.*member = true;
+      if (!found) return unknown_word(word, words());
+    }
+    return std::nullopt;
+  }
+  std::string print(const S& value) const {
+    std::string list;
+    bool all = knows_all;
+    for (const auto& [name, member] : table) {
+      if (value.*member) list.append(list.empty() ? "" : ", ").append(name);
+      all = all && value.*member;
+    }
+    return all ? "all" : list;
+  }
+  std::string expected() const {
+    return (knows_all ? "all, or a list of " : "a list of ") + one_of(words_of(table)) + ", separated by commas";
+  }
+  std::vector<std::string_view> words() const {
+    auto words = words_of(table);
+    if (knows_all) words.insert(words.begin(), "all");
+    return words;
+  }
+};
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,64 @@
+#pragma once
+/// The little algebra of 3x3 matrices that checking a scene needs.
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+/// cof Q = det(Q) Q^-T. Where Q is diagonal or block diagonal, the zeros of the result are exact.
+inline Matrix3 cofactor(const Matrix3& q) {
+  Matrix3 cof{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      cof[i][j] = q[i1][j1] * q[i2][j2] - q[i1][j2] * q[i2][j1];
+    }
+  return cof;
+}
+
+/// A : B = tr(A^T B).
+inline double inner(const Matrix3& a, const Matrix3& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) sum += a[i][j] * b[i][j];
+  return sum;
+}
+
+inline double norm(const Matrix3& a) { return std::sqrt(inner(a, a)); }
+
+inline double largest_entry(const Matrix3& a) {
+  double largest = 0;
+  for (const auto& row : a)
+    for (const double entry : row) largest = std::max(largest, std::abs(entry));
+  return largest;
+}
+
+inline double det(const Matrix3& q) {
+  const Matrix3 cof = cofactor(q);
+  return q[0][0] * cof[0][0] + q[0][1] * cof[0][1] + q[0][2] * cof[0][2];
+}
+
+/// a A + b B.
+inline Matrix3 combine(double a, const Matrix3& first, double b, const Matrix3& second) {
+  Matrix3 sum{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) sum[i][j] = a * first[i][j] + b * second[i][j];
+  return sum;
+}
+
+inline Matrix3 scaled(double factor, Matrix3 a) {
+  for (auto& row : a)
+    for (double& entry : row) entry *= factor;
+  return a;
+}
+
+inline Matrix3 absolute(Matrix3 a) {
+  for (auto& row : a)
+    for (double& entry : row) entry = std::abs(entry);
+  return a;
+}
+
+}  // namespace pseudorigid::scene

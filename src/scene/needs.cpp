@@ -1,0 +1,84 @@
+#include "scene/needs.h"
+
+#include <fmt/format.h>
+
+#include "scene/entries.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+/// Writes a line for people: `needed` if the part is wanted, else `skipped`.
+void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped) {
+  if (wanted)
+    needs.needed.push_back(std::move(needed));
+  else
+    needs.skipped.push_back(std::move(skipped));
+}
+
+std::string continuum_line(const Scene& scene, const Sector& sector) {
+  const auto& [degree, refinements, mesh, symmetry] = scene.continuum;
+  return fmt::format("continuum: finite elements of degree {} on the {} mesh, refined {} time{}", degree,
+                     mesh_kind.print(mesh), refinements, refinements == 1 ? "" : "s") +
+         fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason);
+}
+
+void describe_models(const Scene& scene, Needs& needs) {
+  sort_out(needs, needs.reduced, "reduced model: the pseudo-rigid body, 9 unknowns", "reduced model: not among Models");
+  sort_out(needs, needs.continuum, continuum_line(scene, needs.sector),
+           "continuum: not among Models; no mesh, no deal.II, MPI or PETSc");
+  sort_out(needs, needs.constraint, "constraint: volume is preserved, det Q = 1 with its multiplier",
+           "constraint: the body is compressible");
+  if (needs.continuum)
+    sort_out(needs, needs.pressure_space,
+             fmt::format("pressure space: degree {}, volume preserved everywhere", scene.continuum.degree - 1),
+             "pressure space: the body is compressible");
+  sort_out(needs, needs.comparison, "comparison of the two models", "comparison: only one model runs");
+}
+
+void describe_output(const Scene& scene, Needs& needs) {
+  needs.skipped.push_back("tangent stiffness and preconditioners for it: RATTLE is explicit in the elastic force");
+  for (const auto& [name, member] : quantities_kind.table) {
+    const bool unavailable = member == &Quantities::nonaffine && !needs.continuum;
+    sort_out(
+        needs, needs.quantities.*member, fmt::format("quantities: {}", name),
+        fmt::format("quantities: {}: {}", name, unavailable ? "no continuum runs" : "not among Output/Quantities"));
+  }
+  sort_out(needs, needs.graphics, fmt::format("graphics: {} frames (vtu)", scene.output.frames),
+           "graphics: Output/Graphics is none; no folder is made");
+}
+
+std::string list(const char* title, const std::vector<std::string>& lines) {
+  std::string text = std::string(title) + "\n";
+  for (const std::string& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
+}  // namespace
+
+Needs needs(const Scene& scene) {
+  Needs needs;
+  needs.reduced = scene.models.reduced;
+  needs.continuum = scene.models.continuum;
+  needs.constraint = scene.body.incompressible;
+  needs.pressure_space = needs.continuum && scene.body.incompressible;
+  needs.comparison = needs.reduced && needs.continuum;
+  needs.graphics = scene.output.graphics != Graphics::none;
+  needs.quantities = scene.output.quantities;
+  needs.quantities.nonaffine = needs.quantities.nonaffine && needs.continuum;
+  if (needs.continuum) needs.sector = sector(scene);
+  describe_models(scene, needs);
+  describe_output(scene, needs);
+  return needs;
+}
+
+std::string describe(const Scene& scene, const Needs& needs) {
+  std::string text = scene.title.empty() ? "" : scene.title + "\n";
+  text +=
+      fmt::format("{} of a {} {} of radius {}, density {}, shear modulus {}, until time {}\n",
+                  analysis_kind.print(scene.analysis), scene.body.incompressible ? "incompressible" : "compressible",
+                  system_kind.print(scene.system), print_number(scene.body.radius), print_number(scene.body.density),
+                  print_number(scene.material.shear_modulus), print_number(scene.time.end));
+  return text + list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
+}
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,30 @@
+#pragma once
+/// What a scene needs, and what it does not need and therefore is never built, computed or written.
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "scene/sector.h"
+
+namespace pseudorigid::scene {
+
+struct Needs {
+  bool reduced = false;
+  bool continuum = false;                    ///< deal.II, MPI, PETSc, a mesh
+  bool constraint = false;                   ///< det = 1 and its multiplier
+  bool pressure_space = false;               ///< of the continuum
+  bool comparison = false;                   ///< of both models
+  bool graphics = false;                     ///< files for ParaView
+  Quantities quantities;                     ///< the observables to evaluate
+  Sector sector;                             ///< of the continuum
+  std::vector<std::string> needed, skipped;  ///< one line each, for people
+};
+
+/// Takes a scene that scene::validate returned.
+Needs needs(const Scene& scene);
+
+/// The text of `pseudorigid check`, also written to the log: what the scene needs, and what is skipped and why.
+std::string describe(const Scene& scene, const Needs& needs);
+
+}  // namespace pseudorigid::scene

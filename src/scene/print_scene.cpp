@@ -1,0 +1,160 @@
+#include "scene/print_scene.h"
+
+#include <fmt/format.h>
+
+#include "scene/entries.h"
+#include "scene/wording.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+constexpr std::size_t comment_width = 100;
+
+struct Name {
+  std::string_view section, entry;
+};
+
+Name split(std::string_view path) {
+  const auto slash = path.find('/');
+  if (slash == std::string_view::npos) return {"", path};
+  return {path.substr(0, slash), path.substr(slash + 1)};
+}
+
+/// Writes `set` lines, opening and closing subsections as the section of the entries changes.
+class PrmWriter {
+ public:
+  void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }
+
+  void enter_section_of(const About& about) {
+    const auto [section, entry] = split(about.path);
+    if (section == section_) return;
+    close_section();
+    section_ = section;
+    text_ += fmt::format("\nsubsection {}\n", section);
+  }
+
+  void set(const About& about, const std::string& value, std::string_view remark = {}) {
+    std::string line = fmt::format("{}set {} = {}", indent(), split(about.path).entry, value);
+    if (value.empty()) line.pop_back();
+    // A comment also keeps a backslash that ends the value from continuing the line.
+    if (!remark.empty() || value.ends_with('\\')) line += fmt::format("  # {}", remark);
+    text_ += line + "\n";
+  }
+
+  std::string finish() {
+    close_section();
+    return text_;
+  }
+
+ private:
+  std::string_view indent() const { return section_.empty() ? "" : "  "; }
+
+  void close_section() {
+    if (!section_.empty()) text_ += "end\n";
+    section_ = {};
+  }
+
+  std::string text_;
+  std::string_view section_;
+};
+
+/// Breaks a text at blanks into lines of readable length.
+std::vector<std::string> wrapped(std::string_view text) {
+  std::vector<std::string> lines;
+  while (text.size() > comment_width) {
+    const auto blank = text.rfind(' ', comment_width);
+    lines.emplace_back(text.substr(0, blank));
+    text.remove_prefix(blank + 1);
+  }
+  lines.emplace_back(text);
+  return lines;
+}
+
+std::string in_unit(const About& about) { return about.unit.empty() ? "" : fmt::format(" [{}]", about.unit); }
+
+std::string as_prm() {
+  PrmWriter writer;
+  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+    writer.enter_section_of(about);
+    for (const std::string& line : wrapped(about.documentation)) writer.comment(line);
+    writer.comment(fmt::format("Expected: {}{}", kind.expected(), in_unit(about)));
+    writer.set(about, kind.print(member));
+  });
+  return writer.finish();
+}
+
+/// `|` would end a cell of the table.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped.append(c == '|' ? "\\" : "").push_back(c);
+  return escaped;
+}
+
+std::string as_markdown() {
+  std::string text =
+      "# Parameters\n\n"
+      "Every entry of a parameter file; this page is printed by `pseudorigid parameters --format markdown`.\n"
+      "Units are the scene's own: any consistent set of length, mass and time.\n";
+  std::string_view open = "none yet";
+  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+    const auto [section, entry] = split(about.path);
+    if (section != open) {
+      text += fmt::format("\n## {}\n\n| Entry | Default | Expected | Unit | Meaning |\n|---|---|---|---|---|\n",
+                          section.empty() ? "Outside subsections" : section);
+      open = section;
+    }
+    const std::string value = kind.print(member);
+    text += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry, value.empty() ? "" : "`" + cell(value) + "`",
+                        cell(kind.expected()), cell(about.unit), cell(about.documentation));
+  });
+  return text;
+}
+
+std::string json_text(std::string_view text) {
+  std::string escaped = "\"";
+  for (const char c : text) escaped.append(c == '"' || c == '\\' ? "\\" : "").push_back(c);
+  return escaped + "\"";
+}
+
+std::string json_list(const std::vector<std::string_view>& words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + json_text(word);
+  return "[" + list + "]";
+}
+
+std::string as_json() {
+  std::string text;
+  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+    text += fmt::format(
+        "{}  {{\n    \"entry\": {},\n    \"type\": {},\n    \"default\": {},\n    \"expected\": {},\n"
+        "    \"words\": {},\n    \"unit\": {},\n    \"documentation\": {}\n  }}",
+        text.empty() ? "" : ",\n", json_text(about.path), json_text(kind.type), json_text(kind.print(member)),
+        json_text(kind.expected()), json_list(kind.words()), json_text(about.unit), json_text(about.documentation));
+  });
+  return "[\n" + text + "\n]\n";
+}
+
+}  // namespace
+
+std::string to_prm(const Scene& scene, const Origins& origins) {
+  PrmWriter writer;
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+    writer.enter_section_of(about);
+    writer.set(about, kind.print(member), origins.is_override(std::string(about.path)) ? "from --set" : "");
+  });
+  return writer.finish();
+}
+
+std::string parameters(Format format) {
+  switch (format) {
+    case Format::prm:
+      return as_prm();
+    case Format::markdown:
+      return as_markdown();
+    case Format::json:
+      return as_json();
+  }
+  return {};
+}
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,20 @@
+#pragma once
+/// From a Scene to text: used.prm, and the list of all entries in three formats.
+
+#include <string>
+
+#include "scene/read_scene.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+/// All entries with their values, as a parameter file that reads back to the same scene, bit for bit. Entries that came
+/// from the command line are marked by a comment.
+std::string to_prm(const Scene& scene, const Origins& origins = {});
+
+enum class Format { prm, markdown, json };
+
+/// Every entry with default, range, unit and documentation. The prm format is a parameter file of the defaults.
+std::string parameters(Format format);
+
+}  // namespace pseudorigid::scene

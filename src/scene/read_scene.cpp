@@ -1,0 +1,98 @@
+#include "scene/read_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scene/entries.h"
+#include "scene/prm_reader.h"
+#include "scene/user_error.h"
+#include "scene/wording.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+constexpr std::string_view override_origin = "--set";
+
+/// The paths of all entries, or (sections = true) of the subsections.
+std::vector<std::string_view> known_paths(bool sections) {
+  std::vector<std::string_view> paths;
+  visit_entries(default_scene, [&](const auto&, const auto&, const About& about) {
+    const std::string_view section = about.path.substr(0, std::min(about.path.find('/'), about.path.size()));
+    const std::string_view path = sections ? section : about.path;
+    const bool counts = !sections || section != about.path;
+    if (counts && std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+  });
+  return paths;
+}
+
+void check_subsection(const Statement& statement) {
+  static const std::vector<std::string_view> sections = known_paths(true);
+  if (std::find(sections.begin(), sections.end(), statement.path) == sections.end())
+    throw UserError(fmt::format("{}: unknown subsection {}{}", statement.where(), quote(statement.path),
+                                did_you_mean(statement.path, sections)));
+}
+
+void set_entry(const Statement& statement, ReadScene& read) {
+  bool known = false;
+  visit_entries(read.scene, [&](auto& member, const auto& kind, const About& about) {
+    if (about.path != statement.path) return;
+    known = true;
+    if (const Problem problem = kind.read(*statement.value, member))
+      throw UserError(fmt::format("{}: {}: expected {}, {}", statement.where(), about.path, kind.expected(), *problem));
+    read.origins.record(statement.path, statement.where());
+  });
+  static const std::vector<std::string_view> entries = known_paths(false);
+  if (!known)
+    throw UserError(fmt::format("{}: unknown entry {}{}", statement.where(), quote(statement.path),
+                                did_you_mean(statement.path, entries)));
+}
+
+/// A value must fit on one line of a parameter file, as used.prm records it.
+void check_fits_file(const Statement& statement) {
+  const bool control = std::any_of(statement.value->begin(), statement.value->end(),
+                                   [](unsigned char c) { return std::iscntrl(c) != 0; });
+  if (control || statement.value->find('#') != std::string::npos)
+    throw UserError(fmt::format("{}: {}: expected a value on one line without \"#\", {}", statement.where(),
+                                statement.path, got(*statement.value)));
+}
+
+Statement override_statement(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos)
+    throw UserError(fmt::format("{}: expected \"Section/Entry=value\", {}", override_origin, got(text)));
+  std::string path;
+  for (const std::string_view part : parts_of(std::string_view(text).substr(0, equals), '/'))
+    path.append(path.empty() ? "" : "/").append(normalised_name(part));
+  Statement statement{path, std::string(trimmed(std::string_view(text).substr(equals + 1))),
+                      std::string(override_origin)};
+  check_fits_file(statement);
+  return statement;
+}
+
+std::string scene_name(const std::filesystem::path& file) {
+  return file.extension() == ".prm" ? file.stem().string() : file.filename().string();
+}
+
+}  // namespace
+
+std::string Origins::of(const std::string& path) const {
+  const auto found = where_.find(path);
+  return found != where_.end() ? found->second : file_;
+}
+
+bool Origins::is_override(const std::string& path) const { return of(path) == override_origin; }
+
+ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  ReadScene read{{}, Origins(file.string()), scene_name(file)};
+  read_prm(file, [&](const Statement& statement) {
+    if (statement.value)
+      set_entry(statement, read);
+    else
+      check_subsection(statement);
+  });
+  for (const std::string& text : overrides) set_entry(override_statement(text), read);
+  return read;
+}
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,43 @@
+#pragma once
+/// From a parameter file and `--set` overrides to a Scene. Each value is checked by itself here; what needs several
+/// entries is checked in scene/validate.h.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+/// Where each entry got its value, for messages about it.
+class Origins {
+ public:
+  Origins() = default;
+  explicit Origins(std::string file) : file_(std::move(file)) {}
+
+  void record(const std::string& path, std::string where) { where_[path] = std::move(where); }
+
+  /// "scene.prm:12", "--set", or the file's name for an entry left at its default.
+  std::string of(const std::string& path) const;
+  bool is_override(const std::string& path) const;
+
+ private:
+  std::string file_ = "scene";
+  std::map<std::string, std::string> where_;
+};
+
+struct ReadScene {
+  Scene scene;
+  Origins origins;
+  std::string name;  ///< of the scene: the file's name without ".prm"
+};
+
+/// Reads the file, then the overrides ("Section/Entry=value"); the last setting of an entry wins. Throws UserError, one
+/// sentence that begins with file:line or --set, for what cannot be read, for unknown names and for values out of
+/// range.
+ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,189 @@
+#include "scene/validate.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <string>
+
+#include "scene/entry_kinds.h"
+#include "scene/matrix3.h"
+#include "scene/sector.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+constexpr double isochoric_tolerance = 1e-8;
+/// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
+constexpr double largest_condition = 1e12, largest_stretch = 1e12;
+constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
+
+constexpr const char* deformation_path = "Initial state/Deformation";
+constexpr const char* velocity_path = "Initial state/Velocity";
+
+/// Q^-1 : Qdot^T = tr(Q^-1 Qdot), and how large it is by round-off alone.
+struct Divergence {
+  double value, round_off_bound;
+};
+
+Divergence divergence(const Matrix3& q, const Matrix3& qdot) {
+  const Matrix3 inverse_transposed = scaled(1 / det(q), cofactor(q));
+  return {inner(inverse_transposed, qdot), round_off * inner(absolute(inverse_transposed), absolute(qdot))};
+}
+
+class Validator {
+ public:
+  Validator(Scene& scene, const Origins& origins) : scene_(scene), origins_(origins) {}
+
+  void run() {
+    check_problem();
+    check_time();
+    check_output();
+    check_deformation();
+    check_velocity();
+    if (scene_.body.incompressible) {
+      scene_.initial_state.deformation = isochoric_deformation();
+      scene_.initial_state.velocity = isochoric_velocity();
+    }
+    if (scene_.models.continuum) check_symmetry();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
+    throw UserError(fmt::format("{}: {}: {}", origins_.of(path), path, sentence));
+  }
+
+  double time_unit() const {  // r/c
+    return scene_.body.radius * std::sqrt(scene_.body.density / scene_.material.shear_modulus);
+  }
+
+  void check_problem() const {
+    const auto& [radius, density, incompressible] = scene_.body;
+    if (!scene_.models.reduced && !scene_.models.continuum)
+      refuse("Models", "expected at least one of reduced, continuum");
+    if (scene_.models.continuum && !incompressible)
+      refuse("Body/Incompressible",
+             "the continuum is offered for incompressible bodies only; set Incompressible = true or Models = reduced");
+    // Energies of the body scale with these; r^5 occurs in its moment of inertia.
+    const double inertia = density * std::pow(radius, 5);
+    const double stiffness = scene_.material.shear_modulus * std::pow(radius, 3);
+    if (!std::isnormal(inertia) || !std::isnormal(stiffness) || !std::isnormal(time_unit()))
+      refuse(
+          "Body/Radius",
+          fmt::format("with radius {}, density {} and shear modulus {} the body's inertia, stiffness or time scale is "
+                      "not a representable number; choose units nearer to the size of the body",
+                      print_number(radius), print_number(density), print_number(scene_.material.shear_modulus)));
+  }
+
+  void check_time() const {
+    const auto& time = scene_.time;
+    if (time.step && *time.step > time.end)
+      refuse("Time/Step", fmt::format("expected a step not longer than Time/End = {}, got {}", print_number(time.end),
+                                      print_number(*time.step)));
+  }
+
+  void check_output() const {
+    const auto& output = scene_.output;
+    if (output.graphics != Graphics::none && output.frames > output.samples)
+      refuse("Output/Frames", fmt::format("expected at most as many frames as Output/Samples = {}, got {}",
+                                          output.samples, output.frames));
+  }
+
+  void check_deformation() const {
+    const Matrix3& q = scene_.initial_state.deformation;
+    const double size = largest_entry(q);
+    if (size == 0) refuse(deformation_path, "expected a matrix of positive determinant, got zero");
+    if (size > largest_stretch || size < 1 / largest_stretch)
+      refuse(deformation_path,
+             fmt::format("expected a largest entry between {} and {}, got {}", print_number(1 / largest_stretch),
+                         print_number(largest_stretch), print_number(size)));
+    const Matrix3 unit = scaled(1 / size, q);
+    const double volume = det(unit);
+    if (volume <= 0)
+      refuse(deformation_path, fmt::format("expected a matrix of positive determinant, got {} with determinant {}",
+                                           print_matrix(q), print_number(det(q))));
+    const double condition = norm(unit) * norm(cofactor(unit)) / volume;
+    if (condition > largest_condition)
+      refuse(deformation_path, fmt::format("expected a matrix with a condition number up to {}, got {} with {:.3g}",
+                                           print_number(largest_condition), print_matrix(q), condition));
+  }
+
+  void check_velocity() const {
+    const double rate = largest_entry(scene_.initial_state.velocity);
+    if (rate * time_unit() > largest_stretch)
+      refuse(velocity_path, fmt::format("expected entries up to {} c/r = {} (c the speed of shear waves), got {}",
+                                        print_number(largest_stretch), print_number(largest_stretch / time_unit()),
+                                        print_number(rate)));
+  }
+
+  Matrix3 isochoric_deformation() const {
+    const Matrix3& q = scene_.initial_state.deformation;
+    const Matrix3 projected = project_deformation(q);
+    if (std::abs(det(q) - 1) > isochoric_tolerance)
+      refuse(deformation_path,
+             fmt::format("expected det = 1 within {} for an incompressible body, got det = {}; the nearest choice is "
+                         "\"set Deformation = {}\"",
+                         print_number(isochoric_tolerance), print_number(det(q)), print_matrix(projected)));
+    return projected;
+  }
+
+  Matrix3 isochoric_velocity() const {
+    const auto& [q, qdot] = scene_.initial_state;
+    const Matrix3 projected = project_velocity(q, qdot);
+    const double rate = divergence(q, qdot).value * time_unit();
+    if (std::abs(rate) > isochoric_tolerance)
+      refuse(
+          velocity_path,
+          fmt::format("expected |tr(Q0^-1 Qdot0)| r/c <= {} for an incompressible body, got {}; the nearest choice is "
+                      "\"set Velocity = {}\"",
+                      print_number(isochoric_tolerance), print_number(std::abs(rate)), print_matrix(projected)));
+    return projected;
+  }
+
+  void check_symmetry() const {
+    const auto planes = planes_of(scene_.continuum.symmetry);
+    for (int i = 0; i < 3; ++i) {
+      if (!planes[i]) continue;
+      const auto broken = breaks_plane(scene_.initial_state, i);
+      if (!broken) continue;
+      const Matrix3& matrix = broken->in_velocity ? scene_.initial_state.velocity : scene_.initial_state.deformation;
+      refuse("Continuum/Symmetry",
+             fmt::format("the plane with normal {} is no symmetry plane of this motion, as entry ({},{}) of {} is {} "
+                         "and not 0; set Symmetry = auto or leave that plane out",
+                         axis_names[i], broken->row + 1, broken->column + 1,
+                         broken->in_velocity ? velocity_path : deformation_path,
+                         print_number(matrix[broken->row][broken->column])));
+    }
+  }
+
+  Scene& scene_;
+  const Origins& origins_;
+};
+
+}  // namespace
+
+Scene validate(Scene scene, const Origins& origins) {
+  Validator(scene, origins).run();
+  return scene;
+}
+
+Matrix3 project_deformation(const Matrix3& deformation) {
+  const double volume = det(deformation);
+  const double round_off_bound = round_off * inner(absolute(deformation), absolute(cofactor(deformation)));
+  if (std::abs(volume - 1) <= round_off_bound) return deformation;
+  return scaled(1 / std::cbrt(volume), deformation);
+}
+
+Matrix3 project_velocity(const Matrix3& deformation, const Matrix3& velocity) {
+  Matrix3 projected = velocity;
+  // Twice, because after the removal of a large divergence its own round-off remains.
+  for (int pass = 0; pass < 2; ++pass) {
+    const Divergence trace = divergence(deformation, projected);
+    if (std::abs(trace.value) <= trace.round_off_bound) break;
+    const Matrix3 normal = scaled(1 / det(deformation), cofactor(deformation));
+    projected = combine(1, projected, -trace.value / inner(normal, normal), normal);
+  }
+  return projected;
+}
+
+}  // namespace pseudorigid::scene

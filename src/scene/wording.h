@@ -1,0 +1,30 @@
+#pragma once
+/// The words of error messages: quotations that are safe to print, and the nearest name to a misspelt one.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pseudorigid::scene {
+
+/// `text` between quotation marks, shortened to a readable length, without control characters.
+std::string quote(std::string_view text);
+
+/// "a", "a or b", "a, b or c".
+std::string joined_with_or(const std::vector<std::string_view>& words);
+
+/// Blanks and other white space removed from both ends.
+std::string_view trimmed(std::string_view text);
+
+/// Number of single-letter insertions, deletions and substitutions from one word to the other; case does not count.
+int edit_distance(std::string_view from, std::string_view to);
+
+/// The candidate that a person who wrote `word` probably meant, if one is near. Of a path like "Body/Radius" the last
+/// part alone also counts, so that an entry written in the wrong subsection is found.
+std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// `; did you mean "…"?` or nothing.
+std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace pseudorigid::scene
