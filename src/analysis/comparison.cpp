@@ -1,0 +1,312 @@
+#include "analysis/comparison.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <numbers>
+#include <utility>
+
+#include "scene/user_error.h"
+
+namespace pseudorigid::analysis {
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+using Columns = std::vector<std::string>;
+
+const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", "Q32", "Q33"};
+const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22", "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
+
+/// Columns of a table, each sample an Eigen object of that many entries, row after row.
+template <class Value>
+std::vector<Value> read(const io::Table& table, const Columns& names) {
+  std::vector<Value> samples(table.n_rows());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::size_t column = table.column_index(names[k]);
+    const Eigen::Index n_columns = samples.front().cols(), i = Eigen::Index(k) / n_columns,
+                       j = Eigen::Index(k) % n_columns;
+    for (std::size_t n = 0; n < samples.size(); ++n) samples[n](i, j) = table.row(n)[column];
+  }
+  return samples;
+}
+
+/// f of each sample of one or more lists of the same length.
+template <class F, class First, class... Rest>
+std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
+  std::vector<double> values(first.size());
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = f(first[n], rest[n]...);
+  return values;
+}
+
+template <class T>
+std::vector<double> norms(const std::vector<T>& samples) {
+  return each([](const T& x) { return x.norm(); }, samples);
+}
+
+template <class T>
+std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
+  return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
+}
+
+double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
+
+/// The two tables and the comparison that grows.
+struct Workshop {
+  const io::Table& r;
+  const io::Table& c;
+  const ComparisonOptions& options;
+  Comparison out;
+
+  /// Whether both tables have the columns; if not, `what` goes to the list of what could not be compared.
+  bool available(std::string_view what, const Columns& columns) {
+    return has(r, "reduced", what, columns) && has(c, "continuum", what, columns);
+  }
+
+  bool has(const io::Table& table, std::string_view model, std::string_view what, const Columns& columns) {
+    const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
+    const auto missing = std::ranges::find_if(columns, lacks);
+    if (missing == columns.end()) return true;
+    out.not_compared.push_back(fmt::format("{} (no column {} in {}.csv)", what, *missing, model));
+    return false;
+  }
+
+  void add(std::string name, double reference, std::vector<double> values) {
+    Series s{.name = std::move(name), .reference = reference, .values = std::move(values)};
+    double squares = 0;
+    for (std::size_t n = 0; n < s.values.size(); ++n) {
+      s.values[n] = ratio_or_zero(s.values[n], reference);
+      squares += s.values[n] * s.values[n];
+      if (n > 0 && std::abs(s.values[n]) <= s.max) continue;
+      s.max = std::abs(s.values[n]);
+      s.time_of_max = out.time[n];
+    }
+    s.rms = std::sqrt(squares / double(s.values.size()));
+    out.series.push_back(std::move(s));
+  }
+};
+
+void check_tables(const io::Table& r, const io::Table& c) {
+  const auto all_finite = [](const io::Table& t) {
+    return std::ranges::all_of(t.values, [](double v) { return std::isfinite(v); });
+  };
+  if (r.n_rows() == 0 || c.n_rows() == 0) throw UserError("reduced.csv or continuum.csv holds no sample to compare");
+  if (!all_finite(r) || !all_finite(c))
+    throw UserError("reduced.csv or continuum.csv holds a value that is not finite");
+  if (r.n_rows() != c.n_rows())
+    throw UserError(
+        fmt::format("the models were sampled at different times and cannot be compared: reduced.csv has {} "
+                    "samples, continuum.csv {}",
+                    r.n_rows(), c.n_rows()));
+}
+
+std::vector<double> common_times(const io::Table& r, const io::Table& c) {
+  check_tables(r, c);
+  constexpr double tolerance = 1e-9;
+  std::vector<double> time = r.column("time");
+  const std::vector<double> other = c.column("time");
+  const double interval = time.size() > 1 ? std::abs(time.back() - time.front()) / double(time.size() - 1) : 0;
+  for (std::size_t n = 0; n < time.size(); ++n)
+    if (std::abs(time[n] - other[n]) > tolerance * interval)
+      throw UserError(
+          fmt::format("the models were sampled at different times and cannot be compared: sample {} is at t "
+                      "= {} in reduced.csv, t = {} in continuum.csv",
+                      n + 1, time[n], other[n]));
+  return time;
+}
+
+/// One model's Q, C and what they say about its motion.
+struct Deformation {
+  std::vector<Matrix3d> Q, C;
+  Matrix3d C_mean = Matrix3d::Zero();
+
+  Deformation(const io::Table& table, double resolution, ModelSummary& summary) : Q(read<Matrix3d>(table, Q_columns)) {
+    double squares = 0, size = 0;
+    for (const Matrix3d& q : Q) C_mean += (C.emplace_back(q.transpose() * q)) / double(Q.size());
+    for (std::size_t n = 0; n < Q.size(); ++n) {
+      summary.departure = std::max(summary.departure, (Q[n] - Q[0]).norm());
+      squares += (C[n] - C_mean).squaredNorm();
+      size = std::max(size, C[n].norm());
+    }
+    summary.strain_amplitude = std::numbers::sqrt2 * std::sqrt(squares / double(Q.size()));
+    summary.turns = summary.departure > resolution * Q[0].norm();
+    summary.deforms = summary.strain_amplitude > resolution * size;
+  }
+
+  std::vector<double> component(int i, int j) const {
+    return each([i, j](const Matrix3d& c) { return c(i, j); }, C);
+  }
+
+  std::pair<int, int> liveliest_component() const {
+    Matrix3d variance = Matrix3d::Zero();
+    for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
+    // Equal ones differ by round-off; a tie goes to the first component, whatever the order of summation.
+    const double least = (1 - 1e-9) * variance.maxCoeff();
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j)
+        if (variance(i, j) >= least) return {i, j};
+    return {0, 0};
+  }
+};
+
+FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms) {
+  constexpr double tolerance = 1e-9;
+  FrequencyFit none;
+  const double interval = (time.back() - time.front()) / double(std::max<std::size_t>(time.size(), 2) - 1);
+  for (std::size_t n = 0; n < time.size(); ++n)
+    if (std::abs(time[n] - time[0] - double(n) * interval) > tolerance * interval)
+      none.reason = "the samples are not equally spaced";
+  if (!deforms) none.reason = "the shape is constant";
+  return none.reason.empty() ? fit_frequency(signal, interval) : none;
+}
+
+void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
+  Comparison& out = w.out;
+  const bool by_continuum = !out.reduced.deforms && out.continuum.deforms;
+  const auto [i, j] = (by_continuum ? c : r).liveliest_component();
+  out.signal = fmt::format("C{}{}", i + 1, j + 1);
+  out.signal_reason = fmt::format("component of C = Q^T Q with the largest variance in the {}",
+                                  by_continuum ? "continuum (the reduced model keeps its shape)" : "reduced model");
+  out.reduced.frequency = fit_component(r.component(i, j), out.time, out.reduced.deforms);
+  out.continuum.frequency = fit_component(c.component(i, j), out.time, out.continuum.deforms);
+  if (!out.reduced.frequency || !out.continuum.frequency) return;
+  const Line &a = out.reduced.frequency.dominant(), &b = out.continuum.frequency.dominant();
+  const double value = a.frequency / b.frequency;
+  out.ratio = FrequencyRatio{value, value * std::hypot(a.uncertainty / a.frequency, b.uncertainty / b.frequency)};
+}
+
+/// J/m̄ or Z/m̄ beyond this part of |Q||Q̇| is spin, below it is round-off.
+constexpr double spin_threshold = 1e-9;
+
+/// The axial vectors of Q̇Qᵀ and QᵀQ̇ are J/m̄ and Z/m̄.
+bool spins(const io::Table& table) {
+  const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
+  double spin = 0, bound = 0;
+  for (std::size_t n = 0; n < Q.size(); ++n) {
+    const Matrix3d L = Qdot[n] * Q[n].transpose(), R = Q[n].transpose() * Qdot[n];
+    spin = std::max({spin, (L - L.transpose()).norm(), (R - R.transpose()).norm()});
+    bound = std::max(bound, Q[n].norm() * Qdot[n].norm());
+  }
+  return spin > spin_threshold * bound;
+}
+
+void compare_states(Workshop& w) {
+  if (!w.available("deformation and frequency", Q_columns)) return;
+  Comparison& out = w.out;
+  out.has_state = true;
+  const Deformation r(w.r, w.options.resolution, out.reduced), c(w.c, w.options.resolution, out.continuum);
+  const std::vector<double> apart = distances(c.Q, r.Q);
+  w.add("q_difference", 1, each(ratio_or_zero, apart, norms(r.Q)));
+  // Where nothing moves, what is left to divide by is the resolution itself.
+  const double departure =
+      std::max({out.reduced.departure, out.continuum.departure, w.options.resolution * r.Q[0].norm()});
+  const double amplitude =
+      std::max({out.reduced.strain_amplitude, out.continuum.strain_amplitude, w.options.resolution * r.C[0].norm()});
+  w.add("q_difference_of_departure", departure, apart);
+  w.add("strain_difference", amplitude, distances(c.C, r.C));
+  fit_frequencies(w, r, c);
+  const bool turning = !w.r.has_column(Qdot_columns.front()) || spins(w.r);
+  if (!turning) out.exact_ratio = w.options.exact_frequency_ratio;
+}
+
+void compare_axes(Workshop& w) {
+  const Columns axes{"a1", "a2", "a3"};
+  if (w.available("semi-axes", axes))
+    for (const std::string& axis : axes)
+      w.add(axis + "_difference", 1,
+            each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(axis), w.r.column(axis)));
+  if (w.available("volume ratio", {"volume_ratio"}))
+    w.add("volume_ratio_difference", 1, each(std::minus{}, w.c.column("volume_ratio"), w.r.column("volume_ratio")));
+}
+
+double energy_reference(const io::Table& table) {
+  return largest(each(std::plus{}, table.column("kinetic"), table.column("elastic")));
+}
+
+double drift(const std::vector<double>& values, double reference) {
+  return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
+}
+
+void compare_energies(Workshop& w) {
+  if (!w.available("energies", {"kinetic", "elastic", "energy"})) return;
+  const double reference = std::max(energy_reference(w.r), energy_reference(w.c));
+  for (const std::string name : {"kinetic", "elastic", "energy"})
+    w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)));
+  w.out.reduced.energy_drift = drift(w.r.column("energy"), reference);
+  w.out.continuum.energy_drift = drift(w.c.column("energy"), reference);
+}
+
+/// m̄|Q||Q̇| where |Q̇| is largest, with m̄ from K = ½m̄|Q̇|²; 0 if the table cannot tell.
+double momentum_bound(const io::Table& table) {
+  const auto has = [&table](const std::string& name) { return table.has_column(name); };
+  if (!has("kinetic") || !std::ranges::all_of(Q_columns, has) || !std::ranges::all_of(Qdot_columns, has)) return 0;
+  const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),
+                            rate = norms(read<Matrix3d>(table, Qdot_columns));
+  const auto n = std::size_t(std::ranges::max_element(rate) - rate.begin());
+  return ratio_or_zero(2 * table.column("kinetic")[n] * Q[n], rate[n]);
+}
+
+using Drift = std::optional<double> ModelSummary::*;
+
+void compare_momentum(Workshop& w, const std::string& name, const Columns& columns, Drift drift_of) {
+  if (!w.available(name == "circulation" ? "circulation" : "angular momentum", columns)) return;
+  const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
+  const double bound = momentum_bound(w.r), own = largest(norms(r));
+  double reference = own > spin_threshold * bound ? own : bound;
+  if (reference == 0) reference = largest(norms(c));
+  w.add(name + "_difference", reference, distances(c, r));
+  const auto drift = [reference](const std::vector<Vector3d>& v) {
+    return ratio_or_zero(largest(each([&](const Vector3d& x) { return (x - v[0]).norm(); }, v)), reference);
+  };
+  w.out.reduced.*drift_of = drift(r);
+  w.out.continuum.*drift_of = drift(c);
+}
+
+void compare_multipliers(Workshop& w) {
+  if (!w.available("multiplier", {"multiplier"})) return;
+  const std::vector<double> r = w.r.column("multiplier"), c = w.c.column("multiplier");
+  w.add("multiplier_difference", std::max(largest(r), largest(c)), each(std::minus{}, c, r));
+}
+
+void report_nonaffine_motion(Workshop& w) {
+  const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
+  if (!w.has(w.c, "continuum", "non-affine motion", columns)) return;
+  for (const std::string& name : columns) w.add(name, 1, w.c.column(name));
+  if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
+  if (!w.c.has_column("kinetic")) return;
+  const std::vector<double> K = w.c.column("kinetic"), fraction = w.c.column(columns[0]);
+  double total = 0, nonaffine = 0;
+  for (std::size_t n = 0; n < K.size(); ++n) total += K[n], nonaffine += fraction[n] * K[n];
+  w.out.mean_nonaffine_kinetic_fraction = ratio_or_zero(nonaffine, total);
+}
+
+}  // namespace
+
+const Series* Comparison::find(std::string_view name) const {
+  const auto found = std::ranges::find(series, name, &Series::name);
+  return found == series.end() ? nullptr : &*found;
+}
+
+Comparison compare(const io::Table& reduced, const io::Table& continuum, const ComparisonOptions& options) {
+  Workshop w{reduced, continuum, options, {}};
+  w.out.time = common_times(reduced, continuum);
+  compare_states(w);
+  compare_axes(w);
+  compare_energies(w);
+  compare_momentum(w, "angular_momentum", {"J1", "J2", "J3"}, &ModelSummary::angular_momentum_drift);
+  compare_momentum(w, "circulation", {"Z1", "Z2", "Z3"}, &ModelSummary::circulation_drift);
+  compare_multipliers(w);
+  report_nonaffine_motion(w);
+  return std::move(w.out);
+}
+
+}  // namespace pseudorigid::analysis

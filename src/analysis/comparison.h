@@ -1,0 +1,91 @@
+#pragma once
+/// Two models of one ball, sample by sample: how far apart, in which quantity, since when, and why.
+///
+/// r: reduced model, c: continuum; Q of the continuum is the mass moment Q_M; C = QᵀQ; |·| is Frobenius' norm, and 0/0
+/// counts as 0. Each series is a column of comparison.csv:
+///
+///   q_difference                |Q_c − Q_r| / |Q_r|
+///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        C̄ the mean over time, of the model that varies
+///   more:
+///                               for a sinusoid this is its amplitude, and rotations do not count
+///   a1_difference …             (a_c − a_r) / a_r
+///   volume_ratio_difference     (vol_c − vol_r), both relative to the reference volume
+///   kinetic_difference,
+///   elastic_difference,
+///   energy_difference           (E_c − E_r) / E₀,   E₀ = max_t (kinetic + elastic) of the model that has more: without
+///                               gravity, loads and growth by error this is the initial mechanical energy
+///   angular_momentum_difference,
+///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|, or, if that is round-off, m̄|Q||Q̇|, the bound
+///                               of |J| and |Z| up to a factor √2, where |Q̇| is largest
+///   multiplier_difference       (λ_c − λ_r) / max_t |λ|                 of the larger one
+///   nonaffine_kinetic_fraction, nonaffine_displacement                  of the continuum, as they are
+///
+/// The frequency is that of the component of C (invariant under rotations of the body) with the largest variance in the
+/// reduced model, the same component in both.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/frequency.h"
+#include "io/csv.h"
+
+namespace pseudorigid::analysis {
+
+/// √10 / 2.665622189236: pulsation of the pseudo-rigid ball over the exact one (Lamb 1882) of an incompressible elastic
+/// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity.
+inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
+
+struct ComparisonOptions {
+  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
+  std::optional<double> exact_frequency_ratio;  ///< small-amplitude value where the scene has one
+};
+
+struct Series {
+  std::string name;      ///< column of comparison.csv
+  double reference = 1;  ///< what the values are divided by, in the unit of the input; 1: they are ratios
+  std::vector<double> values;
+  double max = 0;          ///< largest absolute value
+  double time_of_max = 0;  ///< where it is met first
+  double rms = 0;          ///< over the samples
+};
+
+/// What one model does on its own. Drifts are the largest departures from the initial value, over E₀ and J₀.
+struct ModelSummary {
+  FrequencyFit frequency;
+  double departure = 0;         ///< max_t |Q − Q(0)|
+  double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|
+  bool turns = false;           ///< Q changes
+  bool deforms = false;         ///< C changes
+  std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
+};
+
+struct FrequencyRatio {
+  double value = 0;  ///< ω_r / ω_c
+  double uncertainty = 0;
+};
+
+struct Comparison {
+  std::vector<double> time;
+  std::vector<Series> series;
+  ModelSummary reduced, continuum;
+  bool has_state = false;
+  std::string signal;         ///< "C33"
+  std::string signal_reason;  ///< why this one
+  std::optional<FrequencyRatio> ratio;
+  std::optional<double> exact_ratio;  ///< only where it applies: the body does not spin
+  std::optional<double>
+      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
+  std::optional<double> min_jacobian;
+  std::vector<std::string> not_compared;  ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
+
+  const Series* find(std::string_view name) const;
+};
+
+/// UserError if the tables are empty, hold different sample times or a value that is not finite. Groups of columns that
+/// a table lacks are left out and named in `not_compared`.
+Comparison compare(const io::Table& reduced, const io::Table& continuum, const ComparisonOptions& options = {});
+
+}  // namespace pseudorigid::analysis

@@ -1,0 +1,224 @@
+#include "analysis/comparison_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "io/files.h"
+
+namespace pseudorigid::analysis {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const FrequencyFit& fit) {
+  Json json{{"found", bool(fit)}};
+  if (!fit) {
+    json["reason"] = fit.reason;
+    return json;
+  }
+  const Line& line = fit.dominant();
+  json["omega"] = line.frequency;
+  json["uncertainty"] = line.uncertainty;
+  json["amplitude"] = line.amplitude;
+  json["cycles"] = fit.cycles;
+  json["residual_rms"] = fit.residual_rms;
+  for (const Line& l : fit.lines)
+    json["lines"].push_back(
+        {{"omega", l.frequency}, {"uncertainty", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
+  return json;
+}
+
+Json frequency_json(const Comparison& c) {
+  Json json{{"signal", c.signal}, {"reason", c.signal_reason}};
+  json["reduced"] = to_json(c.reduced.frequency);
+  json["continuum"] = to_json(c.continuum.frequency);
+  json["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
+  json["ratio_uncertainty"] = c.ratio ? Json(c.ratio->uncertainty) : Json(nullptr);
+  json["exact_small_amplitude_ratio"] = to_json(c.exact_ratio);
+  return json;
+}
+
+Json model_json(const ModelSummary& m, bool has_state) {
+  Json json;
+  json["departure"] = has_state ? Json(m.departure) : Json(nullptr);
+  json["strain_amplitude"] = has_state ? Json(m.strain_amplitude) : Json(nullptr);
+  json["energy_drift"] = to_json(m.energy_drift);
+  json["angular_momentum_drift"] = to_json(m.angular_momentum_drift);
+  json["circulation_drift"] = to_json(m.circulation_drift);
+  return json;
+}
+
+/// "18.6" or, where the uncertainty shows in three digits, "18.6 +- 0.4".
+std::string percent(double value, double uncertainty) {
+  const double p = 100 * value, u = 100 * uncertainty;
+  return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {:.1g}", p, u) : fmt::format("{:.3g}", p);
+}
+
+std::string unknown_frequency(std::string_view ball, const ModelSummary& m) {
+  return fmt::format("no frequency can be given for the {} ball ({})", ball, m.frequency.reason);
+}
+
+std::string compared_frequencies(const Comparison& c) {
+  const double excess = c.ratio->value - 1, uncertainty = c.ratio->uncertainty;
+  constexpr double round_off = 1e-12;
+  std::string text = std::abs(excess) <= 3 * uncertainty + round_off
+                         ? fmt::format("The two balls pulsate with the same frequency to within {:.1g} %",
+                                       100 * std::max({std::abs(excess), uncertainty, round_off}))
+                         : fmt::format("The pseudo-rigid ball pulsates {} % {} than the elastic ball",
+                                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower");
+  if (c.exact_ratio) text += fmt::format(" (exact small-amplitude value: {:.2f} %)", 100 * (*c.exact_ratio - 1));
+  return text;
+}
+
+std::string pulsation(const ModelSummary& m) {
+  return m.frequency ? fmt::format("pulsates with omega = {:.6g}", m.frequency.dominant().frequency)
+                     : fmt::format("deforms ({})", m.frequency.reason);
+}
+
+std::string motion_clause(const Comparison& c) {
+  const ModelSummary &r = c.reduced, &e = c.continuum;
+  if (!c.has_state) return "Deformations and frequencies cannot be compared without the columns Q11 to Q33";
+  if (c.ratio) return compared_frequencies(c);
+  if (!r.deforms && !e.deforms)
+    return r.turns || e.turns ? "Both balls turn without changing shape" : "Neither ball moves";
+  if (!r.deforms) return fmt::format("The pseudo-rigid ball keeps its shape while the elastic ball {}", pulsation(e));
+  if (!e.deforms) return fmt::format("The elastic ball keeps its shape while the pseudo-rigid ball {}", pulsation(r));
+  if (r.frequency)
+    return fmt::format("The pseudo-rigid ball {}, but {}", pulsation(r), unknown_frequency("elastic", e));
+  if (e.frequency)
+    return fmt::format("The elastic ball {}, but {}", pulsation(e), unknown_frequency("pseudo-rigid", r));
+  return fmt::format("Both balls deform, but no frequency can be given (pseudo-rigid: {}; elastic: {})",
+                     r.frequency.reason, e.frequency.reason);
+}
+
+std::string difference_clause(const Comparison& c) {
+  const Series &q = *c.find("q_difference"), &strain = *c.find("strain_difference");
+  if (q.max == 0) return "their deformations are identical";
+  if (!c.reduced.deforms && !c.continuum.deforms)
+    return fmt::format("their deformation gradients differ by at most {:.2g} %", 100 * q.max);
+  const auto reached = std::ranges::find_if(strain.values, [](double d) { return d >= 1; });
+  if (reached != strain.values.end())
+    return fmt::format("at t = {:.4g} their deformations differ by 100 % of the amplitude for the first time",
+                       c.time[std::size_t(reached - strain.values.begin())]);
+  return fmt::format("their deformations differ by at most {:.2g} % of the amplitude (at t = {:.4g})", 100 * strain.max,
+                     strain.time_of_max);
+}
+
+std::string nonaffine_clause(const Comparison& c) {
+  if (c.mean_nonaffine_kinetic_fraction)
+    return fmt::format("on average {:.2g} % of the elastic ball's kinetic energy is in non-affine motion",
+                       100 * *c.mean_nonaffine_kinetic_fraction);
+  const Series& fraction = *c.find("nonaffine_kinetic_fraction");
+  return fmt::format("at most {:.2g} % of the elastic ball's kinetic energy is in non-affine motion",
+                     100 * fraction.max);
+}
+
+std::string cell(const std::optional<double>& value, int digits) {
+  return fmt::format("{:>13}", value ? fmt::format("{:.{}g}", *value, digits) : "-");
+}
+
+std::string model_row(std::string_view label, const std::optional<double>& reduced,
+                      const std::optional<double>& continuum, int digits) {
+  return fmt::format("{:<38}{}{}", label, cell(reduced, digits), cell(continuum, digits));
+}
+
+std::optional<double> frequency(const ModelSummary& m) {
+  return m.frequency ? std::optional(m.frequency.dominant().frequency) : std::nullopt;
+}
+
+void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
+  const ModelSummary &r = c.reduced, &e = c.continuum;
+  const auto drift = [&](std::string_view label, std::optional<double> ModelSummary::*value) {
+    if (r.*value) lines.push_back(model_row(label, r.*value, e.*value, 2));
+  };
+  if (c.has_state) {
+    lines.push_back(model_row("frequency of " + c.signal, frequency(r), frequency(e), 7));
+    if (c.ratio) lines.back() += fmt::format("   ratio {:.6f} +- {:.1g}", c.ratio->value, c.ratio->uncertainty);
+    lines.push_back(model_row("amplitude of C = Q^T Q", r.strain_amplitude, e.strain_amplitude, 3));
+  }
+  drift("drift of the energy", &ModelSummary::energy_drift);
+  drift("drift of the angular momentum", &ModelSummary::angular_momentum_drift);
+  drift("drift of the circulation", &ModelSummary::circulation_drift);
+}
+
+/// The series that the terminal shows, with their labels.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> shown{{
+    {"q_difference", "Q, relative to |Q|"},
+    {"strain_difference", "C, relative to its amplitude"},
+    {"kinetic_difference", "kinetic energy, relative to E0"},
+    {"elastic_difference", "elastic energy, relative to E0"},
+    {"nonaffine_kinetic_fraction", "non-affine part of the kinetic energy"},
+    {"nonaffine_displacement", "non-affine part of the position"},
+}};
+
+void add_series_rows(const Comparison& c, std::vector<std::string>& lines) {
+  for (const auto& [name, label] : shown)
+    if (const Series* s = c.find(name))
+      lines.push_back(fmt::format("{:<38}{:>13.3g}{:>13.3g}{:>13.4g}", label, s->rms, s->max, s->time_of_max));
+}
+
+}  // namespace
+
+io::Table comparison_table(const Comparison& c) {
+  io::Table table{.columns = {"time"}, .values = {}};
+  for (const Series& s : c.series) table.columns.push_back(s.name);
+  table.values.reserve(c.time.size() * table.columns.size());
+  for (std::size_t n = 0; n < c.time.size(); ++n) {
+    table.values.push_back(c.time[n]);
+    for (const Series& s : c.series) table.values.push_back(s.values[n]);
+  }
+  return table;
+}
+
+nlohmann::ordered_json comparison_json(const Comparison& c) {
+  Json json{{"summary", summary_sentence(c)}, {"samples", c.time.size()}};
+  json["first_time"] = c.time.front();
+  json["last_time"] = c.time.back();
+  json["differences"] = Json::object();
+  for (const Series& s : c.series)
+    json["differences"][s.name] = {
+        {"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
+  json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);
+  json["reduced"] = model_json(c.reduced, c.has_state);
+  json["continuum"] = model_json(c.continuum, c.has_state);
+  json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
+  json["min_jacobian"] = to_json(c.min_jacobian);
+  json["not_compared"] = c.not_compared;
+  return json;
+}
+
+void write_comparison(const std::filesystem::path& folder, const Comparison& comparison) {
+  const io::Table table = comparison_table(comparison);
+  io::CsvWriter csv = io::CsvWriter::create(folder / "comparison.csv", table.columns);
+  for (std::size_t n = 0; n < table.n_rows(); ++n) csv.append(table.row(n));
+  csv.flush();
+  io::write_file_atomically(folder / "comparison.json", {comparison_json(comparison).dump(2), "\n"});
+}
+
+std::string summary_sentence(const Comparison& c) {
+  std::string sentence = motion_clause(c);
+  if (c.has_state) sentence += "; " + difference_clause(c);
+  if (c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
+  return sentence + ".";
+}
+
+std::string terminal_table(const Comparison& c) {
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("{:<38}{:>13}{:>13}",
+                              fmt::format("{} samples, t = {:g} to {:g}", c.time.size(), c.time.front(), c.time.back()),
+                              "reduced", "continuum"));
+  add_model_rows(c, lines);
+  if (!c.series.empty())
+    lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "difference", "rms", "largest", "at t"));
+  add_series_rows(c, lines);
+  if (!c.not_compared.empty()) lines.push_back(fmt::format("not compared: {}", fmt::join(c.not_compared, "; ")));
+  return fmt::format("{}\n{}\n", fmt::join(lines, "\n"), summary_sentence(c));
+}
+
+}  // namespace pseudorigid::analysis

@@ -1,0 +1,28 @@
+#pragma once
+/// A comparison as files, as a table for the terminal, and as one sentence.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "analysis/comparison.h"
+#include "io/csv.h"
+
+namespace pseudorigid::analysis {
+
+/// comparison.csv: the time and every series.
+io::Table comparison_table(const Comparison& comparison);
+
+/// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, what is missing.
+nlohmann::ordered_json comparison_json(const Comparison& comparison);
+
+/// Writes both into `folder`.
+void write_comparison(const std::filesystem::path& folder, const Comparison& comparison);
+
+/// What the comparison means, in one sentence that ends with a full stop.
+std::string summary_sentence(const Comparison& comparison);
+
+/// A table of at most 15 lines, the last one the sentence.
+std::string terminal_table(const Comparison& comparison);
+
+}  // namespace pseudorigid::analysis
