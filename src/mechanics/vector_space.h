@@ -1,6 +1,6 @@
 #pragma once
-/// The three operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, and |x|_∞.
-/// A distributed vector specialises VectorSpace; its max_norm is collective.
+/// The operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, x ← a x and |x|_∞;
+/// frequency estimates also use xᵀy. A distributed vector specialises VectorSpace; its max_norm and dot are collective.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -14,6 +14,7 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
   static void scale(double a, V& x) { x *= a; }
   static double max_norm(const V& x) { return x.size() == 0 ? 0.0 : x.template lpNorm<Eigen::Infinity>(); }
+  static double dot(const V& x, const V& y) { return x.cwiseProduct(y).sum(); }
   static std::span<double> local_values(V& x) { return {x.data(), static_cast<std::size_t>(x.size())}; }
 };
 
@@ -47,6 +48,10 @@ void scale(double a, V& x) {
 template <class V>
 double max_norm(const V& x) {
   return VectorSpace<V>::max_norm(x);
+}
+template <class V>
+double dot(const V& x, const V& y) {
+  return VectorSpace<V>::dot(x, y);
 }
 /// The entries that this process owns, for checkpoints.
 template <class V>
