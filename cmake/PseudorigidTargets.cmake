@@ -22,12 +22,21 @@ function(pseudorigid_layer name)
   add_library(pseudorigid::${name} ALIAS ${name})
 endfunction()
 
-# pseudorigid_use_dealii(TARGET): links deal.II, whose own flags lower the optimisation; these lines raise it again.
+# pseudorigid_use_dealii(TARGET): links deal.II. Its own macro deal_ii_setup_target would put -g -O2 on the target after
+# ours, so only include directories, definitions and the library are taken from the package.
 function(pseudorigid_use_dealii target)
-  deal_ii_setup_target(${target})
-  target_compile_features(${target} PUBLIC cxx_std_20)
-  target_compile_options(${target} PUBLIC $<$<CONFIG:Release>:-O3 -g0 -DNDEBUG>
-    $<$<AND:$<CONFIG:Release>,$<BOOL:${PSEUDORIGID_NATIVE}>>:-march=native>)
+  if(NOT TARGET pseudorigid_dealii)
+    include(${DEAL_II_TARGET_CONFIG})
+    add_library(pseudorigid_dealii INTERFACE)
+    target_include_directories(pseudorigid_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+    set(flavour RELEASE)
+    if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND DEAL_II_BUILD_TYPE MATCHES "Debug")
+      set(flavour DEBUG)
+    endif()
+    target_compile_definitions(pseudorigid_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS} ${DEAL_II_USER_DEFINITIONS_${flavour}})
+    target_link_libraries(pseudorigid_dealii INTERFACE ${DEAL_II_TARGET_${flavour}})
+  endif()
+  target_link_libraries(${target} PUBLIC pseudorigid_dealii)
 endfunction()
 
 # pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…] [TIMEOUT s]): one GoogleTest executable, one ctest entry per test case.

@@ -1,8 +1,6 @@
 #pragma once
 /// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector of cells.
 
-#include <Eigen/Core>
-
 namespace pseudorigid::materials {
 
 template <class T>
@@ -11,20 +9,6 @@ struct Tensor {
   T& operator()(int i, int j) { return a[i][j]; }
   const T& operator()(int i, int j) const { return a[i][j]; }
 };
-
-inline Tensor<double> to_tensor(const Eigen::Matrix3d& m) {
-  Tensor<double> t;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) t(i, j) = m(i, j);
-  return t;
-}
-
-inline Eigen::Matrix3d to_matrix(const Tensor<double>& t) {
-  Eigen::Matrix3d m;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = t(i, j);
-  return m;
-}
 
 /// cof F = (det F) F⁻ᵀ = ∂(det F)/∂F
 template <class T>

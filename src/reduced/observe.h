@@ -3,9 +3,8 @@
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (PHYSICS section 1, with general E₀)
 
-#include <Eigen/SVD>
-
 #include "mechanics/body_observables.h"
+#include "mechanics/singular_values.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::reduced {
@@ -26,7 +25,7 @@ mechanics::Status observe(const Body& body, const mechanics::State<Body>& state,
     o.angular_momentum = mechanics::axial_vector(Q * body.E0() * Qdot.transpose());
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);
   }
-  if (request.axes) o.semi_axes = Eigen::JacobiSVD<Eigen::Matrix3d>(Q).singularValues();
+  if (request.axes) o.semi_axes = mechanics::singular_values(Q);
   if constexpr (!mechanics::unconstrained<Body>) {
     if (request.multiplier) {
       double Lambda = 0;

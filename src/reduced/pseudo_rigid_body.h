@@ -14,7 +14,7 @@
 #include <string>
 #include <type_traits>
 
-#include "materials/tensor.h"
+#include "materials/eigen_tensor.h"
 #include "mechanics/body_observables.h"
 #include "mechanics/constrained_system.h"
 

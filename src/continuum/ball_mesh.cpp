@@ -1,0 +1,114 @@
+#include "continuum/ball_mesh.h"
+
+#include <deal.II/base/geometry_info.h>
+#include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+#include <map>
+
+namespace pseudorigid::continuum {
+namespace {
+
+using Corner = std::array<double, 3>;
+using CoarseCell = std::array<Corner, 8>;
+
+/// Distances of the central block's corners from the centre along the axes, the face diagonals and the space diagonal.
+constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
+
+/// Corner of the block (on_sphere = false) or its radial projection onto the sphere; bits say which axes it leaves
+/// along.
+Corner corner(const std::array<int, 3>& bits, bool on_sphere) {
+  const int n_bits = bits[0] + bits[1] + bits[2];
+  const double block[] = {0, block_axis, block_face, block_corner};
+  const double length = on_sphere ? 1 / std::sqrt(static_cast<double>(n_bits)) : block[n_bits];
+  return {length * bits[0], length * bits[1], length * bits[2]};
+}
+
+std::array<CoarseCell, 4> octant() {
+  std::array<CoarseCell, 4> cells;
+  for (int v = 0; v < 8; ++v) cells[0][v] = corner({v & 1, v >> 1 & 1, v >> 2 & 1}, false);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int v = 0; v < 8; ++v) {
+      std::array<int, 3> bits{};
+      bits[axis] = 1;
+      bits[(axis + 1) % 3] = v >> 1 & 1;
+      bits[(axis + 2) % 3] = v >> 2 & 1;
+      cells[1 + axis][v] = corner(bits, v & 1);  // first local direction: outwards
+    }
+  return cells;
+}
+
+/// A mirror image has its first local direction reversed, to stay right-handed.
+CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
+  const bool odd = (mirrored[0] + mirrored[1] + mirrored[2]) % 2;
+  CoarseCell result;
+  for (int v = 0; v < 8; ++v) {
+    result[v] = cell[odd ? v ^ 1 : v];
+    for (int d = 0; d < 3; ++d)
+      if (mirrored[d] && result[v][d] != 0) result[v][d] = -result[v][d];
+  }
+  return result;
+}
+
+std::vector<CoarseCell> sector_cells(const Sector& sector) {
+  std::vector<CoarseCell> cells;
+  for (int bits = 0; bits < 8; ++bits) {
+    const std::array<bool, 3> mirrored{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
+    bool wanted = true;
+    for (int d = 0; d < 3; ++d) wanted = wanted && !(mirrored[d] && sector.reflect[d]);
+    if (!wanted) continue;
+    for (const CoarseCell& cell : octant()) cells.push_back(image(cell, mirrored));
+  }
+  return cells;
+}
+
+dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
+  dealii::Point<3> inside, outside;
+  double s = 0;
+  for (unsigned int v = 0; v < 8; ++v) {
+    const double N = dealii::GeometryInfo<3>::d_linear_shape_function(xi, v);
+    if (vertices[v].norm_square() > 0.999) {
+      outside += N * vertices[v];
+      s += N;
+    } else
+      inside += N * vertices[v];
+  }
+  return s > 0 ? inside + (s / outside.norm()) * outside : inside;
+}
+
+}  // namespace
+
+BallMesh::BallMesh(const Sector& sector, int n_refinements)
+    : sector_(sector), triangulation_(std::make_unique<dealii::Triangulation<3>>()) {
+  std::map<Corner, unsigned int> numbers;
+  std::vector<dealii::Point<3>> vertices;
+  std::vector<dealii::CellData<3>> cells;
+  for (const CoarseCell& coarse : sector_cells(sector)) {
+    dealii::CellData<3> cell;
+    for (int v = 0; v < 8; ++v) {
+      const auto [entry, is_new] = numbers.try_emplace(coarse[v], vertices.size());
+      if (is_new) vertices.emplace_back(coarse[v][0], coarse[v][1], coarse[v][2]);
+      cell.vertices[v] = entry->second;
+    }
+    cells.push_back(cell);
+  }
+  dealii::GridTools::consistently_order_cells(cells);
+  triangulation_->create_triangulation(vertices, cells, {});
+  for (const auto& cell : triangulation_->active_cell_iterators()) {
+    auto& corners = coarse_vertices_.emplace_back();
+    for (unsigned int v = 0; v < 8; ++v) corners[v] = cell->vertex(v);
+  }
+  triangulation_->refine_global(n_refinements);
+}
+
+dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterator& cell,
+                                    const dealii::Point<3>& xi) const {
+  const dealii::CellId id = cell->id();
+  dealii::Point<3> coarse_xi = xi;
+  const auto children = id.get_child_indices();
+  for (std::size_t level = children.size(); level-- > 0;)
+    for (unsigned int d = 0; d < 3; ++d) coarse_xi[d] = 0.5 * (coarse_xi[d] + (children[level] >> d & 1));
+  return transfinite(coarse_vertices_[id.get_coarse_cell_id()], coarse_xi);
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,43 @@
+#pragma once
+/// The unit ball, or a sector of it cut out by coordinate planes, on curved hexahedra.
+///
+/// One octant has 4 coarse cells: a block at the centre and three cells between its faces and the sphere. A coarse cell
+/// with vertices V_i (trilinear shape functions N_i) is mapped by the transfinite interpolation
+///
+///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   Y = Σ_{i on sphere} N_i(ξ) V_i,   s = Σ_{i on sphere} N_i(ξ)
+///
+/// which is exact on the sphere and on the planes (coordinates that are zero stay exactly zero). Other sectors are
+/// reflections of the octant, so that all of them are the same discretisation.
+
+#include <deal.II/grid/tria.h>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace pseudorigid::continuum {
+
+/// Which coordinate planes cut the ball: reflect[i] is true where x_i = 0 is a symmetry plane of the computed sector.
+struct Sector {
+  std::array<bool, 3> reflect{false, false, false};
+  int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }
+};
+
+class BallMesh {
+ public:
+  /// The sector of the unit ball, refined `n_refinements` times.
+  BallMesh(const Sector& sector, int n_refinements);
+
+  const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }
+  const Sector& sector() const { return sector_; }
+
+  /// Position of the point ξ ∈ [0,1]³ of an active cell.
+  dealii::Point<3> position(const dealii::Triangulation<3>::cell_iterator& cell, const dealii::Point<3>& xi) const;
+
+ private:
+  Sector sector_;
+  std::unique_ptr<dealii::Triangulation<3>> triangulation_;
+  std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,23 @@
+#pragma once
+/// One-dimensional tables of the reference cell [0,1]: Gauss–Lobatto nodes (displacement, lumped mass), Gauss points
+/// (force, constraint), and the matrices that carry nodal values to points:
+///
+///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q)   (ℓ̂: Lagrange polynomials on the Gauss points)
+
+#include <array>
+#include <vector>
+
+namespace pseudorigid::continuum {
+
+struct ReferenceCell {
+  explicit ReferenceCell(int degree);
+
+  int n;                                       ///< nodes per direction = degree + 1 = Gauss points per direction
+  std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto
+  std::vector<double> points, point_weights;   ///< Gauss
+  std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
+  std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
+  std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,30 @@
+#pragma once
+/// Vectors of the finite-element ball and what the mechanics core asks of them.
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <span>
+
+#include "mechanics/vector_space.h"
+
+namespace pseudorigid::continuum {
+
+/// Positions, velocities, forces: entry 3·node + component. Multipliers: entry n_pressure·cell + function.
+using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+}  // namespace pseudorigid::continuum
+
+template <>
+struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
+  using Vector = pseudorigid::continuum::Vector;
+  static void axpy(double a, const Vector& x, Vector& y) { y.add(a, x); }
+  /// A scale of 0 clears, whatever the old content.
+  static void scale(double a, Vector& x) {
+    if (a == 0)
+      x = 0.0;
+    else
+      x *= a;
+  }
+  static double max_norm(const Vector& x) { return x.linfty_norm(); }
+  static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
+};
