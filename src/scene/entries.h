@@ -150,9 +150,10 @@ template <SceneOrConst S, class Visit>
 void visit_output(S& scene, Visit& visit) {
   auto& [directory, samples, quantities, graphics, frames] = scene.output;
   visit(directory, Text{.may_be_empty = false},
-        About{"Output/Directory", "", "Results go to the folder <Directory>/<name of the scene>."});
+        About{"Output/Directory", "", "Results go to the folder of the scene's name in this directory."});
   visit(samples, Integer{1, 10'000'000},
-        About{"Output/Samples", "", "Number of equal intervals of time at whose ends the quantities are written."});
+        About{"Output/Samples", "",
+              "Number of equal intervals of time; the quantities are written at time 0 and at the end of each."});
   visit(
       quantities, quantities_kind,
       About{"Output/Quantities", "",

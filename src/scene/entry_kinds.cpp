@@ -33,8 +33,15 @@ std::string unknown_word(std::string_view word, const std::vector<std::string_vi
   return got(word) + did_you_mean(word, allowed);
 }
 
+std::string joined(const std::vector<std::string_view>& words) {
+  std::string list;
+  for (const std::string_view word : words) list.append(list.empty() ? "" : ", ").append(word);
+  return list;
+}
+
 std::string one_of(const std::vector<std::string_view>& words) {
-  return (words.size() > 2 ? "one of " : "") + joined_with_or(words);
+  if (words.size() == 2) return fmt::format("{} or {}", words[0], words[1]);
+  return (words.size() > 2 ? "one of " : "") + joined(words);
 }
 
 std::vector<std::string_view> parts_of(std::string_view text, char separator) {

@@ -115,6 +115,10 @@ std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   return words;
 }
 
+/// "a, b, c".
+std::string joined(const std::vector<std::string_view>& words);
+
+/// "a", "a or b", "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
 /// One word out of a table of names.
@@ -169,7 +173,7 @@ struct Switches {
     return all ? "all" : list;
   }
   std::string expected() const {
-    return (knows_all ? "all, or a list of " : "a list of ") + one_of(words_of(table)) + ", separated by commas";
+    return (knows_all ? "all, or a" : "a") + (" comma-separated list out of " + joined(words_of(table)));
   }
   std::vector<std::string_view> words() const {
     auto words = words_of(table);

@@ -73,11 +73,11 @@ Needs needs(const Scene& scene) {
 
 std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
-  text +=
-      fmt::format("{} of a {} {} of radius {}, density {}, shear modulus {}, until time {}\n",
-                  analysis_kind.print(scene.analysis), scene.body.incompressible ? "incompressible" : "compressible",
-                  system_kind.print(scene.system), print_number(scene.body.radius), print_number(scene.body.density),
-                  print_number(scene.material.shear_modulus), print_number(scene.time.end));
+  text += fmt::format(
+      "{} of {} {} of radius {}, density {}, shear modulus {}, until time {}\n", analysis_kind.print(scene.analysis),
+      scene.body.incompressible ? "an incompressible" : "a compressible", system_kind.print(scene.system),
+      print_number(scene.body.radius), print_number(scene.body.density), print_number(scene.material.shear_modulus),
+      print_number(scene.time.end));
   return text + list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
 }
 

@@ -118,7 +118,7 @@ std::string json_text(std::string_view text) {
 
 std::string json_list(const std::vector<std::string_view>& words) {
   std::string list;
-  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + json_text(word);
+  for (const std::string_view word : words) list.append(list.empty() ? "" : ", ").append(json_text(word));
   return "[" + list + "]";
 }
 

@@ -30,15 +30,6 @@ std::string quote(std::string_view text) {
   return result + (shortened ? "…\"" : "\"");
 }
 
-std::string joined_with_or(const std::vector<std::string_view>& words) {
-  std::string result;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) result += i + 1 < words.size() ? ", " : " or ";
-    result += words[i];
-  }
-  return result;
-}
-
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view white = " \t\n\r\v\f";
   const auto first = text.find_first_not_of(white);
@@ -68,7 +59,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
   for (const std::string_view candidate : candidates) {
     const int misplaced = edit_distance(last_part(word), last_part(candidate)) + 1;
     const int distance = std::min(edit_distance(word, candidate), misplaced);
-    if (distance >= best_distance) continue;
+    const bool as_near = best && distance == best_distance && candidate.size() > best->size();
+    if (distance >= best_distance && !as_near) continue;
     best_distance = distance;
     best = candidate;
   }

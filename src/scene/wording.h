@@ -11,9 +11,6 @@ namespace pseudorigid::scene {
 /// `text` between quotation marks, shortened to a readable length, without control characters.
 std::string quote(std::string_view text);
 
-/// "a", "a or b", "a, b or c".
-std::string joined_with_or(const std::vector<std::string_view>& words);
-
 /// Blanks and other white space removed from both ends.
 std::string_view trimmed(std::string_view text);
 

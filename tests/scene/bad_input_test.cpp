@@ -1,0 +1,222 @@
+/// Every promise about an error of one entry: the input that provokes it, and the message.
+
+#include "scene_files.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+struct BadInput {
+  const char* name;
+  std::string text;
+  std::vector<std::string> overrides;
+  std::string message;  ///< how it begins, or all of it
+};
+
+std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
+
+class BadInputTest : public test::SceneFiles, public testing::WithParamInterface<BadInput> {};
+
+TEST_P(BadInputTest, IsRefusedInOneSentence) {
+  const BadInput& bad = GetParam();
+  const std::string message = complaint([&] { read(bad.text, bad.overrides); });
+  EXPECT_EQ(message.substr(0, bad.message.size()), bad.message);
+  EXPECT_EQ(message.find('\n'), std::string::npos);
+  EXPECT_LT(message.size(), 500U);
+}
+
+std::string entry(const std::string& section, const std::string& setting) {
+  return "subsection " + section + "\n  set " + setting + "\nend\n";
+}
+
+const std::string matrix_expected =
+    "scene.prm:2: Initial state/Deformation: expected a 3x3 matrix of finite numbers, rows separated by \";\" and "
+    "entries by \",\", got ";
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, BadInputTest,
+    testing::Values(
+        BadInput{"negative",
+                 entry("Material", "Shear modulus = -1"),
+                 {},
+                 "scene.prm:2: Material/Shear modulus: expected a number > 0, got \"-1\""},
+        BadInput{"zero", entry("Body", "Radius = 0"), {}, "scene.prm:2: Body/Radius: expected a number > 0, got \"0\""},
+        BadInput{"nan", entry("Body", "Density = nan"), {}, "scene.prm:2: Body/Density: expected a number > 0, got"},
+        BadInput{"inf", entry("Time", "End = inf"), {}, "scene.prm:2: Time/End: expected a number > 0, got \"inf\""},
+        BadInput{"overflow", entry("Time", "End = 1e999"), {}, "scene.prm:2: Time/End: expected a number > 0, got"},
+        BadInput{
+            "trailing", entry("Time", "End = 3 s"), {}, "scene.prm:2: Time/End: expected a number > 0, got \"3 s\""},
+        BadInput{"hex", entry("Time", "End = 0x10"), {}, "scene.prm:2: Time/End: expected a number > 0, got \"0x10\""},
+        BadInput{"decimal_comma", entry("Time", "End = 1,5"), {}, "scene.prm:2: Time/End: expected a number > 0, got"},
+        BadInput{"plus_minus", entry("Time", "End = +-1"), {}, "scene.prm:2: Time/End: expected a number > 0, got"},
+        BadInput{
+            "empty", entry("Body", "Radius ="), {}, "scene.prm:2: Body/Radius: expected a number > 0, got nothing"},
+        BadInput{"not_auto",
+                 entry("Time", "Step = automatic"),
+                 {},
+                 "scene.prm:2: Time/Step: expected auto or a number > 0, got \"automatic\""},
+        BadInput{"step_zero", entry("Time", "Step = 0"), {}, "scene.prm:2: Time/Step: expected auto or a number > 0"},
+        BadInput{"tolerance_low",
+                 entry("Time", "Tolerance = 1e-14"),
+                 {},
+                 "scene.prm:2: Time/Tolerance: expected a number from 1e-13 to 0.1, got \"1e-14\""},
+        BadInput{"tolerance_high",
+                 entry("Time", "Tolerance = 0.2"),
+                 {},
+                 "scene.prm:2: Time/Tolerance: expected a number from 1e-13 to 0.1, got \"0.2\""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Integers, BadInputTest,
+    testing::Values(
+        BadInput{"degree_low",
+                 entry("Continuum", "Degree = 1"),
+                 {},
+                 "scene.prm:2: Continuum/Degree: expected a whole number from 2 to 6, got \"1\""},
+        BadInput{
+            "degree_high", entry("Continuum", "Degree = 7"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
+        BadInput{
+            "degree_real", entry("Continuum", "Degree = 2.0"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
+        BadInput{"refinements",
+                 entry("Continuum", "Refinements = -1"),
+                 {},
+                 "scene.prm:2: Continuum/Refinements: expected a whole number from 0 to 4, got \"-1\""},
+        BadInput{"samples",
+                 entry("Output", "Samples = 10000001"),
+                 {},
+                 "scene.prm:2: Output/Samples: expected a whole number from 1 to 10000000"},
+        BadInput{"int_overflow",
+                 entry("Output", "Frames = 99999999999"),
+                 {},
+                 "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, BadInputTest,
+    testing::Values(
+        BadInput{"boolean",
+                 entry("Body", "Incompressible = yes"),
+                 {},
+                 "scene.prm:2: Body/Incompressible: expected true or false, got \"yes\""},
+        BadInput{
+            "law",
+            entry("Material", "Law = neohookean"),
+            {},
+            "scene.prm:2: Material/Law: expected neo-hookean or ciarlet-geymonat, got \"neohookean\"; did you mean "
+            "\"neo-hookean\"?"},
+        BadInput{
+            "capitals",
+            entry("Material", "Law = Neo-Hookean"),
+            {},
+            "scene.prm:2: Material/Law: expected neo-hookean or ciarlet-geymonat, got \"Neo-Hookean\"; did you mean"},
+        BadInput{"method",
+                 entry("Time", "Method = rattle4"),
+                 {},
+                 "scene.prm:2: Time/Method: expected one of auto, rattle, rattle-4, rattle-6, rattle-8, got "
+                 "\"rattle4\"; did you mean \"rattle-4\"?"},
+        BadInput{
+            "symmetry", entry("Continuum", "Symmetry = quarter"), {}, "scene.prm:2: Continuum/Symmetry: expected one"},
+        BadInput{"mesh", entry("Continuum", "Mesh = file"), {}, "scene.prm:2: Continuum/Mesh: expected builtin, got"},
+        BadInput{"graphics",
+                 entry("Output", "Graphics = vtk"),
+                 {},
+                 "scene.prm:2: Output/Graphics: expected none or vtu, got \"vtk\"; did you mean \"vtu\"?"},
+        BadInput{"system", "set System = double pendulum", {}, "scene.prm:1: System: expected ball, got \"double pend"},
+        BadInput{
+            "model",
+            "set Models = reduced, continum",
+            {},
+            "scene.prm:1: Models: expected a comma-separated list out of reduced, continuum, got \"continum\"; did "
+            "you mean \"continuum\"?"},
+        BadInput{"model_comma",
+                 "set Models = reduced,",
+                 {},
+                 "scene.prm:1: Models: expected a comma-separated list out of reduced, continuum, got nothing"},
+        BadInput{"quantity",
+                 entry("Output", "Quantities = state, energy"),
+                 {},
+                 "scene.prm:2: Output/Quantities: expected all, or a comma-separated list out of state, energies"},
+        BadInput{"all_and_more",
+                 entry("Output", "Quantities = all, state"),
+                 {},
+                 "scene.prm:2: Output/Quantities: expected all, or a comma"},
+        BadInput{"directory",
+                 entry("Output", "Directory ="),
+                 {},
+                 "scene.prm:2: Output/Directory: expected a text that is not empty, got nothing"}));
+
+INSTANTIATE_TEST_SUITE_P(Matrices, BadInputTest,
+                         testing::Values(BadInput{"rows",
+                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0"),
+                                                  {},
+                                                  matrix_expected + "\"1,0,0; 0,1,0\", which has 2 rows"},
+                                         BadInput{"entries",
+                                                  entry("Initial state", "Deformation = 1,0,0; 0,1; 0,0,1"),
+                                                  {},
+                                                  matrix_expected + "\"1,0,0; 0,1; 0,0,1\", where row 2 has 2 entries"},
+                                         BadInput{"blanks",
+                                                  entry("Initial state", "Deformation = 1 0 0; 0 1 0; 0 0 1"),
+                                                  {},
+                                                  matrix_expected + "\"1 0 0; 0 1 0; 0 0 1\", where row 1 has 1 entry"},
+                                         BadInput{"word",
+                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,one,1"),
+                                                  {},
+                                                  matrix_expected + "\"one\" as entry (3,2)"},
+                                         BadInput{"infinite",
+                                                  entry("Initial state", "Deformation = 1,0,0; 0,-inf,0; 0,0,1"),
+                                                  {},
+                                                  matrix_expected + "\"-inf\" as entry (2,2)"},
+                                         BadInput{"trailing_semicolon",
+                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,0,1;"),
+                                                  {},
+                                                  matrix_expected + "\"1,0,0; 0,1,0; 0,0,1;\", which has 4 rows"},
+                                         BadInput{"nothing",
+                                                  entry("Initial state", "Deformation ="),
+                                                  {},
+                                                  matrix_expected + "nothing, which has 0 rows"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, BadInputTest,
+    testing::Values(
+        BadInput{"misspelt",
+                 "subsection Body\n\nset Radiuss = 1\nend",
+                 {},
+                 "scene.prm:3: unknown entry \"Body/Radiuss\"; did you mean \"Body/Radius\"?"},
+        BadInput{"case",
+                 entry("Body", "radius = 1"),
+                 {},
+                 "scene.prm:2: unknown entry \"Body/radius\"; did you mean \"Body/Radius\"?"},
+        BadInput{
+            "misplaced", "set Radius = 1", {}, "scene.prm:1: unknown entry \"Radius\"; did you mean \"Body/Radius\"?"},
+        BadInput{"other_section",
+                 entry("Material", "Density = 1"),
+                 {},
+                 "scene.prm:2: unknown entry \"Material/Density\"; did you mean \"Body/Density\"?"},
+        BadInput{"far",
+                 entry("Body", "Colour of the moon = 1"),
+                 {},
+                 "scene.prm:2: unknown entry \"Body/Colour of the moon\""},
+        BadInput{"section", "subsection Bodies\nend", {}, "scene.prm:1: unknown subsection \"Bodies\""},
+        BadInput{"near_section",
+                 "subsection initial State\nend",
+                 {},
+                 "scene.prm:1: unknown subsection \"initial State\"; did you mean \"Initial state\"?"},
+        BadInput{"nested",
+                 "subsection Body\nsubsection Body\nend\nend",
+                 {},
+                 "scene.prm:2: unknown subsection \"Body/Body\""},
+        BadInput{"not_offered", entry("Body", "Gravity = 1"), {}, "scene.prm:2: unknown entry \"Body/Gravity\""},
+        BadInput{"terminal_escape", "set \x1b[31mA = 1", {}, "scene.prm:1: expected text, got control characters"},
+        BadInput{"long_name", "set " + std::string(900'000, 'A') + " = 1", {}, "scene.prm:1: unknown entry \"AAAA"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Overrides, BadInputTest,
+    testing::Values(
+        BadInput{"no_equals", "", {"Body/Radius"}, "--set: expected \"Section/Entry=value\", got \"Body/Radius\""},
+        BadInput{"no_name", "", {"=1"}, "--set: unknown entry \"\""},
+        BadInput{
+            "unknown", "", {"Body/Radiuss=1"}, "--set: unknown entry \"Body/Radiuss\"; did you mean \"Body/Radius\"?"},
+        BadInput{"value", "", {"Body/Radius=-1"}, "--set: Body/Radius: expected a number > 0, got \"-1\""},
+        BadInput{"hash", "", {"Title=a # b"}, "--set: Title: expected a value on one line without \"#\", got"},
+        BadInput{"newline", "", {"Title=a\nb"}, "--set: Title: expected a value on one line without \"#\", got"},
+        BadInput{"file_first", entry("Body", "Radius = x"), {"Body/Radius=1"}, "scene.prm:2: Body/Radius: expected"}));
+
+}  // namespace
+}  // namespace pseudorigid::scene

@@ -1,0 +1,128 @@
+/// What scenes need and skip, and the sector of the ball.
+
+#include "scene/needs.h"
+
+#include <algorithm>
+
+#include "scene_files.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+bool mentions(const std::vector<std::string>& lines, const std::string& words) {
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+struct SectorCase {
+  const char* name;
+  std::vector<std::pair<int, int>> deformation, velocity;  ///< entries (from 1) that are not zero off the diagonal
+  Symmetry symmetry;
+  std::string sector;
+  int n_images;
+};
+
+std::ostream& operator<<(std::ostream& out, const SectorCase& c) { return out << c.name; }
+
+class SectorTest : public testing::TestWithParam<SectorCase> {};
+
+TEST_P(SectorTest, IsTheSmallestOneOrTheOneAskedFor) {
+  Scene scene;
+  for (const auto& [i, j] : GetParam().deformation) scene.initial_state.deformation[i - 1][j - 1] = 1e-300;
+  for (const auto& [i, j] : GetParam().velocity) scene.initial_state.velocity[i - 1][j - 1] = -1;
+  scene.continuum.symmetry = GetParam().symmetry;
+  const Sector result = sector(scene);
+  EXPECT_EQ(result.name(), GetParam().sector);
+  EXPECT_EQ(result.n_images(), GetParam().n_images);
+  const bool warns = result.reason.find("motions that would break the symmetry are excluded") != std::string::npos;
+  EXPECT_EQ(warns, result.n_images() > 1) << result.reason;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SectorTest,
+    testing::Values(SectorCase{"diagonal", {}, {}, Symmetry::automatic, "octant", 8},
+                    SectorCase{"shear_12", {{1, 2}}, {}, Symmetry::automatic, "half (plane z)", 2},
+                    SectorCase{"shear_21", {{2, 1}}, {}, Symmetry::automatic, "half (plane z)", 2},
+                    SectorCase{"shear_13", {{1, 3}}, {}, Symmetry::automatic, "half (plane y)", 2},
+                    SectorCase{"shear_32", {{3, 2}}, {}, Symmetry::automatic, "half (plane x)", 2},
+                    SectorCase{"spin_about_z", {}, {{1, 2}, {2, 1}}, Symmetry::automatic, "half (plane z)", 2},
+                    SectorCase{"two_shears", {{1, 2}}, {{2, 3}}, Symmetry::automatic, "full ball", 1},
+                    SectorCase{"asked_none", {}, {}, Symmetry::none, "full ball", 1},
+                    SectorCase{"asked_x", {}, {}, Symmetry::x, "half (plane x)", 2},
+                    SectorCase{"asked_xy", {}, {}, Symmetry::xy, "quarter (planes x, y)", 4},
+                    SectorCase{"asked_xz", {}, {}, Symmetry::xz, "quarter (planes x, z)", 4},
+                    SectorCase{"asked_yz", {}, {}, Symmetry::yz, "quarter (planes y, z)", 4},
+                    SectorCase{"asked_octant", {}, {}, Symmetry::octant, "octant", 8}));
+
+TEST(NegativeZero, IsZeroForTheSector) {
+  Scene scene;
+  scene.initial_state.deformation[0][1] = -0.0;
+  EXPECT_EQ(sector(scene).name(), "octant");
+}
+
+TEST(Needs, BothModelsAreCompared) {
+  const Needs result = needs(Scene());
+  EXPECT_TRUE(result.reduced && result.continuum && result.constraint && result.pressure_space && result.comparison);
+  EXPECT_FALSE(result.graphics);
+  EXPECT_EQ(result.sector.name(), "octant");
+  EXPECT_TRUE(mentions(result.needed, "octant, one of 8"));
+  EXPECT_TRUE(mentions(result.needed, "motions that would break the symmetry are excluded"));
+  EXPECT_TRUE(mentions(result.needed, "comparison"));
+  EXPECT_TRUE(mentions(result.skipped, "graphics"));
+}
+
+TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
+  Scene scene;
+  scene.models.continuum = false;
+  const Needs result = needs(scene);
+  EXPECT_FALSE(result.continuum || result.pressure_space || result.comparison || result.quantities.nonaffine);
+  EXPECT_TRUE(result.quantities.state);
+  EXPECT_TRUE(mentions(result.skipped, "no deal.II, MPI or PETSc"));
+  EXPECT_TRUE(mentions(result.skipped, "nonaffine: no continuum runs"));
+  EXPECT_FALSE(mentions(result.needed, "continuum"));
+}
+
+TEST(Needs, ACompressibleBodyHasNoConstraint) {
+  Scene scene;
+  scene.models.continuum = false;
+  scene.body.incompressible = false;
+  const Needs result = needs(scene);
+  EXPECT_FALSE(result.constraint || result.pressure_space);
+  EXPECT_TRUE(mentions(result.skipped, "constraint: the body is compressible"));
+}
+
+TEST(Needs, ContinuumAloneIsNotCompared) {
+  Scene scene;
+  scene.models.reduced = false;
+  const Needs result = needs(scene);
+  EXPECT_FALSE(result.reduced || result.comparison);
+  EXPECT_TRUE(result.quantities.nonaffine);
+  EXPECT_TRUE(mentions(result.skipped, "only one model"));
+}
+
+TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
+  Scene scene;
+  scene.output.quantities = {
+      .state = true, .energies = false, .momenta = false, .multiplier = false, .axes = true, .nonaffine = false};
+  scene.output.graphics = Graphics::vtu;
+  const Needs result = needs(scene);
+  EXPECT_TRUE(result.graphics && result.quantities.axes);
+  EXPECT_FALSE(result.quantities.energies || result.quantities.nonaffine);
+  EXPECT_TRUE(mentions(result.needed, "quantities: axes"));
+  EXPECT_TRUE(mentions(result.needed, "graphics: 20 frames"));
+  EXPECT_TRUE(mentions(result.skipped, "quantities: energies: not among Output/Quantities"));
+}
+
+TEST(Needs, DescriptionHoldsBothLists) {
+  Scene scene;
+  scene.title = "My ball";
+  const Needs result = needs(scene);
+  const std::string text = describe(scene, result);
+  EXPECT_TRUE(text.starts_with("My ball\nmotion of an incompressible ball of radius 1, ")) << text;
+  for (const auto* lines : {&result.needed, &result.skipped})
+    for (const std::string& line : *lines) EXPECT_NE(text.find("  " + line + "\n"), std::string::npos) << line;
+  EXPECT_LT(text.find("Needed:"), text.find("Skipped:"));
+}
+
+}  // namespace
+}  // namespace pseudorigid::scene

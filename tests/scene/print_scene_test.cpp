@@ -1,0 +1,155 @@
+/// used.prm and the lists of entries, all of which must read back.
+
+#include "scene/print_scene.h"
+
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+
+#include "scene/entries.h"
+#include "scene_files.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+using PrintScene = test::SceneFiles;
+
+/// The values of all entries; numbers as their bits, so that equal lists mean equal to the last bit.
+std::vector<std::string> bits(const Scene& scene) {
+  std::vector<std::string> result;
+  const auto bits_of = [](double value) {
+    std::uint64_t pattern = 0;
+    std::memcpy(&pattern, &value, sizeof pattern);
+    return std::to_string(pattern);
+  };
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+    std::string value;
+    if constexpr (std::is_same_v<decltype(member), const double&>)
+      value = bits_of(member);
+    else if constexpr (std::is_same_v<decltype(member), const std::optional<double>&>)
+      value = member ? bits_of(*member) : "auto";
+    else if constexpr (std::is_same_v<decltype(member), const Matrix3&>)
+      for (const auto& row : member)
+        for (const double entry : row) value += bits_of(entry) + " ";
+    else
+      value = kind.print(member);
+    result.push_back(std::string(about.path) + "=" + value);
+  });
+  return result;
+}
+
+/// Any finite double, over all exponents.
+double any_number(std::mt19937_64& random) {
+  for (;;) {
+    const std::uint64_t pattern = random();
+    double value = 0;
+    std::memcpy(&value, &pattern, sizeof value);
+    if (std::isfinite(value)) return value;
+  }
+}
+
+Scene any_scene(std::mt19937_64& random) {
+  Scene scene;
+  const auto positive_number = [&] { return std::max(std::abs(any_number(random)), 1e-300); };
+  scene.title = "Number " + std::to_string(random());
+  scene.models = {random() % 2 == 0, random() % 2 == 0};
+  scene.body = {positive_number(), positive_number(), random() % 2 == 0};
+  scene.material = {random() % 2 ? Law::neo_hookean : Law::ciarlet_geymonat, positive_number(), positive_number()};
+  for (auto* matrix : {&scene.initial_state.deformation, &scene.initial_state.velocity})
+    for (auto& row : *matrix)
+      for (double& entry : row) entry = random() % 3 ? any_number(random) : -0.0;
+  scene.time.end = positive_number();
+  if (random() % 2) scene.time.step = positive_number();
+  scene.time.method = static_cast<Method>(random() % 5);
+  scene.time.tolerance = std::uniform_real_distribution<>(1e-13, 1e-1)(random);
+  scene.continuum = {static_cast<int>(2 + random() % 5), static_cast<int>(random() % 5), Mesh::builtin,
+                     static_cast<Symmetry>(random() % 9)};
+  const auto coin = [&] { return random() % 2 == 0; };
+  scene.output = {"out/" + std::to_string(random()),
+                  static_cast<int>(1 + random() % 10'000'000),
+                  {coin(), coin(), coin(), coin(), coin(), coin()},
+                  coin() ? Graphics::none : Graphics::vtu,
+                  static_cast<int>(1 + random() % 1'000'000)};
+  return scene;
+}
+
+TEST_F(PrintScene, UsedPrmReadsBackBitForBit) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 500; ++i) {
+    const Scene scene = any_scene(random);
+    ASSERT_EQ(bits(read(to_prm(scene)).scene), bits(scene)) << to_prm(scene);
+  }
+}
+
+TEST_F(PrintScene, AwkwardTextsReadBack) {
+  for (const char* title : {"", "a  b", "ends with \\", "a = b", "set X = 1", "end", "über Größe", "\"quoted\""}) {
+    Scene scene;
+    scene.title = title;
+    EXPECT_EQ(read(to_prm(scene)).scene.title, title);
+    EXPECT_EQ(bits(read(to_prm(scene)).scene), bits(scene));
+  }
+}
+
+TEST_F(PrintScene, UsedPrmMarksOverrides) {
+  const ReadScene overridden = read("set Title = x", {"Body/Radius=0.1"});
+  const std::string text = to_prm(overridden.scene, overridden.origins);
+  EXPECT_NE(text.find("  set Radius = 0.1  # from --set\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("set Title = x\n"), std::string::npos) << text;
+  EXPECT_EQ(bits(read(text).scene), bits(overridden.scene));
+}
+
+TEST_F(PrintScene, ParametersAsPrmAreTheDefaults) {
+  EXPECT_EQ(bits(read(parameters(Format::prm)).scene), bits(Scene()));
+}
+
+TEST_F(PrintScene, EveryDefaultIsAllowedAndEveryEntryIsDocumented) {
+  Scene scene;
+  int n_entries = 0;
+  visit_entries(scene, [&](auto& member, const auto& kind, const About& about) {
+    ++n_entries;
+    EXPECT_EQ(kind.read(kind.print(member), member), std::nullopt) << about.path;
+    EXPECT_FALSE(kind.expected().empty()) << about.path;
+    EXPECT_TRUE(about.documentation.ends_with(".")) << about.path;
+  });
+  EXPECT_EQ(n_entries, 25);
+}
+
+TEST_F(PrintScene, JsonHoldsEveryEntry) {
+  const auto json = nlohmann::json::parse(parameters(Format::json));
+  std::size_t i = 0;
+  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+    ASSERT_LT(i, json.size());
+    EXPECT_EQ(json[i]["entry"], about.path);
+    EXPECT_EQ(json[i]["type"], kind.type);
+    EXPECT_EQ(json[i]["default"], kind.print(member));
+    EXPECT_EQ(json[i]["expected"], kind.expected());
+    EXPECT_EQ(json[i]["words"].size(), kind.words().size());
+    EXPECT_EQ(json[i]["unit"], about.unit);
+    EXPECT_EQ(json[i]["documentation"], about.documentation);
+    ++i;
+  });
+  EXPECT_EQ(i, json.size());
+}
+
+TEST_F(PrintScene, MarkdownTablesAreWellFormed) {
+  std::istringstream lines(parameters(Format::markdown));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("|")) continue;
+    int bars = 0;
+    for (std::size_t i = 0; i < line.size(); ++i) bars += line[i] == '|' && (i == 0 || line[i - 1] != '\\');
+    EXPECT_EQ(bars, 6) << line;
+  }
+}
+
+TEST_F(PrintScene, TheCommittedPageIsUpToDate) {
+  std::ifstream file(PARAMETERS_PAGE);
+  std::stringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), parameters(Format::markdown))
+      << "write the page anew: pseudorigid parameters --format markdown > docs/parameters.md";
+}
+
+}  // namespace
+}  // namespace pseudorigid::scene

@@ -1,0 +1,126 @@
+/// From a file and overrides to a Scene: values, names, origins.
+
+#include "scene/read_scene.h"
+
+#include "scene_files.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+using ReadSceneTest = test::SceneFiles;
+
+const char* const full_text = R"(
+set Title    = Stretched ball  # with a comment
+set Models   = reduced
+set System   = ball
+set Analysis = motion
+subsection Body
+  set Radius = 2
+  set Density = 1.5e3
+  set Incompressible = false
+end
+subsection Material
+  set Law = ciarlet-geymonat
+  set Shear modulus = +4
+  set Lame   lambda = .5
+end
+subsection Initial state
+  set Deformation = 1, 0.5, 0; \
+                    0, 1,   0; \
+                    0, 0,   1
+  set Velocity = 0,0,0;0,0,-1e-3;0,0,0
+end
+subsection Time
+  set End = 3
+  set Step = 0.25
+  set Method = rattle-4
+  set Tolerance = 1e-13
+end
+subsection Continuum
+  set Degree = 2
+  set Refinements = 4
+  set Mesh = builtin
+  set Symmetry = xz
+end
+subsection Output
+  set Directory = some where
+  set Samples = 7
+  set Quantities = state,  axes
+  set Graphics = vtu
+  set Frames = 5
+end
+)";
+
+TEST_F(ReadSceneTest, ReadsEveryEntry) {
+  const Scene scene = read(full_text).scene;
+  EXPECT_EQ(scene.title, "Stretched ball");
+  EXPECT_TRUE(scene.models.reduced);
+  EXPECT_FALSE(scene.models.continuum);
+  EXPECT_EQ(scene.body.radius, 2);
+  EXPECT_EQ(scene.body.density, 1500);
+  EXPECT_FALSE(scene.body.incompressible);
+  EXPECT_EQ(scene.material.law, Law::ciarlet_geymonat);
+  EXPECT_EQ(scene.material.shear_modulus, 4);
+  EXPECT_EQ(scene.material.lame_lambda, 0.5);
+  EXPECT_EQ(scene.initial_state.deformation, (Matrix3{{{1, 0.5, 0}, {0, 1, 0}, {0, 0, 1}}}));
+  EXPECT_EQ(scene.initial_state.velocity, (Matrix3{{{0, 0, 0}, {0, 0, -1e-3}, {0, 0, 0}}}));
+  EXPECT_EQ(scene.time.end, 3);
+  EXPECT_EQ(scene.time.step, 0.25);
+  EXPECT_EQ(scene.time.method, Method::rattle4);
+  EXPECT_EQ(scene.time.tolerance, 1e-13);
+  EXPECT_EQ(scene.continuum.degree, 2);
+  EXPECT_EQ(scene.continuum.refinements, 4);
+  EXPECT_EQ(scene.continuum.symmetry, Symmetry::xz);
+  EXPECT_EQ(scene.output.directory, "some where");
+  EXPECT_EQ(scene.output.samples, 7);
+  EXPECT_TRUE(scene.output.quantities.state && scene.output.quantities.axes);
+  EXPECT_FALSE(scene.output.quantities.energies || scene.output.quantities.momenta ||
+               scene.output.quantities.multiplier || scene.output.quantities.nonaffine);
+  EXPECT_EQ(scene.output.graphics, Graphics::vtu);
+  EXPECT_EQ(scene.output.frames, 5);
+}
+
+TEST_F(ReadSceneTest, AnEmptyFileGivesTheDefaults) {
+  const ReadScene read_back = read("");
+  EXPECT_EQ(read_back.scene.body.radius, Scene().body.radius);
+  EXPECT_EQ(read_back.scene.time.step, std::nullopt);
+  EXPECT_TRUE(read_back.scene.models.reduced && read_back.scene.models.continuum);
+  EXPECT_EQ(read_back.name, "scene");
+  EXPECT_EQ(read_back.origins.of("Body/Radius"), (folder_ / "scene.prm").string());
+}
+
+TEST_F(ReadSceneTest, NameIsTheFileNameWithoutPrm) {
+  EXPECT_EQ(read_scene(write("a.b.prm", "")).name, "a.b");
+  EXPECT_EQ(read_scene(write("plain", "")).name, "plain");
+  EXPECT_EQ(read_scene(write("v1.5", "")).name, "v1.5");
+}
+
+TEST_F(ReadSceneTest, TheLastSettingWins) {
+  const char* const twice = "subsection Body\nset Radius = 2\nend\nsubsection Body\nset Radius = 3\nend";
+  const ReadScene from_file = read(twice);
+  EXPECT_EQ(from_file.scene.body.radius, 3);
+  EXPECT_EQ(from_file.origins.of("Body/Radius"), (folder_ / "scene.prm").string() + ":5");
+  const ReadScene overridden = read(twice, {"Body/Radius=4", " Body / Radius = 5 "});
+  EXPECT_EQ(overridden.scene.body.radius, 5);
+  EXPECT_EQ(overridden.origins.of("Body/Radius"), "--set");
+}
+
+TEST_F(ReadSceneTest, OverridesReachEntriesOutsideSubsectionsAndMayHoldEqualsSigns) {
+  EXPECT_EQ(read("", {"Title=a = b"}).scene.title, "a = b");
+  EXPECT_EQ(read("", {"Initial  state/Velocity = 0,1,0; 1,0,0; 0,0,0"}).scene.initial_state.velocity[0][1], 1);
+  EXPECT_EQ(read("set Title = x", {"Title="}).scene.title, "");
+}
+
+TEST_F(ReadSceneTest, SwitchesOfQuantitiesAndModels) {
+  EXPECT_TRUE(read("", {"Output/Quantities=all"}).scene.output.quantities.momenta);
+  EXPECT_FALSE(read("", {"Output/Quantities="}).scene.output.quantities.momenta);
+  EXPECT_FALSE(read("", {"Models=continuum"}).scene.models.reduced);
+  EXPECT_TRUE(read("set Models = reduced", {"Models=continuum,reduced"}).scene.models.continuum);
+}
+
+TEST_F(ReadSceneTest, StepMayReturnToAuto) {
+  EXPECT_EQ(read("subsection Time\nset Step = 0.1\nend", {"Time/Step=auto"}).scene.time.step, std::nullopt);
+}
+
+}  // namespace
+}  // namespace pseudorigid::scene
