@@ -3,8 +3,10 @@
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace pseudorigid::continuum {
 namespace {
@@ -62,18 +64,26 @@ std::vector<CoarseCell> sector_cells(const Sector& sector) {
   return cells;
 }
 
+/// Equiangular point of the sphere: y in the faces of the cube |y|_∞ = 1 stands for angles of π/4 y.
+dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
+  dealii::Point<3> direction;
+  for (unsigned int d = 0; d < 3; ++d) direction[d] = std::tan(std::numbers::pi / 4 * y[d]);
+  return direction / direction.norm();
+}
+
 dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
-  dealii::Point<3> inside, outside;
+  dealii::Point<3> inside, cube;
   double s = 0;
   for (unsigned int v = 0; v < 8; ++v) {
+    const dealii::Point<3>& V = vertices[v];
     const double N = dealii::GeometryInfo<3>::d_linear_shape_function(xi, v);
-    if (vertices[v].norm_square() > 0.999) {
-      outside += N * vertices[v];
+    if (V.norm_square() > 0.999) {
+      cube += N / std::max({std::abs(V[0]), std::abs(V[1]), std::abs(V[2])}) * V;
       s += N;
     } else
-      inside += N * vertices[v];
+      inside += N * V;
   }
-  return s > 0 ? inside + (s / outside.norm()) * outside : inside;
+  return s > 0 ? inside + s * onto_sphere(cube / s) : inside;
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 /// One octant has 4 coarse cells: a block at the centre and three cells between its faces and the sphere. A coarse cell
 /// with vertices V_i (trilinear shape functions N_i) is mapped by the transfinite interpolation
 ///
-///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   Y = Σ_{i on sphere} N_i(ξ) V_i,   s = Σ_{i on sphere} N_i(ξ)
+///   X(ξ) = Σ_{i inside} N_i(ξ) V_i + s(ξ) Y/|Y|,   s = Σ_{i on sphere} N_i(ξ),
+///   Y_d = tan(π/4 y_d),   y = Σ_{i on sphere} N_i(ξ) V_i/|V_i|_∞ / s     (equiangular coordinates of the sphere)
 ///
 /// which is exact on the sphere and on the planes (coordinates that are zero stay exactly zero). Other sectors are
 /// reflections of the octant, so that all of them are the same discretisation.
