@@ -27,7 +27,12 @@ const std::vector<std::string> sections{"S", "S/T", "U V"};
 
 std::vector<std::string> parts(const std::string& path) {
   std::vector<std::string> result{""};
-  for (const char c : path) c == '/' ? result.emplace_back() : result.back().push_back(c);
+  for (const char c : path) {
+    if (c == '/')
+      result.emplace_back();
+    else
+      result.back().push_back(c);
+  }
   return result;
 }
 
