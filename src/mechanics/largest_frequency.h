@@ -124,7 +124,7 @@ inline double upper_ritz_value(const std::vector<double>& alpha, const std::vect
 }  // namespace detail
 
 /// ω from at most `n_iterations` steps of Lanczos, two forces each. The residual is added to the Ritz value, so that
-/// few iterations err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
+/// few iterations rather err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
 /// iteration has seen every mode; 0 where nothing oscillates.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
