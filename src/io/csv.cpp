@@ -1,5 +1,6 @@
+#include "io/csv.h"
+
 #include <fcntl.h>
-#include <fmt/compile.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -11,7 +12,6 @@
 #include <utility>
 
 #include "io/files.h"
-#include "io/trajectory.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::io {
@@ -58,6 +58,12 @@ std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<
     position = after + 1;
   }
   return {};
+}
+
+/// As printf's %.17g, three times as fast.
+void append_number(std::string& text, double value) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr);
 }
 
 }  // namespace
@@ -156,7 +162,7 @@ void CsvWriter::append(std::span<const double> row) {
       throw std::logic_error(fmt::format("{}: {} is {} in row {}", path_.native(), columns_[i], row[i], n_rows_ + 1));
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (i > 0) pending_ += ',';
-    fmt::format_to(std::back_inserter(pending_), FMT_COMPILE("{:.17g}"), row[i]);
+    append_number(pending_, row[i]);
   }
   pending_ += '\n';
   ++n_rows_;

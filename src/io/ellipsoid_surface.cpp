@@ -37,7 +37,7 @@ CubedSphere::CubedSphere(int n) {
         for (int i = -n; i < n; i += 2) {
           // (axis, u, v) is right-handed: going round in (u, v) is counter-clockwise seen from +axis.
           const int u = (axis + (side > 0 ? 1 : 2)) % 3, v = (axis + (side > 0 ? 2 : 1)) % 3;
-          for (const auto [di, dj] : {std::array{0, 0}, std::array{2, 0}, std::array{2, 2}, std::array{0, 2}}) {
+          for (const auto& [di, dj] : {std::array{0, 0}, std::array{2, 0}, std::array{2, 2}, std::array{0, 2}}) {
             Lattice lattice;
             lattice[axis] = side;
             lattice[u] = i + di;

@@ -1,5 +1,6 @@
 # Run at build time (cmake -DSOURCE=… -DOUTPUT=… -P): writes the commit of SOURCE to the header OUTPUT, and touches it
 # only if that changed. Without git, or in a copy that is not itself a checkout, the hash is "unknown".
+cmake_minimum_required(VERSION 3.25)
 set(hash unknown)
 find_program(GIT git)
 if(GIT AND EXISTS ${SOURCE}/.git)

@@ -1,6 +1,7 @@
 #include "io/run_directory.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -70,16 +71,7 @@ bool RunDirectory::owns_graphics(std::string_view name) {
 }
 
 void RunDirectory::require_writable() const {
-  const fs::path probe = path_ / "used.prm";
-  try {
-    // A probe under a name of ours that no run leaves behind; the file proper may belong to a run being resumed.
-    fs::path attempt = probe;
-    attempt += ".probe";
-    write_file_atomically(attempt, {});
-    fs::remove(attempt);
-  } catch (const WriteError& error) {
-    throw cannot("write to", path_, std::strerror(error.error_number));
-  }
+  if (::access(path_.c_str(), W_OK | X_OK) != 0) throw cannot("write to", path_, std::strerror(errno));
 }
 
 void RunDirectory::prepare_fresh() const {

@@ -32,8 +32,10 @@ void append_array(std::string& out, std::string_view name, int n_components, con
   std::string bytes(sizeof n_bytes + n_bytes, '\0');
   std::copy_n(reinterpret_cast<const char*>(&n_bytes), sizeof n_bytes, bytes.begin());
   std::copy_n(reinterpret_cast<const char*>(values.data()), n_bytes, bytes.begin() + sizeof n_bytes);
-  out += fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="binary">)", vtk_type<T>, name,
-                     n_components);
+  out += fmt::format(R"(<DataArray type="{}" Name="{}")", vtk_type<T>, name);
+  // Left out for scalars, its default: given a 1, meshio makes columns of them.
+  if (n_components != 1) out += fmt::format(R"( NumberOfComponents="{}")", n_components);
+  out += R"( format="binary">)";
   out += base64(bytes);
   out += "</DataArray>\n";
 }

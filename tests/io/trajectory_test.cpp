@@ -1,0 +1,111 @@
+#include "io/trajectory.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace pseudorigid::io::test {
+namespace {
+
+using mechanics::ContinuumObservables;
+
+constexpr scene::Quantities everything;
+const std::string reduced_header =
+    "time,Q11,Q12,Q13,Q21,Q22,Q23,Q31,Q32,Q33,Qdot11,Qdot12,Qdot13,Qdot21,Qdot22,Qdot23,Qdot31,Qdot32,Qdot33,"
+    "x1,x2,x3,v1,v2,v3,kinetic,elastic,gravitational,external,dissipated,energy,J1,J2,J3,Z1,Z2,Z3,"
+    "volume_ratio,multiplier,a1,a2,a3";
+const std::string continuum_header =
+    reduced_header +
+    ",F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian";
+
+/// Every number another one, so that no two columns can be mistaken for each other.
+ContinuumObservables distinct_observables() {
+  ContinuumObservables o;
+  o.Q << 11, 12, 13, 21, 22, 23, 31, 32, 33;
+  o.Qdot = o.Q.array() + 100;
+  o.F = o.Q.array() + 200;
+  o.center << 41, 42, 43;
+  o.velocity << 51, 52, 53;
+  o.kinetic = 61, o.elastic = 62, o.gravitational = 63, o.external = 64, o.dissipated = 65;
+  o.angular_momentum << 71, 72, 73;
+  o.circulation << 81, 82, 83;
+  o.volume_ratio = 91;
+  o.multiplier = 92;
+  o.semi_axes << 95, 94, 93;
+  o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
+  return o;
+}
+
+double value(const std::vector<std::string>& columns, const std::vector<double>& row, const std::string& name) {
+  return row.at(std::ranges::find(columns, name) - columns.begin());
+}
+
+TEST(Trajectory, HeadersAreThoseOfTheContract) {
+  EXPECT_EQ(fmt::format("{}", fmt::join(reduced_columns(everything), ",")), reduced_header);
+  EXPECT_EQ(fmt::format("{}", fmt::join(continuum_columns(everything), ",")), continuum_header);
+}
+
+TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
+  const scene::Quantities nothing{false, false, false, false, false, false};
+  EXPECT_EQ(reduced_columns(nothing), std::vector<std::string>{"time"});
+  const ContinuumObservables o = distinct_observables();
+  const std::vector<std::string> all = continuum_columns(everything);
+  std::vector<double> full_row, row;
+  continuum_row(7, o, {}, everything, full_row);
+  for (int mask = 0; mask < 64; ++mask) {
+    const scene::Quantities some{bool(mask & 1), bool(mask & 2),  bool(mask & 4),
+                                 bool(mask & 8), bool(mask & 16), bool(mask & 32)};
+    const std::vector<std::string> columns = continuum_columns(some);
+    continuum_row(7, o, {}, some, row);
+    ASSERT_EQ(columns.size(), row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) EXPECT_EQ(row[i], value(all, full_row, columns[i])) << columns[i];
+    reduced_row(7, o, {}, some, row);
+    EXPECT_EQ(row.size(), reduced_columns(some).size());
+  }
+}
+
+TEST(Trajectory, ValuesStandUnderTheirNames) {
+  std::vector<double> row;
+  continuum_row(7, distinct_observables(), {}, everything, row);
+  const auto columns = continuum_columns(everything);
+  const std::vector<std::pair<std::string, double>> expected{
+      {"time", 7},      {"Q12", 12},        {"Q21", 21},          {"Qdot13", 113}, {"x3", 43},
+      {"v1", 51},       {"kinetic", 61},    {"elastic", 62},      {"J2", 72},      {"gravitational", 63},
+      {"external", 64}, {"dissipated", 65}, {"energy", 315},      {"Z3", 83},      {"volume_ratio", 91},
+      {"a1", 95},       {"a3", 93},         {"F32", 232},         {"F23", 223},    {"nonaffine_kinetic_fraction", 96},
+      {"a2", 94},       {"multiplier", 92}, {"min_jacobian", 98}, {"J1", 71},      {"nonaffine_displacement", 97}};
+  for (const auto& [name, number] : expected) EXPECT_EQ(value(columns, row, name), number) << name;
+}
+
+TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
+  // Powers of two, so that the products are exact: length 2, mass 4, time 1/8.
+  const Units units{.length = 2, .mass = 4, .time = 0.125};
+  std::vector<double> plain, scaled;
+  continuum_row(7, distinct_observables(), {}, everything, plain);
+  continuum_row(7, distinct_observables(), units, everything, scaled);
+  const auto columns = continuum_columns(everything);
+  const auto factor = [&](const std::string& name) {
+    return value(columns, scaled, name) / value(columns, plain, name);
+  };
+  for (const char* name : {"time", "Q11", "Q23", "F31", "volume_ratio", "min_jacobian", "nonaffine_kinetic_fraction"})
+    EXPECT_EQ(factor(name), 1) << name;
+  for (const char* name : {"Qdot11", "Qdot32"}) EXPECT_EQ(factor(name), 8) << name;
+  for (const char* name : {"x1", "a1", "a2", "a3"}) EXPECT_EQ(factor(name), 2) << name;
+  for (const char* name : {"v1", "v3"}) EXPECT_EQ(factor(name), 2 * 8) << name;
+  for (const char* name : {"kinetic", "elastic", "gravitational", "external", "dissipated", "energy"})
+    EXPECT_EQ(factor(name), 4 * 4 * 64) << name;
+  for (const char* name : {"J1", "J3", "Z1", "Z2"}) EXPECT_EQ(factor(name), 4 * 4 * 8) << name;
+  EXPECT_EQ(factor("multiplier"), 64);
+}
+
+TEST(Units, OfABallAreRadiusMassAndWaveTime) {
+  const Units units = ball_units(3, 5, 45);  // c = √(45/5) = 3
+  EXPECT_DOUBLE_EQ(units.length, 3);
+  EXPECT_DOUBLE_EQ(units.mass, 5 * 27);
+  EXPECT_DOUBLE_EQ(units.time, 1);
+  EXPECT_DOUBLE_EQ(units.stress(), 45);  // the unit of stress is the shear modulus
+}
+
+}  // namespace
+}  // namespace pseudorigid::io::test
