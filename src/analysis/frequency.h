@@ -5,9 +5,9 @@
 ///
 /// The coefficients d, a, b are eliminated (variable projection: G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10 (1973);
 /// Kaufman's form), the frequencies follow by Gauss–Newton steps that may not raise the residual. Lines are added where
-/// the Hann-windowed periodogram of the residual has a peak, until no peak stands out of the noise. A peak at a
-/// multiple k of the first line's frequency is tied to it, ω = kω₀, so that an anharmonic motion yields its fundamental
-/// from all its harmonics; the tie is cut when the residual contradicts it.
+/// the Hann-windowed periodogram of the residual has a peak, as long as that lowers the standard error of the first
+/// frequency. A peak at a multiple k of the first line's frequency is tied to it, ω = kω₀, so that an anharmonic motion
+/// yields its fundamental from all its harmonics; the tie is cut when the residual contradicts it.
 ///
 /// Limits: at least one period in the record; lines two resolution widths 2π/T apart (closer ones are told apart only
 /// where they explain everything: a modulated or damped line also looks like a cluster); frequencies below Nyquist's
@@ -27,11 +27,13 @@ struct Line {
   double phase = 0;
 };
 
-/// Either lines, the strongest first, or the reason why there is none.
+/// Either lines, that of the highest peak of the periodogram first, the others by falling amplitude, or the reason why
+/// there is none.
 ///
-/// The standard error is σ√((1+ϱ)/(1−ϱ)) √(S⁻¹): σ the residual's standard deviation, but at least the round-off of the
-/// samples, ϱ ≥ 0 its correlation from sample to sample (what a missing line leaves is not white noise), S the
-/// projected Gauss–Newton matrix.
+/// The standard error is σ√(S⁻¹), S the projected Gauss–Newton matrix. If the residual is noise, σ is its standard
+/// deviation, but at least the round-off of the samples. If a line still stands out of it (too close to another, or one
+/// too many), σ is the norm of the whole residual: the bound of Cauchy and Schwarz for what a signal of that size can
+/// do to the frequency.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;       ///< "the signal is constant", …; empty if lines were found

@@ -23,27 +23,30 @@ Points usable(std::span<const ErrorPoint> points) {
   return kept;
 }
 
-/// Local slope that leads from point i to the finer point i+1.
-double slope(const Points& p, std::size_t i) {
-  return std::log(p[i].error / p[i + 1].error) / std::log(p[i].h / p[i + 1].h);
+double slope(const ErrorPoint& coarse, const ErrorPoint& fine) {
+  return std::log(coarse.error / fine.error) / std::log(coarse.h / fine.h);
 }
 
 double reference_slope(const Points& points) {
   std::vector<double> slopes;
-  for (std::size_t i = 0; i + 1 < points.size(); ++i) slopes.push_back(slope(points, i));
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) slopes.push_back(slope(points[i], points[i + 1]));
   const auto upper = slopes.begin() + std::lround(0.75 * double(slopes.size() - 1));
   std::ranges::nth_element(slopes, upper);
   return *upper;
 }
 
+bool falls(const Points& points, std::size_t j, double reference) {
+  return slope(points[j - 1], points[j]) >= 0.5 * reference ||
+         (j >= 2 && slope(points[j - 2], points[j]) >= 0.75 * reference);
+}
+
 /// Removes the plateau and returns its height.
 double drop_plateau(Points& points, double margin) {
   const double reference = reference_slope(points);
+  std::size_t n_falling = 1;
+  while (reference > 0 && n_falling < points.size() && falls(points, n_falling, reference)) ++n_falling;
   double height = 0;
-  while (points.size() > 1 && !(slope(points, points.size() - 2) >= 0.5 * reference && reference > 0)) {
-    height = std::max(height, points.back().error);
-    points.pop_back();
-  }
+  for (; points.size() > n_falling; points.pop_back()) height = std::max(height, points.back().error);
   const auto contaminated = [&](const ErrorPoint& p) { return p.error < margin * height; };
   points.erase(std::ranges::find_if(points, contaminated), points.end());
   return height;

@@ -3,12 +3,14 @@
 ///
 ///   log e = log C + p log h,   least squares over the points between the coarsest and the round-off plateau.
 ///
-/// The rule that finds the plateau, with local slopes p_i = log(e_i/e_{i+1}) / log(h_i/h_{i+1}), h decreasing:
+/// The rule that finds the plateau, with local slopes p(i,j) = log(e_i/e_j) / log(h_i/h_j), h decreasing:
 ///   1. points without a positive finite h and e are left out (an error of zero lies below any plateau);
-///   2. the reference slope is the upper quartile of the p_i;
-///   3. from the finest point on, points are dropped while the slope that leads to them is below half the reference;
-///   4. the largest error dropped is the plateau's height, and points less than `margin` times above it, whose error is
-///      in part round-off, are dropped as well. A point at the margin 30 biases one local slope by at most 0.05.
+///   2. the reference slope is the upper quartile of the p(i,i+1);
+///   3. the range ends before the first point j that does not fall: p(j−1,j) below one half of the reference and
+///      p(j−2,j) below three quarters of it (the second clause forgives a neighbour that is too good by chance);
+///   4. the largest error from there on is the plateau's height, and points less than `margin` times above it, whose
+///      error is in part round-off, are dropped as well. A point at the margin 30 biases one local slope by at most
+///      0.05 if h is halved.
 
 #include <cstddef>
 #include <limits>

@@ -1,0 +1,117 @@
+#include "analysis/comparison_report.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "synthetic_runs.h"
+
+namespace {
+
+using namespace pseudorigid::analysis;
+using namespace synthetic;
+
+const std::vector<double> ten{times(201, 10)};
+const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation = pulsation(exact_omega);
+
+std::string sentence(const Motion& r, const Motion& c, const std::vector<double>& t = ten,
+                     const ComparisonOptions& options = {}) {
+  Quantities affine;
+  affine.nonaffine = false;
+  return summary_sentence(compare(reduced_run(r, t, affine), continuum_run(c, t, affine), options));
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+TEST(ComparisonReport, SentenceOfTwoPulsations) {
+  const ComparisonOptions options{.exact_frequency_ratio = incompressible_ball_ratio};
+  EXPECT_EQ(
+      sentence(reduced_pulsation, exact_pulsation, ten, options),
+      "The pseudo-rigid ball pulsates 18.6 % faster than the elastic ball (exact small-amplitude value: 18.63 %); "
+      "at t = 2.55 their deformations differ by 100 % of the amplitude for the first time.");
+  EXPECT_TRUE(contains(sentence(exact_pulsation, reduced_pulsation), "pulsates 15.7 % slower"));
+}
+
+TEST(ComparisonReport, SentenceOfEqualMotions) {
+  EXPECT_EQ(sentence(reduced_pulsation, reduced_pulsation),
+            "The two balls pulsate with the same frequency to within 1e-10 %; their deformations are identical.");
+}
+
+TEST(ComparisonReport, SentenceWithoutPulsation) {
+  const Motion still = pulsation(1, 0);
+  EXPECT_EQ(sentence(still, still), "Neither ball moves; their deformations are identical.");
+  EXPECT_EQ(sentence(turning(still, 1), turning(still, 1)),
+            "Both balls turn without changing shape; their deformations are identical.");
+  EXPECT_TRUE(contains(sentence(turning(still, 1), turning(still, 1.001)), "differ by at most 0.82 %"));
+  EXPECT_TRUE(contains(sentence(turning(still, 1), turning(exact_pulsation, 1)),
+                       "The pseudo-rigid ball keeps its shape while the elastic ball pulsates with omega = 2.66562;"));
+  EXPECT_TRUE(contains(sentence(reduced_pulsation, still), "The elastic ball keeps its shape while the pseudo-rigid"));
+}
+
+TEST(ComparisonReport, SentenceOfAShortRecord) {
+  const std::string text = sentence(reduced_pulsation, exact_pulsation, times(201, 1));
+  EXPECT_TRUE(contains(text, "Both balls deform, but no frequency can be given")) << text;
+  EXPECT_FALSE(contains(text, "faster"));
+}
+
+TEST(ComparisonReport, SentenceTellsNonaffineMotion) {
+  const auto change = [](double, ContinuumObservables& o) { o.nonaffine_kinetic_fraction = 0.031; };
+  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten, {}, change));
+  EXPECT_TRUE(contains(summary_sentence(c),
+                       "; on average 3.1 % of the elastic ball's kinetic energy is in non-affine motion."));
+}
+
+TEST(ComparisonReport, TerminalTableIsShortAndAligned) {
+  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
+  std::istringstream text(terminal_table(c));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  EXPECT_GE(lines.size(), 10u);
+  EXPECT_LE(lines.size(), 15u);
+  EXPECT_TRUE(contains(lines[0], "201 samples, t = 0 to 10"));
+  EXPECT_TRUE(contains(lines[1], "3.162278     2.665622   ratio 1.186319"));
+  EXPECT_EQ(lines[0].find("continuum"), lines[1].find("2.665622") - 1);
+  EXPECT_EQ(lines.back(), summary_sentence(c));
+}
+
+TEST(ComparisonReport, TerminalTableNamesWhatIsMissing) {
+  Quantities q;
+  q.axes = false;
+  const Comparison c = compare(reduced_run(reduced_pulsation, ten, q), continuum_run(exact_pulsation, ten, q));
+  EXPECT_TRUE(contains(terminal_table(c), "not compared: semi-axes (no column a1 in reduced.csv); volume ratio"));
+}
+
+TEST(ComparisonReport, JsonHoldsTheFindings) {
+  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
+  const auto json = nlohmann::ordered_json::parse(comparison_json(c).dump());
+  EXPECT_EQ(json["samples"], 201);
+  EXPECT_EQ(json["frequency"]["signal"], "C33");
+  EXPECT_NEAR(json["frequency"]["ratio"].get<double>(), incompressible_ball_ratio, 1e-10);
+  EXPECT_TRUE(json["frequency"]["continuum"]["found"]);
+  EXPECT_NEAR(json["frequency"]["continuum"]["lines"][0]["omega"].get<double>(), exact_omega, 1e-10);
+  EXPECT_TRUE(json["frequency"]["exact_small_amplitude_ratio"].is_null());
+  EXPECT_EQ(json["differences"]["q_difference"]["max"].get<double>(), c.find("q_difference")->max);
+  EXPECT_LT(json["reduced"]["energy_drift"].get<double>(), 1e-14);
+  EXPECT_EQ(json["summary"], summary_sentence(c));
+  EXPECT_TRUE(json["not_compared"].empty());
+}
+
+TEST(ComparisonReport, FilesAreReadBackUnchanged) {
+  const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "pseudorigid_comparison_report";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  write_comparison(folder, c);
+  const Table written = pseudorigid::io::read_csv(folder / "comparison.csv"), expected = comparison_table(c);
+  EXPECT_EQ(written.columns, expected.columns);
+  EXPECT_EQ(written.values, expected.values);
+  EXPECT_EQ(written.columns[0], "time");
+  std::ifstream file(folder / "comparison.json");
+  EXPECT_EQ(nlohmann::ordered_json::parse(file), comparison_json(c));
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
