@@ -65,9 +65,10 @@ Outcome by_reader(const std::string& text) {
   Values values = defaults;
   try {
     read_prm_text(text, "f", [&](const Statement& statement) {
-      const bool known = statement.value
-                             ? defaults.contains(statement.path)
-                             : std::find(sections.begin(), sections.end(), statement.path) != sections.end();
+      // deal.II also lets one enter an entry as if it were a subsection; which names exist is not the reader's
+      // business.
+      const bool is_section = std::find(sections.begin(), sections.end(), statement.path) != sections.end();
+      const bool known = defaults.contains(statement.path) || (!statement.value && is_section);
       if (!known) throw UserError("unknown name");
       if (statement.value) values[statement.path] = *statement.value;
     });
