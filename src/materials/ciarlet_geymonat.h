@@ -27,7 +27,7 @@ struct CiarletGeymonat {
     const Tensor<T> cof = cofactor(H);
     const T second_and_det = cof(0, 0) + cof(1, 1) + cof(2, 2) + determinant(H, cof);
     const T delta = H(0, 0) + H(1, 1) + H(2, 2) + second_and_det;
-    const T excess = delta - log1p(delta);  // (J² − 1 − ln J²) / 2 = excess + δ²/2
+    const T excess = x_minus_log1p(delta);  // (J² − 1 − ln J²) / 2 = excess + δ²/2
     return 0.5 * mu * (dot(H, H) - 2.0 * second_and_det + 2.0 * excess) +
            0.25 * lambda * (2.0 * excess + delta * delta);
   }

@@ -10,4 +10,27 @@ namespace pseudorigid::materials {
 inline double log1p(double x) { return std::log1p(x); }
 inline std::complex<double> log1p(std::complex<double> z) { return std::log(1.0 + z); }
 
+namespace detail {
+/// x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)],  s = x/(2+x),  since ln(1+x) = 2 artanh s. To round-off for |x| ≤
+/// ¼.
+template <class T>
+T x_minus_log1p_series(const T& x) {
+  const T s = x / (2.0 + x), s2 = s * s;
+  T sum = T(1.0 / 23);
+  for (int n = 21; n >= 3; n -= 2) sum = sum * s2 + 1.0 / n;
+  return s * (x - 2.0 * s2 * sum);
+}
+}  // namespace detail
+
+/// x − ln(1+x) ≈ x²/2 without cancellation at small x. SIMD types that bring none get the plain difference, which is
+/// right to |x| ε absolutely.
+template <class T>
+T x_minus_log1p(const T& x) {
+  return x - log1p(x);
+}
+inline double x_minus_log1p(double x) { return std::abs(x) <= 0.25 ? detail::x_minus_log1p_series(x) : x - log1p(x); }
+inline std::complex<double> x_minus_log1p(std::complex<double> z) {
+  return std::abs(z) <= 0.25 ? detail::x_minus_log1p_series(z) : z - log1p(z);
+}
+
 }  // namespace pseudorigid::materials
