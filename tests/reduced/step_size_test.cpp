@@ -1,0 +1,182 @@
+/// choose_step on the reduced body: the tolerance is met, the cost is near the least, hopeless requests are told.
+
+#include "mechanics/step_size.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "mechanics/largest_frequency.h"
+#include "reduced/bodies.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+using mechanics::choose_step;
+using mechanics::MethodId;
+using mechanics::StepChoice;
+using mechanics::StepRequest;
+
+constexpr double end = 40;
+constexpr long n_samples = 40;
+
+Matrix3d Q_of(const State<Sl3>& s) { return s.q; }
+
+StepRequest request_for(const State<Sl3>& initial, double tolerance) {
+  const Sl3 body = neo_hookean_sl3();
+  Sl3::Workspace w;
+  const auto frequency = mechanics::largest_frequency(body, initial, w, 12);
+  EXPECT_TRUE(frequency.status);
+  return {.end = end,
+          .window = end / 5,
+          .tolerance = tolerance,
+          .rattle_limit = mechanics::rattle_step_limit(frequency.omega, initial.q, initial.v)};
+}
+
+StepChoice choose(const State<Sl3>& initial, const StepRequest& request) {
+  auto choice = choose_step(neo_hookean_sl3(), initial, request, Q_of);
+  EXPECT_TRUE(choice.status) << choice.status.reason();
+  return choice;
+}
+
+/// Largest error of Q over the samples against a much finer run, infinite if the run fails; and the forces it takes.
+struct Cost {
+  double error;
+  long n_force;
+};
+Cost measure(const State<Sl3>& initial, MethodId method, long n_steps, const RecordedRun<Sl3>& reference) {
+  return mechanics::with_method(method, [&]<class Method>(Method) -> Cost {
+    const auto r = run<Method>(neo_hookean_sl3(), initial, end, n_samples, n_steps);
+    double error = r.finished() ? 0 : HUGE_VAL;
+    for (std::size_t k = 0; k < r.states.size(); ++k)
+      error = std::max(error, (r.states[k].q - reference.states[k].q).cwiseAbs().maxCoeff());
+    return {error, r.counters.n_force};
+  });
+}
+
+RecordedRun<Sl3> reference_run(const State<Sl3>& initial) {
+  return run<mechanics::Rattle8>(neo_hookean_sl3(), initial, end, n_samples, 36);
+}
+long steps_per_sample(double step) { return mechanics::SampleTimes{end, n_samples}.steps_per_interval(step); }
+
+/// The least forces of any method that meets the tolerance, looked for below a bound.
+long cheapest_below(long bound, double tolerance, const State<Sl3>& initial, const RecordedRun<Sl3>& reference) {
+  for (const MethodId method : mechanics::all_methods)
+    for (long n = 1;; n += std::max(1L, n / 3)) {
+      const long n_force = mechanics::with_method(method, [&](auto m) { return n_samples * n * m.n_stages; });
+      if (n_force >= bound) break;
+      if (measure(initial, method, n, reference).error <= tolerance) bound = n_force;
+    }
+  return bound;
+}
+
+struct NamedState {
+  std::string name;
+  State<Sl3> state;
+};
+
+class ChosenStep : public ::testing::TestWithParam<NamedState> {};
+
+TEST_P(ChosenStep, MeetsTheToleranceAtAReasonableCost) {
+  const auto initial = GetParam().state;
+  const auto reference = reference_run(initial);
+  for (const double tolerance : {1e-4, 1e-6, 1e-8, 1e-10}) {
+    const auto choice = choose(initial, request_for(initial, tolerance));
+    const Cost cost = measure(initial, choice.method, steps_per_sample(choice.step), reference);
+    EXPECT_LE(cost.error, tolerance) << choice.why;
+    EXPECT_LE(choice.error, tolerance) << choice.why;
+    const long least = cheapest_below(cost.n_force, tolerance, initial, reference);
+    EXPECT_LE(cost.n_force, 2 * least) << choice.why;
+    RecordProperty("at_" + std::to_string(-std::lround(std::log10(tolerance))),
+                   choice.why + "; error " + std::to_string(cost.error / tolerance) + " of the tolerance, " +
+                       std::to_string(static_cast<double>(cost.n_force) / static_cast<double>(least)) +
+                       " times the least cost");
+  }
+}
+
+TEST_P(ChosenStep, MeetsTheToleranceWithAFixedMethod) {
+  const auto initial = GetParam().state;
+  const auto reference = reference_run(initial);
+  for (const MethodId method : mechanics::all_methods) {
+    auto request = request_for(initial, 1e-5);
+    request.method = method;
+    const auto choice = choose(initial, request);
+    ASSERT_EQ(choice.method, method);
+    EXPECT_LE(measure(initial, method, steps_per_sample(choice.step), reference).error, 1e-5) << choice.why;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sl3, ChosenStep,
+                         ::testing::Values(NamedState{"benchmark", benchmark_state<Sl3>()},
+                                           NamedState{"stretched", stretched(2)}, NamedState{"spin", fast_spin()},
+                                           NamedState{"small", small_motion()}, NamedState{"large", large_motion()}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(StepSize, IsDeterministic) {
+  const auto initial = benchmark_state<Sl3>();
+  const auto a = choose(initial, request_for(initial, 1e-7)), b = choose(initial, request_for(initial, 1e-7));
+  EXPECT_EQ(a.step, b.step);
+  EXPECT_EQ(a.method, b.method);
+  EXPECT_EQ(a.why, b.why);
+  EXPECT_EQ(a.n_force, b.n_force);
+}
+
+TEST(StepSize, GoesUpInOrderAsTheToleranceFalls) {
+  const auto initial = small_motion();
+  EXPECT_EQ(choose(initial, request_for(initial, 3e-2)).method, MethodId::rattle);
+  EXPECT_EQ(choose(initial, request_for(initial, 1e-9)).method, MethodId::rattle8);
+}
+
+TEST(StepSize, RespectsTheBoundGiven) {
+  const auto initial = benchmark_state<Sl3>();
+  auto request = request_for(initial, 1e-2);
+  request.step_bound = 0.003;
+  const auto choice = choose(initial, request);
+  EXPECT_LE(choice.step, 0.003);
+  EXPECT_NE(choice.why.find("the bound given"), std::string::npos) << choice.why;
+}
+
+TEST(StepSize, SaysWhenDoublePrecisionDoesNotReachTheTolerance) {
+  const auto initial = benchmark_state<Sl3>();
+  for (const double tolerance : {1e-14, 1e-30}) {
+    const auto choice = choose(initial, request_for(initial, tolerance));
+    EXPECT_NE(choice.why.find("below what double precision gives"), std::string::npos) << choice.why;
+    EXPECT_GT(choice.error, tolerance);
+    EXPECT_LT(choice.error, 1e-10);
+    EXPECT_GT(choice.step, 1e-3) << "no step is wasted on round-off";
+  }
+}
+
+TEST(StepSize, OfABodyAtRestIsTheStabilityLimit) {
+  const auto request = request_for(stretched(1), 1e-8);
+  const auto choice = choose(stretched(1), request);
+  EXPECT_EQ(choice.method, MethodId::rattle);
+  EXPECT_NEAR(choice.step, request.rattle_limit, 0.1 * request.rattle_limit);
+}
+
+TEST(StepSize, HalvesTheStepWhereAPilotRunFails) {
+  const auto initial = benchmark_state<Sl3>();
+  auto request = request_for(initial, 1e-4);
+  const double sound = choose(initial, request).step;
+  request.rattle_limit *= 50;  // far beyond stability
+  EXPECT_NEAR(choose(initial, request).step, sound, 0.5 * sound);
+}
+
+TEST(StepSize, ReportsWhyNoStepCanBeFound) {
+  const auto inside_out = moving<Sl3>(diagonal(-1, 1, 1), Matrix3d::Zero());
+  const StepRequest request{.end = 1, .window = 1, .tolerance = 1e-6, .rattle_limit = 0.5};
+  const auto choice = choose_step(neo_hookean_sl3(), inside_out, request, Q_of);
+  EXPECT_FALSE(choice.status);
+  EXPECT_NE(choice.status.reason().find("turned inside out"), std::string::npos) << choice.status.reason();
+}
+
+TEST(StepSize, StabilityLimitSeesTheRateOfTheMotion) {
+  const Matrix3d Id = Matrix3d::Identity();
+  EXPECT_NEAR(mechanics::rattle_step_limit(4, Id, Matrix3d::Zero(), 1), 0.5, 1e-15);
+  EXPECT_NEAR(mechanics::rattle_step_limit(4, Id, hat({0, 0, 6}), 1), 0.2, 1e-15);
+  EXPECT_NEAR(mechanics::rattle_step_limit(0, 2 * Id, diagonal(8, 0, 0), 0.5), 0.25, 1e-15);
+}
+
+}  // namespace
+}  // namespace pseudorigid::testing
