@@ -37,12 +37,13 @@ void describe_models(const Scene& scene, Needs& needs) {
 
 void describe_output(const Scene& scene, Needs& needs) {
   needs.skipped.push_back("tangent stiffness and preconditioners for it: RATTLE is explicit in the elastic force");
-  for (const auto& [name, member] : quantities_kind.table) {
-    const bool unavailable = member == &Quantities::nonaffine && !needs.continuum;
-    sort_out(
-        needs, needs.quantities.*member, fmt::format("quantities: {}", name),
-        fmt::format("quantities: {}: {}", name, unavailable ? "no continuum runs" : "not among Output/Quantities"));
-  }
+  std::vector<std::string_view> evaluated, unwanted;
+  for (const auto& [name, member] : quantities_kind.table)
+    (needs.quantities.*member ? evaluated : unwanted).push_back(name);
+  if (!evaluated.empty()) needs.needed.push_back("quantities: " + joined(evaluated));
+  if (!unwanted.empty())
+    needs.skipped.push_back("quantities: " + joined(unwanted) + " (not among Output/Quantities" +
+                            (needs.continuum ? ")" : ", or of the continuum only)"));
   sort_out(needs, needs.graphics, fmt::format("graphics: {} frames (vtu)", scene.output.frames),
            "graphics: Output/Graphics is none; no folder is made");
 }

@@ -78,7 +78,8 @@ TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
   EXPECT_FALSE(result.continuum || result.pressure_space || result.comparison || result.quantities.nonaffine);
   EXPECT_TRUE(result.quantities.state);
   EXPECT_TRUE(mentions(result.skipped, "no deal.II, MPI or PETSc"));
-  EXPECT_TRUE(mentions(result.skipped, "nonaffine: no continuum runs"));
+  EXPECT_TRUE(
+      mentions(result.skipped, "quantities: nonaffine (not among Output/Quantities, or of the continuum only)"));
   EXPECT_FALSE(mentions(result.needed, "continuum"));
 }
 
@@ -108,9 +109,10 @@ TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
   const Needs result = needs(scene);
   EXPECT_TRUE(result.graphics && result.quantities.axes);
   EXPECT_FALSE(result.quantities.energies || result.quantities.nonaffine);
-  EXPECT_TRUE(mentions(result.needed, "quantities: axes"));
+  EXPECT_TRUE(mentions(result.needed, "quantities: state, axes"));
   EXPECT_TRUE(mentions(result.needed, "graphics: 20 frames"));
-  EXPECT_TRUE(mentions(result.skipped, "quantities: energies: not among Output/Quantities"));
+  EXPECT_TRUE(
+      mentions(result.skipped, "quantities: energies, momenta, multiplier, nonaffine (not among Output/Quantities)"));
 }
 
 TEST(Needs, DescriptionHoldsBothLists) {
