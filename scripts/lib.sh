@@ -1,0 +1,135 @@
+# Shared by run.sh, test.sh and .ci/run, which source it: the packages of Debian that the build needs, and the steps
+# install, configure, build. Every step costs next to nothing when there is nothing to do.
+# shellcheck shell=bash disable=SC2034  # the lists are read by the scripts
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libcli11-dev)
+continuum_packages=(libdeal.ii-dev libsuitesparse-dev)
+test_packages=(libgtest-dev python3-meshio python3-vtk9)
+log_directory=$root/build/log
+
+say() { printf '== %s\n' "$*" >&2; }
+
+# Exit code 2 everywhere means: the user can mend it, and this is how.
+die() {
+  printf 'error: %s\n' "$*" >&2
+  exit 2
+}
+
+# usage FILE: the comment at the head of a script is its help.
+usage() { sed -n '2,/^[^#]/ { s/^# \{0,1\}//p }' "$1"; }
+
+# n_jobs: one a core, but not more than memory allows (a file that includes deal.II takes up to about 1.5 GB).
+n_jobs() {
+  local cores memory
+  cores=$(nproc)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+  ((memory < cores)) && cores=$memory
+  ((cores < 1)) && cores=1
+  echo "$cores"
+}
+
+# report_failure WHAT LOG: the end of a log, which nobody saw as long as all went well.
+report_failure() {
+  printf 'error: %s; the end of %s:\n' "$1" "$2" >&2
+  tail -n 25 "$2" >&2
+}
+
+# missing_packages PACKAGE…: prints those that are not installed.
+missing_packages() {
+  local installed
+  installed=$(dpkg-query --show --showformat='${db:Status-Status} ${Package}\n' "$@" 2>/dev/null |
+    sed -n 's/^installed //p') || true
+  comm -23 <(printf '%s\n' "$@" | sort -u) <(sort -u <<<"$installed")
+}
+
+# install_packages PACKAGE…: installs what is missing, and asks for no rights when nothing is.
+install_packages() {
+  local missing as_root=()
+  if ! command -v dpkg-query >/dev/null; then
+    say "This is not Debian, so nothing is installed here; the build needs what Debian calls $*"
+    return
+  fi
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]})) || return 0
+  if ((EUID != 0)); then
+    # sudo may ask for a password only where somebody can answer.
+    if ! command -v sudo >/dev/null || { ! sudo -n true 2>/dev/null && [[ ! -t 0 ]]; }; then
+      die "packages are missing and installing them needs root; run as root:" \
+        "apt-get update && apt-get install --no-install-recommends ${missing[*]}"
+    fi
+    as_root=(sudo)
+  fi
+  say "Installing with apt-get: ${missing[*]}"
+  mkdir -p "$log_directory"
+  apt_get update
+  apt_get install -o APT::Status-Fd=1 --no-install-recommends "${missing[@]}"
+}
+
+# apt_get ARGUMENT…: no questions, progress in a few lines, the rest in a log. A second attempt, because downloads of
+# several hundred packages do fail now and then; what was downloaded is not fetched again.
+apt_get() {
+  local log=$log_directory/apt-get.log attempt
+  for attempt in 1 2; do
+    if "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get --yes \
+      -o Acquire::Retries=3 -o APT::Update::Error-Mode=any -o DPkg::Lock::Timeout=300 "$@" </dev/null 2>&1 |
+      show_apt_progress "$log"; then
+      return
+    fi
+    ((attempt == 2)) || {
+      say "apt-get $1 failed; once more in 5 seconds"
+      sleep 5
+    }
+  done
+  report_failure "apt-get $1 failed twice" "$log"
+  exit 2
+}
+
+# show_apt_progress LOG: keeps apt's output, and turns its status lines (kind:package:percent:text) into one short line
+# for every quarter.
+show_apt_progress() {
+  local line quarter shown=
+  while IFS= read -r line; do
+    if [[ $line =~ ^(dl|pm)status:[^:]*:([0-9]+) ]]; then
+      quarter="${BASH_REMATCH[1]} $((BASH_REMATCH[2] / 25 * 25)) %"
+      if [[ $quarter != "$shown" && $quarter != *" 0 %" ]]; then
+        sed 's/^dl/   downloaded/; s/^pm/   installed/' <<<"$quarter" >&2
+      fi
+      shown=$quarter
+    else
+      printf '%s\n' "$line"
+    fi
+  done >"$1"
+}
+
+# is_configured PRESET: the build directory is complete, was made for this copy of the sources, and is newer than the
+# lists of packages above.
+is_configured() {
+  [[ $root/build/$1/build.ninja -nt $root/scripts/lib.sh ]] &&
+    grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$root/build/$1/CMakeCache.txt"
+}
+
+# configure PRESET [CMAKE ARGUMENT…]
+configure() {
+  local log=$log_directory/configure-$1.log fresh=()
+  # What an incomplete attempt did not find must not be remembered.
+  is_configured "$1" || fresh=(--fresh)
+  mkdir -p "$log_directory"
+  say "Configuring build/$1"
+  cmake -S "$root" --preset "$1" "${fresh[@]}" "${@:2}" >"$log" 2>&1 || {
+    report_failure "cmake failed" "$log"
+    exit 1
+  }
+}
+
+# build PRESET [TARGET…]: silent unless something has to be compiled. (The question for the commit, and what may follow
+# from it, are always on the list: four steps.)
+build() {
+  local directory=$root/build/$1 n_steps options=(--quiet)
+  n_steps=$(ninja -C "$directory" -n "${@:2}" | grep -c '^\[') || true
+  if ((n_steps > 4)); then
+    say "Building ${*:2} in build/$1 ($n_steps steps at most, $(n_jobs) at a time)"
+    options=(-j "$(n_jobs)")
+  fi
+  NINJA_STATUS='[%f/%t, %e s] ' ninja -C "$directory" "${options[@]}" "${@:2}" >&2
+}
