@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "io/ellipsoid_surface.h"
 #include "io/files.h"
