@@ -73,19 +73,13 @@ void append_cells(std::string& out, const UnstructuredGrid& grid) {
 
 std::string base64(std::string_view bytes) {
   std::string text((bytes.size() + 2) / 3 * 4, '=');
-  const auto* in = reinterpret_cast<const unsigned char*>(bytes.data());
-  char* out = text.data();
-  std::size_t n_left = bytes.size();
-  for (; n_left >= 3; n_left -= 3, in += 3, out += 4) {
-    const std::uint32_t triple = in[0] << 16 | in[1] << 8 | in[2];
-    out[0] = base64_digits[triple >> 18];
-    out[1] = base64_digits[triple >> 12 & 63];
-    out[2] = base64_digits[triple >> 6 & 63];
-    out[3] = base64_digits[triple & 63];
-  }
-  if (n_left > 0) {
-    const std::uint32_t triple = in[0] << 16 | (n_left > 1 ? in[1] << 8 : 0);
-    for (std::size_t j = 0; j <= n_left; ++j) out[j] = base64_digits[triple >> (18 - 6 * j) & 63];
+  auto out = text.begin();
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t triple = 0;
+    for (std::size_t j = 0; j < 3; ++j) triple = triple << 8 | (j < n ? static_cast<unsigned char>(bytes[i + j]) : 0u);
+    for (std::size_t j = 0; j <= n; ++j) out[j] = base64_digits[triple >> (18 - 6 * j) & 63];
+    out += 4;
   }
   return text;
 }
