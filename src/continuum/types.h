@@ -26,5 +26,6 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
       x *= a;
   }
   static double max_norm(const Vector& x) { return x.linfty_norm(); }
+  static double dot(const Vector& x, const Vector& y) { return x * y; }
   static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
 };

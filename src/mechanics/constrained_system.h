@@ -10,7 +10,9 @@
 ///
 /// A system is an immutable object; everything that changes lives in the state and in the workspace.
 
+#include <cmath>
 #include <concepts>
+#include <utility>
 
 #include "mechanics/status.h"
 #include "mechanics/vector_space.h"
@@ -51,8 +53,9 @@ struct State {
   typename S::Vector q, v;
 };
 
-/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Observables use this one, never a
-/// step's own multipliers, which belong to no instant. Failure: of the force or of the Gram solve.
+/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative refinement.
+/// Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the force or the
+/// Gram solve fails.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
@@ -60,15 +63,32 @@ Status multiplier_of_motion(const S& system, const State<S>& state, typename S::
     auto a = system.make_vector();
     if (Status status = system.force(state.t, state.q, state.v, workspace, a); !status) return status;
     system.apply_inverse_mass(a, a);
-    auto r = system.make_multiplier(), curvature = system.make_multiplier();
-    system.constraint_rate(state.q, a, r);
-    system.constraint_curvature(state.q, state.v, curvature);
-    axpy(1.0, curvature, r);
-    scale(-1.0, r);
-    return system.solve_gram(state.q, state.q, r, workspace, lambda).status;
-  } else {
-    return {};
+    auto rhs = system.make_multiplier(), residual = rhs, delta = rhs;
+    system.constraint_rate(state.q, a, rhs);
+    system.constraint_curvature(state.q, state.v, residual);
+    axpy(1.0, residual, rhs);
+    scale(-1.0, rhs);
+
+    scale(0.0, lambda);
+    residual = rhs;
+    constexpr int max_refinements = 8;
+    double before = HUGE_VAL;
+    for (int i = 0; i < max_refinements; ++i) {
+      const double norm = max_norm(residual);
+      if (norm == 0 || norm > 0.5 * before) break;  // round-off is reached when the residual stops falling
+      before = norm;
+      if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
+        return std::move(report.status);
+      axpy(1.0, delta, lambda);
+      scale(0.0, a);
+      system.add_reaction(state.q, lambda, a);
+      system.apply_inverse_mass(a, a);
+      system.constraint_rate(state.q, a, residual);
+      scale(-1.0, residual);
+      axpy(1.0, rhs, residual);
+    }
   }
+  return {};
 }
 
 }  // namespace pseudorigid::mechanics

@@ -1,0 +1,74 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// CLI11's own text for a wrong command line may have several lines; the contract is one sentence.
+std::string one_sentence(std::string text) {
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text + "; see pseudorigid --help";
+}
+
+}  // namespace
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app{"An elastic ball and its pseudo-rigid (ellipsoidal) reduction, run from one parameter file",
+               "pseudorigid"};
+  app.set_version_flag("--version", "version");
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Exit codes: 0 done; 2 the input is wrong; 3 the run could not go on or was interrupted (--resume\n"
+      "continues it); 1 a defect of the program.");
+
+  bool quiet = false, verbose = false;
+  auto* run = app.add_subcommand("run", "Run a scene and write its results");
+  run->add_option("SCENE", options.scene, "parameter file")->required();
+  run->add_option("--set", options.overrides, "\"Section/Entry=value\" in place of what the file says (repeatable)")
+      ->allow_extra_args(false);
+  run->add_option("--output", options.output, "directory of the results, in place of <Output/Directory>/<scene name>");
+  run->add_flag("--resume", options.resume, "go on from the last checkpoint");
+  auto* quiet_flag = run->add_flag("--quiet", quiet, "print warnings and errors only");
+  run->add_flag("--verbose", verbose, "print all that goes into the log")->excludes(quiet_flag);
+
+  auto* check = app.add_subcommand("check", "Validate a scene; print what it needs and what is skipped");
+  check->add_option("SCENE", options.scene, "parameter file")->required();
+  check->add_option("--set", options.overrides, "as for run")->allow_extra_args(false);
+
+  auto* parameters = app.add_subcommand("parameters", "Print every entry: default, range, unit, documentation");
+  const std::map<std::string, scene::Format> formats{
+      {"prm", scene::Format::prm}, {"markdown", scene::Format::markdown}, {"json", scene::Format::json}};
+  parameters->add_option("--format", options.format, "prm, markdown (default) or json")
+      ->transform(CLI::CheckedTransformer(formats).description(""))
+      ->option_text("FORMAT");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    options.help = chosen.empty() ? app.help() : chosen.front()->help();
+    return options;
+  } catch (const CLI::CallForVersion&) {
+    options.command = Command::version;
+    return options;
+  } catch (const CLI::ParseError& error) {
+    throw UserError(one_sentence(error.what()));
+  }
+  if (quiet) options.verbosity = io::Verbosity::quiet;
+  if (verbose) options.verbosity = io::Verbosity::verbose;
+  options.command = run->parsed()          ? Command::run
+                    : check->parsed()      ? Command::check
+                    : parameters->parsed() ? Command::parameters
+                                           : Command::help;
+  options.help = app.help();
+  return options;
+}
+
+}  // namespace pseudorigid::app

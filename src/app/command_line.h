@@ -1,0 +1,30 @@
+#pragma once
+/// The command line of `pseudorigid` (README.md): what was asked for, as values.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/log.h"
+#include "scene/print_scene.h"
+
+namespace pseudorigid::app {
+
+enum class Command { run, check, parameters, version, help };
+
+struct Options {
+  Command command = Command::help;
+  std::filesystem::path scene;
+  std::vector<std::string> overrides;           ///< --set
+  std::optional<std::filesystem::path> output;  ///< --output
+  bool resume = false;
+  io::Verbosity verbosity = io::Verbosity::normal;
+  scene::Format format = scene::Format::markdown;
+  std::string help;  ///< text of --help
+};
+
+/// Throws UserError, one sentence, for a wrong command line.
+Options parse_command_line(int argc, const char* const* argv);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,108 @@
+#include "app/program.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+
+#include "app/command_line.h"
+#include "app/run_command.h"
+#include "io/build_info.h"
+#include "scene/needs.h"
+#include "scene/print_scene.h"
+#include "scene/read_scene.h"
+#include "scene/user_error.h"
+#include "scene/validate.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2;
+
+/// Rank and number of processes under mpirun or srun, from what the launchers leave in the environment: a process that
+/// needs no MPI does not start it.
+struct Launch {
+  int rank = 0, n_ranks = 1;
+  Launch() {
+    constexpr const char* variables[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}};
+    for (const auto& [rank_name, size_name] : variables)
+      if (const char* r = std::getenv(rank_name))
+        if (const char* n = std::getenv(size_name)) {
+          rank = std::atoi(r);
+          n_ranks = std::atoi(n);
+          return;
+        }
+  }
+};
+
+/// Becomes pseudorigid-continuum, which stands beside this executable, with the same arguments.
+[[noreturn]] void become_continuum_executable(char** argv) {
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "pseudorigid-continuum";
+  std::fflush(nullptr);
+  execv(program.c_str(), argv);
+  throw UserError("the scene needs the continuum model, but " + program.string() + " cannot be started (" +
+                  std::strerror(errno) + "); build the preset release, or set Models = reduced");
+}
+
+scene::ReadScene read_and_validate(const Options& options) {
+  scene::ReadScene read = scene::read_scene(options.scene, options.overrides);
+  read.scene = scene::validate(read.scene, read.origins);
+  return read;
+}
+
+int run(const Options& options, int argc, char** argv, const Executable& executable) {
+  const Launch launch;
+  const scene::ReadScene read = read_and_validate(options);
+  if (launch.rank > 0) return exit_done;  // one rank computes, and speaks for all
+  if (read.scene.models.continuum) {
+    if (launch.n_ranks > 1)
+      throw UserError("the continuum model runs in one process; start it without mpirun, or with -np 1");
+    if (!executable.run_continuum) become_continuum_executable(argv);
+  }
+  return run_scene(read, options, {argv, argv + argc}, executable);
+}
+
+int dispatch(const Options& options, int argc, char** argv, const Executable& executable) {
+  switch (options.command) {
+    case Command::run:
+      return run(options, argc, argv, executable);
+    case Command::check: {
+      const scene::ReadScene read = read_and_validate(options);
+      std::fputs(scene::describe(read.scene, scene::needs(read.scene)).c_str(), stdout);
+      return exit_done;
+    }
+    case Command::parameters:
+      std::fputs(scene::parameters(options.format).c_str(), stdout);
+      return exit_done;
+    case Command::version: {
+      const io::BuildInfo build = io::build_info();
+      std::printf("pseudorigid %s (%s)\n", std::string(build.version).c_str(), std::string(build.git_hash).c_str());
+      return exit_done;
+    }
+    case Command::help:
+      std::fputs(options.help.c_str(), stdout);
+      return exit_done;
+  }
+  return exit_defect;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Executable& executable) {
+  try {
+    return dispatch(parse_command_line(argc, argv), argc, argv, executable);
+  } catch (const UserError& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return exit_wrong_input;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: a defect of pseudorigid, please report it: %s\n", error.what());
+    return exit_defect;
+  }
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,109 @@
+#include "app/run_command.h"
+
+#include <cstdio>
+
+#include "analysis/comparison_report.h"
+#include "app/run_models.h"
+#include "io/csv.h"
+#include "io/files.h"
+#include "io/progress.h"
+#include "io/signals.h"
+#include "scene/needs.h"
+#include "scene/print_scene.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr int exit_done = 0, exit_stopped = 3;
+
+/// The samples that both models reached; a model that stopped early has fewer.
+void shorten_to_common(io::Table& a, io::Table& b) {
+  const std::size_t n = std::min(a.n_rows(), b.n_rows());
+  a.values.resize(n * a.columns.size());
+  b.values.resize(n * b.columns.size());
+}
+
+void compare_models(const RunContext& context, bool quiet) {
+  io::Table reduced = io::read_csv(context.directory.csv("reduced"));
+  io::Table continuum = io::read_csv(context.directory.csv("continuum"));
+  shorten_to_common(reduced, continuum);
+  if (reduced.n_rows() < 2) return;
+  analysis::ComparisonOptions options;
+  options.resolution = context.scene.time.tolerance;
+  if (context.scene.body.incompressible) options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
+  const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);
+  analysis::write_comparison(context.directory.path(), comparison);
+  context.log->debug("{}", analysis::summary_sentence(comparison));
+  if (!quiet) std::fputs(analysis::terminal_table(comparison).c_str(), stdout);
+}
+
+/// Runs one model and notes it in the manifest. False: the run ends here.
+bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const RunContext& context,
+               io::ManifestFile& manifest, std::string& message, bool& interrupted) {
+  ModelOutcome outcome = run(context);
+  context.log->info("{}: {:.0f} steps, {:.3g} s", name, outcome.statistics.counters["steps"],
+                    outcome.statistics.timers["run"]);
+  manifest.content().models[name] = std::move(outcome.statistics);
+  interrupted = outcome.state == ModelOutcome::State::interrupted;
+  message = std::move(outcome.message);
+  return outcome.state == ModelOutcome::State::finished;
+}
+
+int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
+  std::string message;
+  bool interrupted = false, complete = true;
+  const scene::Needs& needs = context.needs;
+  if (needs.reduced) complete = run_model("reduced", run_reduced, context, manifest, message, interrupted);
+  if (complete && needs.continuum)
+    complete = run_model("continuum", executable.run_continuum, context, manifest, message, interrupted);
+  const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
+  if (needs.comparison && both_exist && !interrupted) compare_models(context, quiet);
+  if (complete) {
+    context.log->info("results are in {}", context.directory.path().string());
+    manifest.finish("done", exit_done);
+    return exit_done;
+  }
+  context.log->error("{} (--resume goes on from there{})", message,
+                     interrupted ? "" : ", with a smaller Time/Step perhaps");
+  manifest.finish(interrupted ? "interrupted" : "failed", exit_stopped, message);
+  return exit_stopped;
+}
+
+}  // namespace
+
+int run_scene(const scene::ReadScene& read, const Options& options, const std::vector<std::string>& command,
+              const Executable& executable) {
+  const scene::Scene& scene = read.scene;
+  const scene::Needs needs = scene::needs(scene);
+  const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
+  options.resume ? directory.prepare_resume() : directory.prepare_fresh();
+  if (needs.graphics) directory.prepare_graphics();
+
+  io::install_signal_handlers();
+  const bool quiet = options.verbosity == io::Verbosity::quiet;
+  const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
+  try {
+    io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
+    io::Manifest content{.build = io::build_info(),
+                         .command = command,
+                         .title = scene.title,
+                         .libraries = executable.libraries,
+                         .models = {}};
+    io::ManifestFile manifest(directory.manifest(), std::move(content));
+    log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
+    log->debug("{}", scene::describe(scene, needs));
+    const RunContext context{scene,
+                             needs,
+                             directory,
+                             io::ball_units(scene.body.radius, scene.body.density, scene.material.shear_modulus),
+                             log,
+                             options.resume,
+                             !quiet && io::Progress::stderr_is_terminal()};
+    return run_models(context, executable, manifest, quiet);
+  } catch (const io::WriteError& error) {
+    log->error("{}; what was written before is kept, and --resume goes on from the last checkpoint", error.what());
+    return exit_stopped;
+  }
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,17 @@
+#pragma once
+/// `pseudorigid run`: the models of a scene one after the other, their comparison, manifest and log.
+
+#include <string>
+#include <vector>
+
+#include "app/command_line.h"
+#include "app/program.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// Takes a scene that scene::validate returned (in `read`). Returns the exit code 0 or 3.
+int run_scene(const scene::ReadScene& read, const Options& options, const std::vector<std::string>& command,
+              const Executable& executable);
+
+}  // namespace pseudorigid::app

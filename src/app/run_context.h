@@ -1,0 +1,41 @@
+#pragma once
+/// What all models of one run share.
+
+#include <memory>
+
+#include <spdlog/logger.h>
+
+#include "io/manifest.h"
+#include "io/run_directory.h"
+#include "io/units.h"
+#include "mechanics/body_observables.h"
+#include "scene/needs.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::app {
+
+struct RunContext {
+  const scene::Scene& scene;
+  const scene::Needs& needs;
+  const io::RunDirectory& directory;
+  io::Units units;
+  std::shared_ptr<spdlog::logger> log;
+  bool resume;
+  bool show_progress;
+
+  /// The scene's times in internal units.
+  double internal_time(double physical) const { return physical / units.time; }
+  mechanics::ObservableRequest request() const {
+    const scene::Quantities& q = needs.quantities;
+    return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine};
+  }
+};
+
+/// How a model's run ended.
+struct ModelOutcome {
+  enum class State { finished, interrupted, failed } state = State::finished;
+  std::string message;  ///< one sentence, for the user, if not finished
+  io::Manifest::Model statistics;
+};
+
+}  // namespace pseudorigid::app

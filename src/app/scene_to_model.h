@@ -1,0 +1,59 @@
+#pragma once
+/// From the scene's values in the user's units to the models' values in internal units (length r, mass ρr³, time r/c).
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "io/units.h"
+#include "materials/law_table.h"
+#include "mechanics/methods.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::app {
+
+inline Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result(i, j) = m[i][j];
+  return result;
+}
+
+/// Q₀ and Q̇₀ (per internal time).
+inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
+  return to_eigen(scene.initial_state.deformation);
+}
+inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Units& units) {
+  return to_eigen(scene.initial_state.velocity) * units.time;
+}
+
+/// The law with μ = 1.
+inline materials::AnyLaw internal_law(const scene::Scene& scene) {
+  const materials::LawParameters parameters{1.0, scene.material.lame_lambda / scene.material.shear_modulus,
+                                            scene.body.incompressible};
+  switch (scene.material.law) {
+    case scene::Law::neo_hookean:
+      return materials::make_law("neo-hookean", parameters);
+    case scene::Law::ciarlet_geymonat:
+      return materials::make_law("ciarlet-geymonat", parameters);
+  }
+  throw std::logic_error("a law of the scene layer is missing here");
+}
+
+/// Empty for `auto`.
+inline std::optional<mechanics::MethodId> method_of(const scene::Scene& scene) {
+  switch (scene.time.method) {
+    case scene::Method::automatic:
+      return std::nullopt;
+    case scene::Method::rattle:
+      return mechanics::MethodId::rattle;
+    case scene::Method::rattle4:
+      return mechanics::MethodId::rattle4;
+    case scene::Method::rattle6:
+      return mechanics::MethodId::rattle6;
+    case scene::Method::rattle8:
+      return mechanics::MethodId::rattle8;
+  }
+  throw std::logic_error("a method of the scene layer is missing here");
+}
+
+}  // namespace pseudorigid::app
