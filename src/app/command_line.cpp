@@ -1,7 +1,7 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <string>
 
 #include "scene/user_error.h"
 
@@ -14,6 +14,17 @@ std::string one_sentence(std::string text) {
     if (c == '\n') c = ' ';
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text + "; see pseudorigid --help";
+}
+
+std::string names_a_file(const std::string& scene) {
+  return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
+}
+
+scene::Format format_of(const std::string& name) {
+  if (name == "prm") return scene::Format::prm;
+  if (name == "markdown") return scene::Format::markdown;
+  if (name == "json") return scene::Format::json;
+  throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
 }
 
 }  // namespace
@@ -30,7 +41,7 @@ Options parse_command_line(int argc, const char* const* argv) {
 
   bool quiet = false, verbose = false;
   auto* run = app.add_subcommand("run", "Run a scene and write its results");
-  run->add_option("SCENE", options.scene, "parameter file")->required();
+  run->add_option("SCENE", options.scene, "parameter file")->required()->check(names_a_file);
   run->add_option("--set", options.overrides, "\"Section/Entry=value\" in place of what the file says (repeatable)")
       ->allow_extra_args(false);
   run->add_option("--output", options.output, "directory of the results, in place of <Output/Directory>/<scene name>");
@@ -39,14 +50,14 @@ Options parse_command_line(int argc, const char* const* argv) {
   run->add_flag("--verbose", verbose, "print all that goes into the log")->excludes(quiet_flag);
 
   auto* check = app.add_subcommand("check", "Validate a scene; print what it needs and what is skipped");
-  check->add_option("SCENE", options.scene, "parameter file")->required();
+  check->add_option("SCENE", options.scene, "parameter file")->required()->check(names_a_file);
   check->add_option("--set", options.overrides, "as for run")->allow_extra_args(false);
 
   auto* parameters = app.add_subcommand("parameters", "Print every entry: default, range, unit, documentation");
-  const std::map<std::string, scene::Format> formats{
-      {"prm", scene::Format::prm}, {"markdown", scene::Format::markdown}, {"json", scene::Format::json}};
-  parameters->add_option("--format", options.format, "prm, markdown (default) or json")
-      ->transform(CLI::CheckedTransformer(formats).description(""))
+  parameters
+      ->add_option_function<std::string>(
+          "--format", [&](const std::string& name) { options.format = format_of(name); },
+          "prm, markdown (default) or json")
       ->option_text("FORMAT");
 
   try {

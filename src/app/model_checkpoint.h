@@ -11,6 +11,7 @@
 #include "mechanics/methods.h"
 #include "mechanics/rattle.h"
 #include "mechanics/time_loop.h"
+#include "scene/print_scene.h"
 
 namespace pseudorigid::app {
 
@@ -27,6 +28,18 @@ struct RunPosition {
 struct RunIdentity {
   std::string frozen_scene, stepping;
 };
+
+/// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
+inline RunIdentity run_identity(const scene::Scene& scene) {
+  scene::Scene frozen = scene, stepping;
+  stepping.time = scene.time;
+  stepping.time.end = 1;
+  frozen.time = scene::Scene::Time{};
+  frozen.time.end = scene.time.end;
+  frozen.output.directory = "-";
+  frozen.title.clear();
+  return {scene::to_prm(frozen), scene::to_prm(stepping)};
+}
 
 /// All that a run needs to go on, taken at one instant; cheap enough to be taken at every sample.
 template <class S>

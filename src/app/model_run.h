@@ -26,22 +26,8 @@
 #include "mechanics/largest_frequency.h"
 #include "mechanics/step_size.h"
 #include "mechanics/time_loop.h"
-#include "scene/print_scene.h"
-#include "scene/user_error.h"
 
 namespace pseudorigid::app {
-
-/// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
-inline RunIdentity run_identity(const scene::Scene& scene) {
-  scene::Scene frozen = scene, stepping;
-  stepping.time = scene.time;
-  stepping.time.end = 1;
-  frozen.time = scene::Scene::Time{};
-  frozen.time.end = scene.time.end;
-  frozen.output.directory = "-";
-  frozen.title.clear();
-  return {scene::to_prm(frozen), scene::to_prm(stepping)};
-}
 
 template <class Model>
 class ModelRun {
@@ -145,13 +131,11 @@ class ModelRun {
 
   Status restore() {
     const io::Checkpoint file = io::Checkpoint::load(checkpoint_path_);
-    if (file.get_string("scene") != identity_.frozen_scene)
-      throw UserError("--resume: the scene is not the one of the checkpoint in " + context_.directory.path().string() +
-                      "; only Time/Step, Time/Method and Time/Tolerance may change");
     from_checkpoint(file, good_);
     good_.put(state_, workspace_);
     position_ = good_.position;
-    if (file.get_string("stepping") == identity_.stepping) return {};
+    const bool complete = position_.cursor.sample == times_.n_samples;
+    if (complete || file.get_string("stepping") == identity_.stepping) return {};
     // A new step begins at a sample. A run that failed stands at one; one that was interrupted within an interval
     // finishes it with the old step first.
     const RunPosition old = position_;
@@ -179,7 +163,7 @@ class ModelRun {
                                    .window = model_.pilot_window(left),
                                    .tolerance = scene.time.tolerance,
                                    .rattle_limit = std::min(limit, left),
-                                   .step_bound = bound,
+                                   .step_bound = std::min(bound, times_.interval()),
                                    .method = method};
     State from_zero = state_;
     from_zero.t = 0;

@@ -12,6 +12,7 @@
 #include "app/command_line.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
+#include "io/files.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
@@ -21,7 +22,7 @@
 namespace pseudorigid::app {
 namespace {
 
-constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2;
+constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
 /// Rank and number of processes under mpirun or srun, from what the launchers leave in the environment: a process that
 /// needs no MPI does not start it.
@@ -57,8 +58,8 @@ scene::ReadScene read_and_validate(const Options& options) {
 
 int run(const Options& options, int argc, char** argv, const Executable& executable) {
   const Launch launch;
-  const scene::ReadScene read = read_and_validate(options);
   if (launch.rank > 0) return exit_done;  // one rank computes, and speaks for all
+  const scene::ReadScene read = read_and_validate(options);
   if (read.scene.models.continuum) {
     if (launch.n_ranks > 1)
       throw UserError("the continuum model runs in one process; start it without mpirun, or with -np 1");
@@ -99,6 +100,9 @@ int run_program(int argc, char** argv, const Executable& executable) {
   } catch (const UserError& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return exit_wrong_input;
+  } catch (const io::WriteError& error) {  // before there was a log to tell it
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return exit_stopped;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: a defect of pseudorigid, please report it: %s\n", error.what());
     return exit_defect;

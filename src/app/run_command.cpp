@@ -1,8 +1,10 @@
 #include "app/run_command.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "analysis/comparison_report.h"
+#include "app/model_checkpoint.h"
 #include "app/run_models.h"
 #include "io/csv.h"
 #include "io/files.h"
@@ -10,6 +12,7 @@
 #include "io/signals.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -69,6 +72,36 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   return exit_stopped;
 }
 
+/// Every checkpoint in the directory can be read and belongs to this scene.
+void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
+  for (const char* model : {"reduced", "continuum"}) {
+    const auto path = directory.checkpoint(model);
+    if (std::filesystem::exists(path) &&
+        io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
+      throw UserError("the checkpoint in " + directory.path().string() +
+                      " is of another scene; only Time/Step, Time/Method and Time/Tolerance may change");
+  }
+}
+
+/// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
+void prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
+  constexpr const char* entry = "Output/Directory";
+  try {
+    if (options.resume) {
+      directory.prepare_resume();
+      require_same_scene(directory, read.scene);
+    } else {
+      directory.prepare_fresh();
+    }
+    if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
+  } catch (const UserError& error) {
+    const std::string origin = options.resume   ? "--resume"
+                               : options.output ? "--output"
+                                                : read.origins.of(entry) + ": " + entry;
+    throw UserError(origin + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 int run_scene(const scene::ReadScene& read, const Options& options, const std::vector<std::string>& command,
@@ -76,8 +109,7 @@ int run_scene(const scene::ReadScene& read, const Options& options, const std::v
   const scene::Scene& scene = read.scene;
   const scene::Needs needs = scene::needs(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
-  options.resume ? directory.prepare_resume() : directory.prepare_fresh();
-  if (needs.graphics) directory.prepare_graphics();
+  prepare(directory, read, options);
 
   io::install_signal_handlers();
   const bool quiet = options.verbosity == io::Verbosity::quiet;

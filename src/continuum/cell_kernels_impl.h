@@ -40,7 +40,7 @@ class DegreeKernels : public CellKernels {
         least_in_batch = min(J, least_in_batch);
         Batches::Monomials::add_moments(p.weight * log(J), p.position[0], p.position[1], p.position[2], moments);
       }
-      least = std::min(least, least_in_batch.least(batches_.batches[b].n_active));
+      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
       store(moments, b, g);
     }
     return least;
@@ -100,7 +100,7 @@ class DegreeKernels : public CellKernels {
         const auto& p = batches_.points(b)[q];
         const L J = materials::determinant(load(buffers_->H, q)) * p.inverse_determinant;
         for (int l = 0; l < batch.n_active; ++l) {
-          if (J[l] >= result.value) continue;  // a NaN is taken as the least
+          if (J[l] >= result.value || std::isnan(result.value)) continue;  // a NaN is the least of all
           result.value = J[l];
           for (int c = 0; c < 3; ++c) result.where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
         }
@@ -261,7 +261,7 @@ class LawKernels final : public DegreeKernels<degree> {
           }
         Base::save(T, buffers_->H, q);
       }
-      least = std::min(least, least_in_batch.least(batches_.batches[b].n_active));
+      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
       Base::integrate(buffers_->H);
       batches_.scatter_add(buffers_->nodal, b, f);
     }

@@ -2,6 +2,7 @@
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
+#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -46,20 +47,31 @@ GramSolver::GramSolver(const BallSpace& space, const CellKernels& kernels)
 mechanics::Status GramSolver::factorize(const Vector& x) {
   const Eigen::SparseMatrix<double, Eigen::RowMajor> G = scaled_constraint_matrix(*space_, *kernels_, x);
   const Eigen::SparseMatrix<double> S = G * G.transpose();
-  if (n_factorizations_ == 0) factor_->analyzePattern(S);  // the pattern is that of the mesh and does not change
-  factor_->factorize(S);
-  ++n_factorizations_;
+  const bool first = n_factorizations_++ == 0;
   factor_entries_ = S.nonZeros();
-  stale_ = false;
-  if (factor_->info() == Eigen::Success) return {};
-  stale_ = true;
+  bool regular;
+  if (S.rows() <= n_dense) {
+    const Eigen::LLT<Eigen::MatrixXd> cholesky{Eigen::MatrixXd(S)};
+    dense_inverse_ = cholesky.solve(Eigen::MatrixXd::Identity(S.rows(), S.rows()));
+    regular = cholesky.info() == Eigen::Success;
+  } else {
+    if (first) factor_->analyzePattern(S);  // the pattern is that of the mesh and does not change
+    factor_->factorize(S);
+    regular = factor_->info() == Eigen::Success;
+  }
+  stale_ = !regular;
+  if (regular) return {};
   return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
 }
 
 void GramSolver::apply_factor(Vector& result, const Vector& r) const {
   const Eigen::Index n = static_cast<Eigen::Index>(r.locally_owned_size());
-  const Eigen::VectorXd solution = factor_->solve(Eigen::Map<const Eigen::VectorXd>(r.begin(), n));
-  std::copy(solution.begin(), solution.end(), result.begin());
+  const Eigen::Map<const Eigen::VectorXd> in(r.begin(), n);
+  Eigen::Map<Eigen::VectorXd> out(result.begin(), n);
+  if (n <= n_dense)
+    out.noalias() = dense_inverse_ * in;
+  else
+    out = factor_->solve(in);
 }
 
 mechanics::SolveReport GramSolver::iterate(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {

@@ -4,6 +4,7 @@
 /// and is renewed when the iterations show that it has become stale.
 
 #include <Eigen/CholmodSupport>
+#include <Eigen/Core>
 #include <Eigen/SparseCore>
 #include <memory>
 
@@ -26,9 +27,9 @@ class GramSolver {
 
   /// Reduction of the residual by one call. The constraint loops of the methods ask again until their own residual is
   /// small, so that a call need not go further than Newton's iteration does in one step.
-  static constexpr double reduction = 1e-5;
+  static constexpr double reduction = 1e-4;
   /// A solve that takes more iterations than this renews the factor before the next one.
-  static constexpr int n_iterations_of_stale_factor = 6;
+  static constexpr int n_iterations_of_stale_factor = 4;
 
  private:
   mechanics::Status factorize(const Vector& x);
@@ -37,9 +38,12 @@ class GramSolver {
 
   const BallSpace* space_;
   const CellKernels* kernels_;
-  // On the heap: the Cholesky object cannot be moved, a workspace can.
+  // Up to this many multipliers S is dense anyway, and applying its inverse is one product without a library's
+  // overhead.
+  static constexpr Eigen::Index n_dense = 400;
   using Cholesky = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>;
-  std::unique_ptr<Cholesky> factor_;
+  std::unique_ptr<Cholesky> factor_;  // on the heap: it cannot be moved, a workspace can
+  Eigen::MatrixXd dense_inverse_;     // in place of the factor where S is small
   Vector reaction_;
   bool stale_ = true;
   long n_factorizations_ = 0, factor_entries_ = 0;

@@ -16,6 +16,9 @@ inline constexpr int native_lanes = 4;
 inline constexpr int native_lanes = 2;
 #endif
 
+/// The lesser of two numbers, a NaN being the least of all.
+inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
+
 namespace detail {
 template <int n_lanes>
 struct VectorTypes;  // spelled out, since the compiler ignores a vector size that depends on a template parameter
@@ -63,7 +66,8 @@ struct Lanes {
     v += b.v;
     return *this;
   }
-  friend Lanes min(Lanes a, Lanes b) { return a.v < b.v ? a.v : b.v; }
+  /// The lesser lane by lane, a NaN being the least of all.
+  friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
   /// Natural logarithm of positive finite numbers, to about one unit in the last place:
   /// x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
@@ -90,7 +94,7 @@ struct Lanes {
 
   double least(int n_active) const {
     double m = std::numeric_limits<double>::infinity();
-    for (int l = 0; l < n_active; ++l) m = !(v[l] >= m) ? v[l] : m;  // a NaN is the least
+    for (int l = 0; l < n_active; ++l) m = lesser(v[l], m);
     return m;
   }
   double sum(int n_active) const {
