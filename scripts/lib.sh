@@ -86,16 +86,16 @@ apt_get() {
 }
 
 # show_apt_progress LOG: keeps apt's output, and turns its status lines (kind:package:percent:text) into one short line
-# for every quarter.
+# for every tenth of the way.
 show_apt_progress() {
-  local line quarter shown=
+  local line tenth shown=
   while IFS= read -r line; do
     if [[ $line =~ ^(dl|pm)status:[^:]*:([0-9]+) ]]; then
-      quarter="${BASH_REMATCH[1]} $((BASH_REMATCH[2] / 25 * 25)) %"
-      if [[ $quarter != "$shown" && $quarter != *" 0 %" ]]; then
-        sed 's/^dl/   downloaded/; s/^pm/   installed/' <<<"$quarter" >&2
+      tenth="${BASH_REMATCH[1]} $((BASH_REMATCH[2] / 10 * 10)) %"
+      if [[ $tenth != "$shown" && $tenth != *" 0 %" ]]; then
+        sed 's/^dl/   downloaded/; s/^pm/   installed/' <<<"$tenth" >&2
       fi
-      shown=$quarter
+      shown=$tenth
     else
       printf '%s\n' "$line"
     fi
