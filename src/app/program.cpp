@@ -56,8 +56,7 @@ scene::ReadScene read_and_validate(const Options& options) {
   return read;
 }
 
-int run(const Options& options, int argc, char** argv, const Executable& executable) {
-  const Launch launch;
+int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
   if (launch.rank > 0) return exit_done;  // one rank computes, and speaks for all
   const scene::ReadScene read = read_and_validate(options);
   if (read.scene.models.continuum) {
@@ -68,10 +67,10 @@ int run(const Options& options, int argc, char** argv, const Executable& executa
   return run_scene(read, options, {argv, argv + argc}, executable);
 }
 
-int dispatch(const Options& options, int argc, char** argv, const Executable& executable) {
+int dispatch(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
   switch (options.command) {
     case Command::run:
-      return run(options, argc, argv, executable);
+      return run(options, argc, argv, executable, launch);
     case Command::check: {
       const scene::ReadScene read = read_and_validate(options);
       std::fputs(scene::describe(read.scene, scene::needs(read.scene)).c_str(), stdout);
@@ -95,10 +94,11 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
 }  // namespace
 
 int run_program(int argc, char** argv, const Executable& executable) {
+  const Launch launch;
   try {
-    return dispatch(parse_command_line(argc, argv), argc, argv, executable);
+    return dispatch(parse_command_line(argc, argv), argc, argv, executable, launch);
   } catch (const UserError& error) {
-    std::fprintf(stderr, "error: %s\n", error.what());
+    if (launch.rank == 0) std::fprintf(stderr, "error: %s\n", error.what());
     return exit_wrong_input;
   } catch (const io::WriteError& error) {  // before there was a log to tell it
     std::fprintf(stderr, "error: %s\n", error.what());
