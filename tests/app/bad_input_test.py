@@ -207,7 +207,10 @@ class BadInput(ProgramTest):
         self.scene(BASE)
         (self.scratch / "file").write_text("")
         self.refused("run", "scene.prm", "--output", "file/results", fragments=("--output: ", "'file/results'"))
-        self.refused_entries({"Output/Directory": "file"}, "Output/Directory: ", "'file/scene'", "Not a directory")
+        self.refused("run", "scene.prm", "--set", "Output/Directory=file",
+                     fragments=("error: --set: Output/Directory: ", "'file/scene'", "Not a directory"))
+        self.scene(LINES + "subsection Output\n  set Directory = file\nend\n")
+        self.refused("run", "scene.prm", fragments=("error: scene.prm:9: Output/Directory: ", "'file/scene'"))
 
     def test_output_where_nobody_may_write(self):
         self.scene(BASE)
@@ -281,13 +284,19 @@ class BadInput(ProgramTest):
                 self.refused("run", "scene.prm", "--resume", fragments=("checkpoint-reduced.bin", "cannot be used"))
 
     def test_resume_with_missing_or_foreign_results(self):
+        """Seen only once the run has begun: a line of the log comes first, and the log and the manifest tell of it."""
         self.finished_run()
         csv = self.scratch / "output/scene/reduced.csv"
         good = csv.read_text()
         for other in (None, "", "time,apples\n0,1\n", good.replace("Q11", "P11"), good[:len(good) // 2]):
             with self.subTest(other and other[:40]):
                 csv.unlink() if other is None else csv.write_text(other)
-                self.refused("run", "scene.prm", "--resume", fragments=("reduced.csv",))
+                result = self.run_program("run", "scene.prm", "--resume", "--quiet")
+                self.assert_one_sentence(result, "reduced.csv")
+                self.assertEqual(csv.read_text() if csv.exists() else None, other)
+        csv.write_text(good)
+        self.run_done("run", "scene.prm", "--resume")
+        self.assertEqual(csv.read_text(), good)
 
     # Processes.
 
