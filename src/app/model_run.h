@@ -3,6 +3,7 @@
 ///
 /// A Model offers
 ///   using System;  static constexpr const char* name;  static constexpr int steps_between_looks;
+///   static constexpr double pilot_reserve;
 ///   const System& system() const;  State<System> initial_state() const;  double constraint_scale() const;
 ///   Eigen::Matrix3d Q(state) const, Qdot(state) const;  double pilot_window(end) const;
 ///   std::vector<std::string> columns(quantities) const;
@@ -161,7 +162,7 @@ class ModelRun {
     const double left = times_.end - state_.t;
     mechanics::StepRequest request{.end = left,
                                    .window = model_.pilot_window(left),
-                                   .tolerance = scene.time.tolerance,
+                                   .tolerance = Model::pilot_reserve * scene.time.tolerance,
                                    .rattle_limit = std::min(limit, left),
                                    .step_bound = std::min(bound, times_.interval()),
                                    .method = method};

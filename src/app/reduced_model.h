@@ -17,6 +17,7 @@ class ReducedModel {
   static constexpr const char* name = "reduced";
   /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
   static constexpr int steps_between_looks = 256;
+  static constexpr double pilot_reserve = 1;
 
   ReducedModel(Body body, const RunContext& context)
       : body_(std::move(body)), context_(context), request_(context.request()) {}
