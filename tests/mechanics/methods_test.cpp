@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mechanics/toy_systems.h"
@@ -78,9 +79,9 @@ TYPED_TEST(EveryMethod, KeepsConstraintAndVerticalMomentumToRoundOff) {
   const auto r = run<TypeParam>(pendulum, start, 200, 400, 5);
   ASSERT_TRUE(r.finished());
   for (const auto& s : r.states) {
-    EXPECT_LT(std::abs(s.q.squaredNorm() - 1), 1e-15);
-    EXPECT_LT(std::abs(s.q.dot(s.v)), 1e-15);
-    EXPECT_NEAR(s.q.cross(s.v).z(), start.q.cross(start.v).z(), 1e-14);
+    EXPECT_LT(std::abs(s.q.squaredNorm() - 1), 4e-15);
+    EXPECT_LT(std::abs(s.q.dot(s.v)), 4e-15);
+    EXPECT_NEAR(s.q.cross(s.v).z(), start.q.cross(start.v).z(), 1e-13);
   }
 }
 
@@ -134,8 +135,8 @@ TEST(Methods, TableAgreesWithTheTraits) {
     mechanics::with_method(id, [&]<class Method>(Method) {
       EXPECT_GT(Method::order, previous_order) << "by rising order";
       previous_order = Method::order;
-      const std::string suffix = Method::order == 2 ? "" : "-" + std::to_string(Method::order);
-      EXPECT_EQ(mechanics::method_name(id), "rattle" + suffix);
+      constexpr std::array names{"rattle", "rattle-4", "rattle-6", "rattle-8"};
+      EXPECT_EQ(mechanics::method_name(id), names[Method::order / 2 - 1]);
     });
   EXPECT_EQ(previous_order, 8);
 }
