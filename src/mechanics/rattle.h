@@ -54,7 +54,7 @@ struct MultiplierHistory {
   }
 };
 
-/// Temporaries, caches and warm starts of one integration. `history`, `pending_weight` and `has_multiplier` belong to
+/// Temporaries, caches and warm starts of one integration. `history`, `pending_weight` and the counters belong to
 /// the state of the computation (checkpoints keep them); the rest is recomputed.
 template <ConstrainedSystem S>
 struct RattleWorkspace {
