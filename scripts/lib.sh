@@ -62,27 +62,23 @@ install_packages() {
   fi
   say "Installing with apt-get: ${missing[*]}"
   mkdir -p "$log_directory"
-  apt_get update
-  apt_get install -o APT::Status-Fd=1 --no-install-recommends "${missing[@]}"
+  local log=$log_directory/apt-get.log attempt
+  # Downloads of several hundred packages fail now and then; what was downloaded is not fetched again.
+  for attempt in 1 2; do
+    apt_get update && apt_get install -o APT::Status-Fd=1 --no-install-recommends "${missing[@]}" && return
+    ((attempt == 2)) || say "The installation failed; once more in 5 seconds"
+    sleep 5
+  done
+  report_failure "the installation failed twice" "$log"
+  exit 2
 }
 
-# apt_get ARGUMENT…: no questions, progress in a few lines, the rest in a log. A second attempt, because downloads of
-# several hundred packages do fail now and then; what was downloaded is not fetched again.
+# apt_get ARGUMENT…, for install_packages: no questions, progress in a few lines, the rest in a log. A machine of the
+# integration server is thrown away afterwards: there dpkg need not force every file to the disk, which takes long.
 apt_get() {
-  local log=$log_directory/apt-get.log attempt
-  for attempt in 1 2; do
-    if "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get --yes \
-      -o Acquire::Retries=3 -o APT::Update::Error-Mode=any -o DPkg::Lock::Timeout=300 "$@" </dev/null 2>&1 |
-      show_apt_progress "$log"; then
-      return
-    fi
-    ((attempt == 2)) || {
-      say "apt-get $1 failed; once more in 5 seconds"
-      sleep 5
-    }
-  done
-  report_failure "apt-get $1 failed twice" "$log"
-  exit 2
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8 apt-get --yes -o Acquire::Retries=3 \
+    -o DPkg::Lock::Timeout=300 ${CI:+-o DPkg::Options::=--force-unsafe-io} "$@" </dev/null 2>&1 |
+    show_apt_progress "$log"
 }
 
 # show_apt_progress LOG: keeps apt's output, and turns its status lines (kind:package:percent:text) into one short line
@@ -122,13 +118,13 @@ configure() {
   }
 }
 
-# build PRESET [TARGET…]: silent unless something has to be compiled. (The question for the commit, and what may follow
-# from it, are always on the list: four steps.)
+# build PRESET [TARGET…]: silent unless something has to be compiled (but for build_info.cpp, which is always on the list
+# because the commit may have changed).
 build() {
-  local directory=$root/build/$1 n_steps options=(--quiet)
-  n_steps=$(ninja -C "$directory" -n "${@:2}" | grep -c '^\[') || true
-  if ((n_steps > 4)); then
-    say "Building ${*:2} in build/$1 ($n_steps steps at most, $(n_jobs) at a time)"
+  local directory=$root/build/$1 n_files options=(--quiet)
+  n_files=$(ninja -C "$directory" -n "${@:2}" | grep -c '^\[.*\] Building') || true
+  if ((n_files > 1)); then
+    say "Building ${*:2} in build/$1 ($n_files files, $(n_jobs) at a time)"
     options=(-j "$(n_jobs)")
   fi
   NINJA_STATUS='[%f/%t, %e s] ' ninja -C "$directory" "${options[@]}" "${@:2}" >&2
