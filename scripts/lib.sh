@@ -125,7 +125,7 @@ build() {
   n_files=$(ninja -C "$directory" -n "${@:2}" | grep -c '^\[.*\] Building') || true
   if ((n_files > 1)); then
     say "Building ${*:2} in build/$1 ($n_files files, $(n_jobs) at a time)"
-    options=(-j "$(n_jobs)")
+    options=(-j "$(n_jobs)" ${CI:+-k 0})  # the server shows all errors at once
   fi
   NINJA_STATUS='[%f/%t, %e s] ' ninja -C "$directory" "${options[@]}" "${@:2}" >&2
 }
