@@ -55,9 +55,12 @@ class ModelRun {
   ModelOutcome run() {
     const auto start = Clock::now();
     if (Status status = begin(); !status) return outcome(ModelOutcome::State::failed, status.reason(), start);
-    mechanics::RunResult result = mechanics::with_method(position_.method, [&]<class Method>(Method) {
-      return mechanics::run_time_loop<Method>(model_.system(), times_, state_, position_.cursor, workspace_, *this);
-    });
+    mechanics::RunResult result;
+    if (next_stepping_) result = run_until(position_.cursor.sample + 1);
+    if (result.outcome == mechanics::Outcome::finished) {
+      if (next_stepping_) step_anew();
+      result = run_until(times_.n_samples);
+    }
     progress_.finish();
     return end(std::move(result), start);
   }
@@ -103,6 +106,29 @@ class ModelRun {
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
   static constexpr int n_lanczos = 24;
 
+  struct Stepping {
+    mechanics::MethodId method;
+    double step;
+    std::string entries;  ///< of the scene, as in RunIdentity
+  };
+
+  /// Goes on to a sample with the method of the position.
+  mechanics::RunResult run_until(long sample) {
+    const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
+    return mechanics::with_method(position_.method, [&]<class Method>(Method) {
+      return mechanics::run_time_loop<Method>(model_.system(), times, state_, position_.cursor, workspace_, *this);
+    });
+  }
+
+  /// At a sample, with the state of which `good_` is the snapshot.
+  void step_anew() {
+    std::swap(position_.method, next_stepping_->method);
+    std::swap(position_.step, next_stepping_->step);
+    std::swap(identity_.stepping, next_stepping_->entries);
+    good_.position = position_;
+    next_stepping_.reset();
+  }
+
   bool adapts() const { return !context_.scene.time.step; }
   /// The largest frequency changes with the deformation; it is looked at this often.
   long looks_at_frequency_every() const { return std::max(1L, times_.n_samples / 16); }
@@ -137,12 +163,13 @@ class ModelRun {
     position_ = good_.position;
     const bool complete = position_.cursor.sample == times_.n_samples;
     if (complete || file.get_string("stepping") == identity_.stepping) return {};
-    // A new step begins at a sample. A run that failed stands at one; one that was interrupted within an interval
-    // finishes it with the old step first.
+    // New steps begin at a sample. A run that failed stands at one; one that was interrupted within an interval
+    // finishes it with the old ones first.
     const RunPosition old = position_;
     if (Status status = choose_step(); !status) return status;
-    position_.steps_in_interval = old.steps_in_interval;
-    if (old.steps_in_interval > 0) position_.method = old.method;
+    if (old.steps_in_interval == 0) return {};
+    next_stepping_ = {position_.method, position_.step, std::exchange(identity_.stepping, file.get_string("stepping"))};
+    position_ = old;
     return {};
   }
 
@@ -281,6 +308,7 @@ class ModelRun {
   State state_;
   Workspace workspace_;
   RunPosition position_;
+  std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
   Snapshot<System> good_;  ///< at the last sample: where a failed run is taken up again
   std::optional<io::CsvWriter> csv_;
   std::optional<io::PvdCollection> pvd_;
