@@ -68,9 +68,10 @@ class Table:
         return all(math.isfinite(x) for row in self.rows for x in row)
 
 
-def largest_difference(a, b, floor=1e-12):
+def largest_difference(a, b, floor=1e-3):
     """Of two tables: the largest difference relative to the largest value of the column's quantity (all entries of Q, of
-    J …, since an entry that is zero but for round-off has no scale of its own)."""
+    J …, since an entry that is zero but for round-off has no scale of its own). `floor` is the least such value, for
+    quantities like the centre of mass that are round-off altogether."""
     if a.header != b.header or len(a) != len(b):
         raise AssertionError(f"different tables: {len(a)} and {len(b)} rows, {a.header} and {b.header}")
     quantity = [name.rstrip("123") for name in a.header]

@@ -1,0 +1,287 @@
+"""Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
+import os
+import random
+import resource
+import signal
+import time
+import unittest
+
+from program_test import CONTINUUM_COLUMNS, DONE, ProgramTest, STOPPED, largest_difference, overrides
+
+# About a second each; a step that is given needs no pilot runs.
+LONG_REDUCED = {
+    "Models": "reduced",
+    "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
+    "Initial state/Velocity": "0.25, -1, 0.125; 0.6, -0.3, 0.2; 0, -0.08, 0.08",
+    "Time/End": 200, "Time/Step": 1e-3, "Time/Method": "rattle-4", "Output/Samples": 2000,
+}
+LONG_CONTINUUM = {
+    "Models": "continuum", "Continuum/Degree": 3,
+    "Initial state/Deformation": "0.95, 0, 0; 0, 0.95, 0; 0, 0, 1.1080332409972299",
+    "Time/End": 8, "Time/Step": 2e-3, "Time/Method": "rattle", "Output/Samples": 400,
+}
+PICTURES = {"Output/Graphics": "vtu", "Output/Frames": 21}
+
+
+class StoppedRun(ProgramTest):
+    def csv(self, folder, model):
+        return self.scratch / folder / f"{model}.csv"
+
+    def has_rows(self, folder, model, n=1):
+        path = self.csv(folder, model)
+        return path.exists() and path.read_bytes().count(b"\n") > n
+
+    def resume(self, *arguments, folder):
+        """Goes on, or begins anew where the first run did not live to write a checkpoint."""
+        has_checkpoint = any(name.startswith("checkpoint") and name.endswith(".bin") for name in self.files(folder))
+        return self.run_program("run", "scene.prm", "--output", folder, *(["--resume"] if has_checkpoint else []), *arguments)
+
+    def assert_finished_like(self, folder, expected, tolerance=0.0):
+        """The CSV files, pictures and collections of the folder are those of the uninterrupted run."""
+        results = [name for name in self.files(expected) if name.endswith((".csv", ".pvd", ".vtu"))]
+        self.assertTrue(results)
+        self.assertEqual(self.files(folder), self.files(expected))
+        for name in results:
+            with self.subTest(name):
+                if tolerance == 0.0 or name.endswith(".pvd"):
+                    self.assertEqual(self.bytes(folder, name), self.bytes(expected, name))
+                elif name.endswith(".csv"):
+                    difference = largest_difference(self.table(expected, name), self.table(folder, name))
+                    print(f"{name}: largest difference {difference:.1e}")
+                    # The comparison divides differences by amplitudes, or by each other.
+                    self.assertLess(difference, 100 * tolerance if name == "comparison.csv" else tolerance)
+        self.assertEqual(self.json(folder, "manifest.json")["state"], "done")
+
+    # Elements that invert.
+
+    def check_stopped_by_inversion(self, result):
+        self.assert_exit(result, STOPPED)
+        self.assertRegex(result.stderr, r"error: continuum stopped at t = [0-9.e-]+: an element is turned inside out: "
+                                        r"det F = -[0-9.e-]+ at X/r = \([^)]*\); the state at t = [0-9.e-]+ is saved")
+        self.assertIn("--resume", result.stderr)
+        self.assertTrue((self.scratch / "output/scene/checkpoint-continuum.bin").exists())
+        table = self.table("output/scene/continuum.csv")
+        self.assertTrue(table.is_finite())
+        self.assertEqual(table.header, CONTINUUM_COLUMNS)
+        manifest = self.json("output/scene/manifest.json")
+        self.assertEqual((manifest["state"], manifest["exit_code"]), ("failed", STOPPED))
+        self.assertIn("turned inside out", manifest["message"])
+        self.assertIn("turned inside out", (self.scratch / "output/scene/log.txt").read_text())
+        return table
+
+    def test_far_too_large_step(self):
+        self.scene({"Models": "continuum", "Continuum/Degree": 2,
+                    "Initial state/Deformation": "0.8, 0, 0; 0, 1.25, 0; 0, 0, 1",
+                    "Time/End": 2, "Time/Step": 0.2, "Time/Method": "rattle", "Output/Samples": 10})
+        stopped = self.check_stopped_by_inversion(self.run_program("run", "scene.prm"))
+        self.assertLess(len(stopped), 11)
+        self.assert_exit(self.run_program("run", "scene.prm", "--resume", "--set", "Time/Step=0.02"), DONE)
+        resumed = self.table("output/scene/continuum.csv")
+        self.assertEqual(len(resumed), 11)
+        self.assertTrue(resumed.is_finite())
+        self.assertEqual(resumed.rows[:len(stopped)], stopped.rows)
+
+    VIOLENT = {"Models": "continuum", "Continuum/Degree": 3, "Initial state/Velocity": "8, 0, 0; 0, 8, 0; 0, 0, -16",
+               "Time/End": 4, "Output/Samples": 200}
+
+    def test_velocity_that_no_mesh_stands(self):
+        self.scene({**self.VIOLENT, "Time/Step": 1e-3, "Time/Method": "rattle"})
+        stopped = self.check_stopped_by_inversion(self.run_program("run", "scene.prm", "--quiet"))
+        self.assertGreater(len(stopped), 1)
+        smaller = self.run_program("run", "scene.prm", "--quiet", "--resume", "--set", "Time/Step=1e-4")
+        self.assert_exit(smaller, STOPPED)
+        self.assertGreater(len(self.table("output/scene/continuum.csv")), len(stopped))
+
+    def test_velocity_that_no_mesh_stands_with_a_chosen_step(self):
+        self.scene(self.VIOLENT)
+        self.check_stopped_by_inversion(self.run_program("run", "scene.prm", "--quiet", timeout=30))
+
+    def test_comparison_of_what_both_models_reached(self):
+        self.scene({"Models": "reduced, continuum", "Continuum/Degree": 2,
+                    "Initial state/Deformation": "0.8, 0, 0; 0, 1.25, 0; 0, 0, 1",
+                    "Time/End": 2, "Time/Step": 0.2, "Time/Method": "rattle", "Output/Samples": 10})
+        self.check_stopped_by_inversion(self.run_program("run", "scene.prm"))
+        self.assertEqual(len(self.table("output/scene/reduced.csv")), 11)
+        self.run_done("run", "scene.prm", "--resume", "--set", "Time/Step=0.02")
+        self.assertEqual(len(self.table("output/scene/comparison.csv")), 11)
+        self.assertEqual(self.json("output/scene/comparison.json")["samples"], 11)
+
+    # Ctrl-C.
+
+    def start(self, folder, *arguments):
+        """A process that has opened its log, and so listens to signals."""
+        log = self.scratch / folder / "log.txt"
+        size_before = log.stat().st_size if log.exists() else 0
+        process = self.start_program("run", "scene.prm", "--output", folder, *arguments)
+        self.wait_until(lambda: process.poll() is not None or (log.exists() and log.stat().st_size not in (0, size_before)),
+                        "the log grows")
+        return process
+
+    def interrupt(self, model, folder, *arguments):
+        process = self.start(folder, *arguments)
+        self.wait_until(lambda: self.has_rows(folder, model, 0) or process.poll() is not None, "the motion begins")
+        process.send_signal(signal.SIGINT)
+        return process.wait()
+
+    def check_interrupted(self, folder):
+        manifest = self.json(folder, "manifest.json")
+        self.assertEqual((manifest["state"], manifest["exit_code"]), ("interrupted", STOPPED))
+        self.assertRegex(manifest["message"], r"interrupted at t = [0-9.e-]+")
+
+    def test_control_c_reduced(self):
+        self.scene(LONG_REDUCED)
+        self.run_done("run", "scene.prm", "--output", "whole")
+        self.assertEqual(self.interrupt("reduced", "parts"), STOPPED)
+        self.check_interrupted("parts")
+        self.assertLess(len(self.table("parts/reduced.csv")), 2001)
+        self.assert_exit(self.resume(folder="parts"), DONE)
+        self.assert_finished_like("parts", "whole")
+
+    def test_control_c_continuum(self):
+        self.scene({**LONG_CONTINUUM, **PICTURES})
+        self.run_done("run", "scene.prm", "--output", "whole")
+        self.assertEqual(self.interrupt("continuum", "parts"), STOPPED)
+        self.check_interrupted("parts")
+        self.assert_exit(self.resume(folder="parts"), DONE)
+        self.assert_finished_like("parts", "whole", 1e-11)
+
+    def test_control_c_in_the_first_of_two_models(self):
+        self.scene({**LONG_REDUCED, "Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2,
+                    "Output/Samples": 10, "Time/Step": 2e-6})
+        self.assertEqual(self.interrupt("reduced", "output/scene"), STOPPED)
+        self.assertNotIn("continuum.csv", self.files("output/scene"))
+        self.assertNotIn("comparison.json", self.files("output/scene"))
+        self.run_done("run", "scene.prm", "--resume", "--set", "Time/Step=0.01")
+        self.assertEqual(len(self.table("output/scene/comparison.csv")), 11)
+
+    def test_another_method_after_an_interruption_within_an_interval(self):
+        self.scene({**LONG_REDUCED, "Output/Samples": 4, "Time/End": 8, "Time/Step": 1e-6, "Time/Method": "rattle"})
+        self.run_done("run", "scene.prm", "--output", "exact", *overrides(
+            {"Time/Method": "rattle-8", "Time/Step": "auto", "Time/Tolerance": 1e-11}))
+        self.assertEqual(self.interrupt("reduced", "parts"), STOPPED)
+        other = overrides({"Time/Method": "rattle-8", "Time/Step": "auto", "Time/Tolerance": 1e-9})
+        self.assertEqual(self.interrupt("reduced", "parts", "--resume", *other), STOPPED)  # still in that interval
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume", *other)
+        difference = largest_difference(self.table("exact/reduced.csv"), self.table("parts/reduced.csv"))
+        print(f"largest difference {difference:.1e}")
+        self.assertLess(difference, 1e-7)
+        self.assertEqual(self.json("parts/manifest.json")["models"]["reduced"]["counters"]["order"], 8)
+
+    def test_resuming_a_finished_run_changes_nothing(self):
+        self.scene({**LONG_REDUCED, "Time/End": 2, **PICTURES})
+        self.run_done("run", "scene.prm")
+        before = {name: self.bytes("output/scene", name) for name in self.files("output/scene") if name.endswith(
+            (".csv", ".pvd", ".vtu"))}
+        for step in ("1e-3", "1e-4"):
+            again = self.run_done("run", "scene.prm", "--resume", "--set", f"Time/Step={step}")
+            self.assertNotIn("warning", again.stderr)
+            for name, content in before.items():
+                self.assertEqual(self.bytes("output/scene", name), content, name)
+
+    # A full disk.
+
+    @staticmethod
+    def limit_files_to(size):
+        return lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+
+    def check_full_disk(self, scene, model, size, file, tolerance):
+        self.scene(scene)
+        self.run_done("run", "scene.prm", "--output", "whole")
+        full = self.run_program("run", "scene.prm", "--output", "parts", preexec_fn=self.limit_files_to(size))
+        self.assert_exit(full, STOPPED)
+        self.assertRegex(full.stderr, rf"error: cannot write '[^']*{file}': File too large; .*--resume")
+        self.assertNotIn("defect", full.stderr)
+        cut = self.csv("parts", model).read_bytes()
+        self.assertTrue(cut.endswith(b"\n") and len(cut) <= size)
+        self.assertEqual([name for name in self.files("parts") if name.endswith(".part")], [])
+        self.assert_exit(self.resume(folder="parts"), DONE)
+        self.assert_finished_like("parts", "whole", tolerance)
+
+    def test_full_disk_reduced(self):
+        self.check_full_disk({**LONG_REDUCED, "Time/End": 20}, "reduced", 300_000, "reduced.csv", 0.0)
+
+    def test_full_disk_at_a_picture(self):
+        self.check_full_disk({**LONG_REDUCED, **PICTURES, "Time/End": 2, "Output/Samples": 40}, "reduced", 20_000,
+                             "reduced-000000.vtu", 0.0)
+
+    def test_full_disk_continuum(self):
+        self.check_full_disk({**LONG_CONTINUUM, "Time/End": 1}, "continuum", 100_000, "continuum.csv", 1e-11)
+
+    def test_full_disk_from_the_beginning(self):
+        self.scene({**LONG_REDUCED, "Time/End": 2})
+        full = self.run_program("run", "scene.prm", preexec_fn=self.limit_files_to(0))
+        self.assert_exit(full, STOPPED)
+        self.assertIn("error: cannot write", full.stderr)
+        self.run_done("run", "scene.prm")
+
+    def test_results_that_are_directories(self):
+        for name in ("log.txt", "used.prm", "manifest.json", "reduced.csv", "reduced.pvd"):
+            with self.subTest(name):
+                (self.scratch / name / name).mkdir(parents=True)
+                self.scene({**LONG_REDUCED, **PICTURES, "Time/End": 2, "Output/Samples": 40})
+                refused = self.run_program("run", "scene.prm", "--output", name)
+                self.assert_exit(refused, STOPPED)
+                self.assertIn(f"error: cannot write '{name}/{name}': Is a directory", refused.stderr)
+
+    # SIGKILL.
+
+    def kill(self, folder, seconds, *arguments, stand_still=False):
+        """Kills a run after a while; standing still for more than five seconds makes the next step write a checkpoint."""
+        process = self.start_program("run", "scene.prm", "--output", folder, *arguments)
+        time.sleep(seconds)
+        if stand_still:
+            process.send_signal(signal.SIGSTOP)
+            time.sleep(5.1)
+            process.send_signal(signal.SIGCONT)
+            time.sleep(0.15)
+        process.kill()
+        return process.wait()
+
+    def check_kills(self, scene, model, tolerance, n_kills):
+        """Ends by SIGKILL at random moments; a SIGTERM in between leaves checkpoints in the middle of the motion."""
+        seed = random.randrange(10**6)
+        print(f"seed {seed}")
+        moments = random.Random(seed)
+        self.scene(scene)
+        start = time.monotonic()
+        self.run_done("run", "scene.prm", "--output", "whole")
+        duration = time.monotonic() - start
+        for i in range(n_kills):
+            arguments = ["--resume"] if (self.scratch / f"parts/checkpoint-{model}.bin").exists() else []
+            if i % 3 == 1:
+                process = self.start("parts", *arguments)
+                time.sleep(moments.uniform(0, 0.2) * duration)
+                process.terminate()
+                self.assertIn(process.wait(), (STOPPED, DONE))
+            else:
+                self.kill("parts", moments.uniform(0, 0.6) * duration, *arguments)
+        self.assert_exit(self.resume(folder="parts"), DONE)
+        self.assert_finished_like("parts", "whole", tolerance)
+
+    def test_kills_reduced(self):
+        self.check_kills({**LONG_REDUCED, **PICTURES}, "reduced", 0.0, 7)
+
+    def test_kills_continuum(self):
+        self.check_kills({**LONG_CONTINUUM, **PICTURES}, "continuum", 1e-11, 5)
+
+    def test_kills_full_ball_with_a_chosen_step(self):
+        self.check_kills({"Models": "continuum", "Continuum/Degree": 2, "Time/End": 3, "Time/Tolerance": 1e-4,
+                          "Initial state/Velocity": "0, -0.5, 0.25; 0.5, 0.05, -0.275; -0.2, 0.28, -0.05",
+                          "Output/Samples": 100}, "continuum", 1e-11, 4)
+
+    def test_kills_with_two_models(self):
+        self.check_kills({**LONG_CONTINUUM, "Models": "reduced, continuum", "Continuum/Degree": 2, **PICTURES},
+                         "continuum", 1e-11, 4)
+
+    def test_kill_after_a_periodic_checkpoint(self):
+        self.scene({**LONG_REDUCED, **PICTURES})
+        self.run_done("run", "scene.prm", "--output", "whole")
+        self.kill("parts", 0.3, stand_still=True)
+        resumed = self.resume(folder="parts")
+        self.assert_exit(resumed, DONE)
+        self.assertRegex(resumed.stderr, r"resumed at t = (?!0\b)[0-9.]+")
+        self.assert_finished_like("parts", "whole")
+
+
+if __name__ == "__main__":
+    unittest.main()
