@@ -3,6 +3,7 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <cmath>
 #include <span>
 
 #include "mechanics/vector_space.h"
@@ -25,7 +26,13 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     else
       x *= a;
   }
-  static double max_norm(const Vector& x) { return x.linfty_norm(); }
+  /// A number that is not one counts as infinite (linfty_norm passes over it).
+  static double max_norm(const Vector& x) {
+    double norm = 0;
+    for (const double value : x)
+      if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
+    return dealii::Utilities::MPI::max(norm, x.get_mpi_communicator());
+  }
   static double dot(const Vector& x, const Vector& y) { return x * y; }
   static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
 };
