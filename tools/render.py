@@ -1,0 +1,346 @@
+#!/usr/bin/python3
+"""A picture of both bodies of a run at one time, drawn off-screen with VTK.
+
+Left the elastic ball (continuum), right the pseudo-rigid ball (reduced), coloured by von Mises stress on one scale and
+seen by one camera, with z upwards. A quarter is taken out. Thin lines are the edges of the finite elements and, on the
+right, the same material lines; a dashed circle is the outline of the undeformed ball. The colour bar ends where 98 % of
+the shown surface are within it; what is beyond has its last colour.
+
+The run must have been made with Output/Graphics = vtu and both models. Needs Debian's python3-vtk9, which draws through
+an X server; without a screen:
+
+    apt-get install python3-vtk9 xvfb xauth libgl1-mesa-dri
+    xvfb-run -a tools/render.py output/quickstart --frame 14 --output ball.png
+"""
+
+import argparse
+import math
+import os
+import pathlib
+
+import numpy as np
+import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkRenderWindow,
+    vtkTextActor,
+    vtkWindowToImageFilter,
+)
+
+from run_directory import entry, existing, fail, read_pvd
+
+WIDTH, HEIGHT = 1020, 680
+FIELD = "von_mises"
+VIEW_FROM = (0.6, -1.0, 0.4)  # where the camera stands; z is up
+SATURATED = 0.98  # the part of the points within the colour bar: stresses peak where waves meet
+FINE = 12  # intervals along the edge of an element
+STRIP = 0.21  # part of the height below the bodies, with the colour bar
+
+# Nodes of matplotlib's "viridis": legible with every kind of colour vision, and monotone in grey.
+VIRIDIS = [
+    (0.267, 0.005, 0.329), (0.283, 0.141, 0.458), (0.254, 0.265, 0.530), (0.207, 0.372, 0.553), (0.164, 0.471, 0.558),
+    (0.128, 0.567, 0.551), (0.135, 0.659, 0.518), (0.267, 0.749, 0.441), (0.478, 0.821, 0.318), (0.741, 0.873, 0.150),
+    (0.993, 0.906, 0.144),
+]  # fmt: skip
+
+
+def read_points(path):
+    """Positions x, displacements x - X and stresses at the points of a .vtu."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    data = reader.GetOutput().GetPointData()
+    if data.GetArray(FIELD) is None or data.GetArray("displacement") is None:
+        fail(f"{path} cannot be read, or lacks the fields displacement and {FIELD}")
+    x = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+    return x, vtk_to_numpy(data.GetArray("displacement")), vtk_to_numpy(data.GetArray(FIELD))
+
+
+class Faces:
+    """The faces of the finite elements that are to be seen, on a grid finer than their nodes: the polynomials that the
+    program computed with are evaluated, so that curved faces look curved."""
+
+    def __init__(self, reference, degree, radius, cut):
+        n = degree + 1
+        self.shape = (-1, n, n, n)
+        self.to_fine = interpolation(degree)
+        self.chosen = [
+            (element, axis, side)
+            for element, lattice in enumerate(reference.reshape(*self.shape, 3))
+            for axis in range(3)
+            for side in (0, -1)
+            if is_seen(np.take(lattice, side, axis), lattice.mean(axis=(0, 1, 2)), radius, cut)
+        ]
+
+    def of(self, values):
+        """Values at the nodes -> values on the faces, (face, i, j, component)."""
+        lattices = values.reshape(*self.shape, values.shape[1] if values.ndim > 1 else 1)
+        nodes = np.array([np.take(lattices[e], side, axis) for e, axis, side in self.chosen])
+        return np.einsum("ai,bj,fijc->fabc", self.to_fine, self.to_fine, nodes)
+
+
+def is_seen(face, centre, radius, cut):
+    """On the surface of the ball or, where the quarter x > 0 > y is taken out, on the cut."""
+    near = 1e-6 * radius
+    if cut and centre[0] > 0 > centre[1]:
+        return False
+    if np.all(np.abs(np.linalg.norm(face, axis=-1) - radius) < near):
+        return True
+    on_x, on_y = (np.all(np.abs(face[..., k]) < near) for k in (0, 1))
+    return cut and bool((on_x and centre[1] < 0) or (on_y and centre[0] > 0))
+
+
+def interpolation(degree):
+    """Lagrange's polynomials on the Gauss-Lobatto nodes at equidistant points."""
+    legendre = np.polynomial.legendre.Legendre.basis(degree)
+    nodes = np.concatenate(([-1], np.sort(legendre.deriv().roots().real), [1]))
+    vandermonde = np.polynomial.legendre.legvander
+    return vandermonde(np.linspace(-1, 1, FINE + 1), degree) @ np.linalg.inv(vandermonde(nodes, degree))
+
+
+def surface(positions, stress):
+    """Quadrilaterals of all faces; positions and stress as from Faces.of."""
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    points.SetData(numpy_to_vtk(positions.reshape(-1, 3), deep=True))
+    m = FINE + 1
+    corner = (np.arange(FINE)[:, None] * m + np.arange(FINE)).ravel()
+    for face in range(len(positions)):
+        for a in face * m * m + corner:
+            cells.InsertNextCell(4, [a, a + 1, a + m + 1, a + m])
+    values = numpy_to_vtk(np.ascontiguousarray(stress).ravel(), deep=True)
+    values.SetName(FIELD)
+    data.SetPoints(points)
+    data.SetPolys(cells)
+    data.GetPointData().SetScalars(values)
+    return data
+
+
+def polylines(curves):
+    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    for curve in curves:
+        cells.InsertNextCell(len(curve))
+        for point in curve:
+            cells.InsertCellPoint(points.InsertNextPoint(point))
+    data.SetPoints(points)
+    data.SetLines(cells)
+    return data
+
+
+def edges(positions):
+    return polylines([side for f in positions for side in (f[0], f[-1], f[:, 0], f[:, -1])])
+
+
+def colours(largest):
+    table = vtkLookupTable()
+    table.SetNumberOfTableValues(256)
+    table.SetRange(0, largest)
+    for i in range(256):
+        at = i / 255 * (len(VIRIDIS) - 1)
+        k = min(int(at), len(VIRIDIS) - 2)
+        rgb = [a + (at - k) * (b - a) for a, b in zip(VIRIDIS[k], VIRIDIS[k + 1])]
+        table.SetTableValue(i, *rgb, 1)
+    return table
+
+
+def body(data, table):
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SplittingOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    mapper.SetScalarModeToUsePointFieldData()
+    mapper.SelectColorArray(FIELD)
+    mapper.SetLookupTable(table)
+    mapper.UseLookupTableScalarRangeOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    # Much ambient light: the colour is to be read off, the shading only tells the shape.
+    actor.GetProperty().SetAmbient(0.7)
+    actor.GetProperty().SetDiffuse(0.3)
+    actor.GetProperty().SetSpecular(0)
+    return actor
+
+
+def lines(polydata, colour, width, opacity=1.0):
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(polydata)
+    mapper.ScalarVisibilityOff()
+    mapper.SetResolveCoincidentTopologyToPolygonOffset()
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(colour)
+    actor.GetProperty().SetLineWidth(width)
+    actor.GetProperty().SetOpacity(opacity)
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def normalized(a):
+    return a / np.linalg.norm(a)
+
+
+def dashed_circle(radius, distance, n_dashes=48):
+    """Outline of the undeformed ball, held `distance` before it so that nothing hides it."""
+    to_camera = normalized(VIEW_FROM)
+    right = normalized(np.cross((0, 0, 1), to_camera))
+    up = np.cross(to_camera, right)
+    angles = 2 * math.pi / n_dashes * (np.arange(n_dashes)[:, None] + np.linspace(0, 0.55, 5))
+    in_plane = np.cos(angles)[..., None] * right + np.sin(angles)[..., None] * up
+    return polylines(radius * in_plane + distance * to_camera)
+
+
+def text(content, size, x, y, bold=False):
+    actor = vtkTextActor()
+    actor.SetInput(content)
+    style(actor.GetTextProperty(), size, bold)
+    actor.GetTextProperty().SetJustificationToCentered()
+    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+    actor.SetPosition(x, y)
+    return actor
+
+
+def style(properties, size, bold=False):
+    properties.SetFontFamilyToArial()
+    properties.SetFontSize(size)
+    properties.SetColor(0.1, 0.1, 0.1)
+    properties.SetBold(bold)
+    properties.SetItalic(False)
+    properties.SetShadow(False)
+
+
+def colour_bar(table):
+    bar = vtkScalarBarActor()
+    bar.SetLookupTable(table)
+    bar.SetOrientationToHorizontal()
+    bar.SetNumberOfLabels(5)
+    bar.SetLabelFormat("%.2g")
+    bar.UnconstrainedFontSizeOn()
+    style(bar.GetLabelTextProperty(), 28)
+    bar.SetTextPositionToPrecedeScalarBar()
+    bar.SetPosition(0.2, 0.46)
+    bar.SetWidth(0.6)
+    bar.SetHeight(0.5)
+    bar.SetBarRatio(0.45)
+    bar.SetTextPad(6)
+    return bar
+
+
+def renderer(window, x0, y0, x1, y1):
+    view = vtkRenderer()
+    view.SetViewport(x0, y0, x1, y1)
+    view.SetBackground(1, 1, 1)
+    window.AddRenderer(view)
+    return view
+
+
+def aim(view, extent):
+    camera = view.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition([10 * extent * x for x in normalized(VIEW_FROM)])
+    camera.SetViewUp(0, 0, 1)
+    camera.SetParallelScale(1.22 * extent)
+    camera.SetWindowCenter(0, 0.1)
+    view.ResetCameraClippingRange()
+
+
+def frame_paths(directory, frame):
+    remedy = 'run the scene with both models and --set "Output/Graphics=vtu"'
+    frames = [read_pvd(existing(directory, f"{model}.pvd", remedy)) for model in ("continuum", "reduced")]
+    n_frames = min(map(len, frames))
+    if not -n_frames <= frame < n_frames:
+        fail(f"--frame: expected a number from 0 to {n_frames - 1}, got {frame}")
+    (time, continuum), (_, reduced) = (f[:n_frames][frame] for f in frames)
+    return time, continuum, reduced
+
+
+def rounded_up(value):
+    """The next 1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8 or 10 times a power of ten: divided by 4 it is short."""
+    if value <= 0:
+        return 1
+    power = 10 ** math.floor(math.log10(value))
+    return power * next(m for m in (1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8, 10) if m * power >= 0.999 * value)
+
+
+def caption(largest, table):
+    beyond = f"; largest {largest:.2g}" if largest > table.GetRange()[1] else ""
+    return f"von Mises stress (the scene's unit of pressure{beyond})"
+
+
+def read_bodies(directory, frame, cut):
+    """Time, radius, and position and stress on the same material faces of both balls."""
+    time, continuum_path, reduced_path = frame_paths(directory, frame)
+    radius = float(entry(directory, "Radius"))
+    x, displacement, stress = read_points(continuum_path)
+    reference = x - displacement
+    faces = Faces(reference, int(entry(directory, "Degree")), radius, cut)
+    continuum = faces.of(x), faces.of(stress)
+
+    x, displacement, stress = read_points(reduced_path)
+    q_transposed = np.linalg.lstsq(x - displacement, x, rcond=None)[0]  # x = QX at every point
+    reduced = faces.of(reference @ q_transposed), np.full_like(continuum[1], stress[0])
+    return time, radius, continuum, reduced
+
+
+def draw(directory, frame, cut, output):
+    time, radius, continuum, reduced = read_bodies(directory, frame, cut)
+    shown = np.concatenate((continuum[1].ravel(), reduced[1].ravel()))
+    table = colours(rounded_up(np.quantile(shown, SATURATED)))
+    extent = max(radius, np.abs(continuum[0]).max(), np.abs(reduced[0]).max())
+
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(WIDTH, HEIGHT)
+    places = (0, STRIP, 0.5, 1), (0.5, STRIP, 1, 1)
+    for place, title, faces in zip(places, ("Elastic ball", "Pseudo-rigid ball"), (continuum, reduced)):
+        view = renderer(window, *place)
+        view.AddActor(body(surface(*faces), table))
+        view.AddActor(lines(edges(faces[0]), (1, 1, 1), 1.5, 0.5))
+        view.AddActor(lines(dashed_circle(radius, 2 * extent), (0.1, 0.1, 0.1), 2.5))
+        view.AddActor2D(text(f"{title}, t = {time:g}", 34, 0.5, 0.91, bold=True))
+        aim(view, extent)
+    strip = renderer(window, 0, 0, 1, STRIP)
+    strip.AddActor2D(colour_bar(table))
+    strip.AddActor2D(text(caption(shown.max(), table), 30, 0.5, 0.13))
+
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(output))
+    writer.SetCompressionLevel(9)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+    if writer.GetErrorCode():
+        fail(f"--output: {output} cannot be written")
+    print(f"{output}: both bodies at time {time:g}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", type=pathlib.Path, metavar="RUN_DIRECTORY")
+    parser.add_argument("--frame", type=int, default=-1, metavar="N", help="from 0; -1, the default, is the last")
+    parser.add_argument("--output", type=pathlib.Path, metavar="PNG", help="default: RUN_DIRECTORY/bodies.png")
+    parser.add_argument("--whole", action="store_true", help="do not take a quarter out of the balls")
+    arguments = parser.parse_args()
+    if not os.environ.get("DISPLAY"):
+        fail("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
+    draw(arguments.directory, arguments.frame, not arguments.whole, arguments.output or arguments.directory / "bodies.png")
+
+
+if __name__ == "__main__":
+    main()
