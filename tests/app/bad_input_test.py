@@ -5,7 +5,6 @@ import shutil
 import subprocess
 import unittest
 
-import program_test
 from program_test import DONE, ProgramTest, WRONG_INPUT, overrides
 
 BASE = {"Models": "reduced", "Time/End": 1, "Output/Samples": 10}

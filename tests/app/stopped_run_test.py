@@ -1,5 +1,4 @@
 """Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
-import os
 import random
 import resource
 import signal

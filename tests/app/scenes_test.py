@@ -1,0 +1,158 @@
+"""Every scene of params/ runs, and its pictures are read by meshio and VTK; what the comparison says; scaling."""
+import json
+import re
+import subprocess
+import sys
+import unittest
+
+from program_test import BODY_COLUMNS, CONTINUUM_COLUMNS, ProgramTest, SOURCE, largest_difference, overrides
+
+FRAMES = 3
+SAMPLES = 24
+
+
+class Scenes(ProgramTest):
+    def shortened(self, name):
+        """Options that make a scene short, and its entries as used.prm tells them."""
+        self.scene((SOURCE / "params" / f"{name}.prm").read_text(), f"{name}.prm")
+        end = float(re.search(r"set End\s*=\s*(\S+)", (self.scratch / f"{name}.prm").read_text())[1])
+        return overrides({"Time/End": min(end, 2), "Output/Samples": SAMPLES, "Output/Graphics": "vtu",
+                          "Output/Frames": FRAMES})
+
+    def check_scene(self, name, models):
+        self.run_done("run", f"{name}.prm", *self.shortened(name))
+        folder = self.scratch / "output" / name
+        used = dict(re.findall(r"set (\w+) = (\S+)", (folder / "used.prm").read_text()))
+        for model, columns in (("reduced", BODY_COLUMNS), ("continuum", CONTINUUM_COLUMNS)):
+            self.assertEqual((folder / f"{model}.csv").exists(), model in models)
+            if model not in models:
+                continue
+            table = self.table(folder / f"{model}.csv")
+            self.assertEqual(table.header, columns)
+            self.assertEqual(len(table), SAMPLES + 1)
+            self.assertTrue(table.is_finite())
+            end = table.column("time")[-1]
+            expected = [(end * sample / SAMPLES, f"graphics/{model}-{j:06}.vtu")
+                        for j, sample in enumerate((0, SAMPLES // 2, SAMPLES))]
+            self.assertEqual(self.pvd(folder / f"{model}.pvd"), expected)
+            self.check_pictures(folder, [file for _, file in expected], self.expected_grid(model, used))
+        self.assertEqual(len(list((folder / "graphics").iterdir())), FRAMES * len(models))
+        self.assertEqual((folder / "comparison.json").exists(), len(models) == 2)
+        manifest = self.json(folder / "manifest.json")
+        self.assertEqual(sorted(manifest["models"]), sorted(models))
+        if "continuum" in models:
+            self.assertIn("deal.II", manifest["libraries"])
+        log = (folder / "log.txt").read_text()
+        self.assertIn("Needed:\n", log)
+        self.assertIn("Skipped:\n", log)
+
+    @staticmethod
+    def expected_grid(model, used):
+        """Points, cells and VTK's cell type. The whole ball has 8·4 coarse cells, each node and sub-cell of its own; the
+        ellipsoid is a cube's surface with 12² quadrilaterals a side."""
+        if model == "reduced":
+            return 6 * 12**2 + 2, 6 * 12**2, 9
+        k, n_cells = int(used["Degree"]), 8 * 4 * 8 ** int(used["Refinements"])
+        return n_cells * (k + 1) ** 3, n_cells * k**3, 12
+
+    def check_pictures(self, folder, files, grid):
+        reader = SOURCE / "tests/support/check_vtu.py"
+        result = subprocess.run([sys.executable, reader, "--expect-fields", "displacement,pressure,jacobian,von_mises", *files],
+                                cwd=folder, capture_output=True, text=True, timeout=100)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        read = [json.loads(line) for line in result.stdout.splitlines()]
+        self.assertEqual(len(read), len(files))
+        for picture in read:
+            self.assertEqual((picture["points"], picture["cells"], *picture["cell_types"]), grid, picture["file"])
+            self.assertEqual(picture["fields"], {"displacement": [3], "jacobian": [1], "pressure": [1], "von_mises": [1]})
+            low, high = picture["bounds"]
+            for a, b in zip(low, high):  # the whole body, seen from its centre
+                self.assertAlmostEqual(a, -b, delta=1e-9 * b)
+
+    def test_quickstart(self):
+        self.check_scene("quickstart", ["reduced", "continuum"])
+
+    def test_lamb(self):
+        self.check_scene("lamb", ["reduced", "continuum"])
+
+    def test_spin_and_stretch(self):
+        self.check_scene("spin_and_stretch", ["reduced", "continuum"])
+
+    def test_reduced_only(self):
+        self.check_scene("reduced_only", ["reduced"])
+
+    def test_compressible_reduced(self):
+        self.check_scene("compressible_reduced", ["reduced"])
+
+    def test_every_scene_has_a_test(self):
+        names = sorted(path.stem for path in (SOURCE / "params").glob("*.prm"))
+        tests = sorted(name[len("test_"):] for name in dir(self) if (SOURCE / f"params/{name[len('test_'):]}.prm").exists())
+        self.assertEqual(names, tests)
+
+    def test_a_refined_half_ball_with_one_picture(self):
+        self.scene({"Models": "continuum", "Continuum/Degree": 2, "Continuum/Refinements": 1, "Continuum/Symmetry": "z",
+                    "Time/End": 0.02, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 2,
+                    "Initial state/Velocity": "0, -0.5, 0; 0.5, 0, 0; 0, 0, 0", "Output/Graphics": "vtu",
+                    "Output/Frames": 1, "Body/Radius": 1})
+        self.run_done("run", "scene.prm")
+        folder = self.scratch / "output/scene"
+        self.assertEqual(self.pvd(folder / "continuum.pvd"), [(0.02, "graphics/continuum-000000.vtu")])
+        grid = self.expected_grid("continuum", {"Degree": 2, "Refinements": 1})
+        self.assertEqual(grid, (32 * 8 * 27, 32 * 8 * 8, 12))
+        self.check_pictures(folder, ["graphics/continuum-000000.vtu"], grid)
+        self.assertIn("half (plane z)", (folder / "log.txt").read_text())
+
+    def test_frequency_ratio_of_lamb(self):
+        """PHYSICS.md 3: sqrt(10)/2.665622 = 1.18632; here on the coarse side, k = 3 and half the time."""
+        self.scene((SOURCE / "params/lamb.prm").read_text(), "lamb.prm")
+        result = self.run_done("run", "lamb.prm", *overrides({"Time/End": 20, "Output/Samples": 400, "Continuum/Degree": 3}))
+        comparison = self.json("output/lamb/comparison.json")
+        ratio = comparison["frequency"]["ratio"]
+        print(f"ratio {ratio:.6f} ± {comparison['frequency']['ratio_uncertainty']:.1e}")
+        self.assertAlmostEqual(ratio, 1.18632, delta=1e-3)
+        self.assertAlmostEqual(comparison["frequency"]["reduced"]["omega"], 10**0.5, delta=1e-4)
+        self.assertAlmostEqual(comparison["frequency"]["continuum"]["omega"], 2.665622, delta=3e-3)
+        table = self.table("output/lamb/comparison.csv")
+        self.assertEqual(len(table), 401)
+        self.assertTrue(table.is_finite())
+        self.assertEqual(table.header[0], "time")
+        self.assertEqual(table.header[1:], list(comparison["differences"]))
+        self.assertIn(comparison["summary"], result.stdout)
+        self.assertIn("18.6 % faster", result.stdout)
+        log = (self.scratch / "output/lamb/log.txt").read_text()
+        self.assertIn(comparison["summary"], log)
+
+    def test_quiet_says_nothing(self):
+        result = self.run_done("run", "quickstart.prm", "--quiet", *self.shortened("quickstart"))
+        self.assertEqual((result.stdout, result.stderr), ("", ""))
+
+    def test_a_pipe_gets_lines_only(self):
+        result = self.run_done("run", "quickstart.prm", *self.shortened("quickstart"))
+        self.assertNotRegex(result.stdout + result.stderr, r"[\r\x1b]")
+
+    def scaled_run(self, name, radius, density, modulus):
+        time = radius * (density / modulus) ** 0.5
+        self.scene({"Models": "continuum", "Continuum/Degree": 2, "Body/Radius": repr(radius), "Body/Density": repr(density),
+                    "Material/Shear modulus": repr(modulus), "Time/End": repr(time), "Output/Samples": 10,
+                    "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8"}, f"{name}.prm")
+        self.run_done("run", f"{name}.prm")
+        table = self.table(f"output/{name}/continuum.csv")
+        energy = density * radius**5 / time**2
+        units = {"time": time, "Qdot": 1 / time, "x": radius, "v": radius / time, "J": energy * time, "Z": energy * time,
+                 "multiplier": 1 / time**2, "a": radius, "Q": 1, "F": 1, "volume_ratio": 1, "nonaffine_kinetic_fraction": 1,
+                 "nonaffine_displacement": 1, "min_jacobian": 1}
+        scale = [units.get(name.rstrip("123"), energy) for name in table.header]
+        table.rows = [[x / s for x, s in zip(row, scale)] for row in table.rows]
+        return table
+
+    def test_any_units_give_the_same_motion(self):
+        reference = self.scaled_run("reference", 1.0, 1.0, 1.0)
+        self.assertEqual(self.scaled_run("powers", 2.0**-10, 2.0**7, 2.0**-3).rows, reference.rows)
+        for factors in ((1e12, 1.0, 1.0), (1e-12, 1e12, 1e-12), (6.4e6, 5500.0, 7e10)):
+            difference = largest_difference(reference, self.scaled_run("scaled", *factors))
+            print(factors, f"{difference:.1e}")
+            self.assertLess(difference, 1e-10, factors)
+
+
+if __name__ == "__main__":
+    unittest.main()
