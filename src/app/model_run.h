@@ -309,7 +309,7 @@ class ModelRun {
   Workspace workspace_;
   RunPosition position_;
   std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
-  Snapshot<System> good_;  ///< at the last sample: where a failed run is taken up again
+  Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again
   std::optional<io::CsvWriter> csv_;
   std::optional<io::PvdCollection> pvd_;
   io::Progress progress_;
