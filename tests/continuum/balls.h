@@ -49,10 +49,11 @@ inline State<ElasticBall> affine_state(const ElasticBall& ball, const Matrix3d& 
   return {0, ball.affine_field(Q), ball.affine_field(Qdot)};
 }
 
-inline mechanics::ContinuumObservables observed(const ElasticBall& ball, const State<ElasticBall>& state) {
+inline mechanics::ContinuumObservables observed(const ElasticBall& ball, const State<ElasticBall>& state,
+                                                const mechanics::ObservableRequest& request = {}) {
   auto workspace = ball.make_workspace();
   mechanics::ContinuumObservables o;
-  const auto status = continuum::observe(ball, state, workspace, {}, o);
+  const auto status = continuum::observe(ball, state, workspace, request, o);
   EXPECT_TRUE(status) << status.reason();
   return o;
 }

@@ -1,0 +1,31 @@
+/// Declared orders on the finite-element ball, full state (every node), by the suite that the small systems pass.
+
+#include "support/order_test.h"
+
+#include "continuum/balls.h"
+
+namespace pseudorigid::testing {
+
+/// An octant that pulsates at finite amplitude.
+template <int degree>
+struct BallFactory {
+  using System = ElasticBall;
+  ElasticBall ball{octant, degree, 0, neo_hookean};
+  const System& system() const { return ball; }
+  State<ElasticBall> initial() const {
+    return affine_state(ball, diagonal(1.1, 1, 1 / 1.1), diagonal(0.11, 0, -0.1 / 1.1));
+  }
+  double end() const { return 1; }
+  std::vector<long> step_counts(int order) const {
+    if (order == 2) return {80, 160, 320, 640};
+    return {40, 57, 80, 113, 160};
+  }
+  long n_reference_steps() const { return 160; }
+};
+
+using BallCases =
+    ::testing::Types<OrderCase<BallFactory<2>, mechanics::Rattle>, OrderCase<BallFactory<2>, mechanics::Rattle4>,
+                     OrderCase<BallFactory<3>, mechanics::Rattle>, OrderCase<BallFactory<3>, mechanics::Rattle4>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Ball, MethodOrder, BallCases);
+
+}  // namespace pseudorigid::testing
