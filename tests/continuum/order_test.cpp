@@ -18,9 +18,9 @@ struct BallFactory {
   double end() const { return 1; }
   std::vector<long> step_counts(int order) const {
     if (order == 2) return {80, 160, 320, 640};
-    return {40, 57, 80, 113, 160};
+    return {80, 113, 160, 226};
   }
-  long n_reference_steps() const { return 160; }
+  long n_reference_steps() const { return 320; }
 };
 
 using BallCases =
