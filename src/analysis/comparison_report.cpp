@@ -28,9 +28,11 @@ Json to_json(const FrequencyFit& fit) {
   json["amplitude"] = line.amplitude;
   json["cycles"] = fit.cycles;
   json["residual_rms"] = fit.residual_rms;
-  for (const Line& l : fit.lines)
+  for (const Line& l : fit.lines) {
+    if (l.frequency <= 3 * l.uncertainty) continue;  // part of the fit, but a drift rather than an oscillation
     json["lines"].push_back(
         {{"omega", l.frequency}, {"uncertainty", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
+  }
   return json;
 }
 

@@ -64,7 +64,7 @@ Options parse_command_line(int argc, const char* const* argv) {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto chosen = app.get_subcommands();
-    options.help = chosen.empty() ? app.help() : chosen.front()->help();
+    options.help = chosen.empty() ? app.help() : chosen.front()->help(app.get_name());
     return options;
   } catch (const CLI::CallForVersion&) {
     options.command = Command::version;

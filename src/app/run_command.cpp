@@ -37,15 +37,17 @@ void compare_models(const RunContext& context, bool quiet) {
   const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);
   analysis::write_comparison(context.directory.path(), comparison);
   context.log->debug("{}", analysis::summary_sentence(comparison));
-  if (!quiet) std::fputs(analysis::terminal_table(comparison).c_str(), stdout);
+  if (quiet) return;
+  std::fputs(analysis::terminal_table(comparison).c_str(), stdout);
+  std::fflush(stdout);  // in order with what goes to stderr
 }
 
 /// Runs one model and notes it in the manifest. False: the run ends here.
 bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const RunContext& context,
                io::ManifestFile& manifest, std::string& message, bool& interrupted) {
   ModelOutcome outcome = run(context);
-  context.log->info("{}: {:.0f} steps, {:.3g} s", name, outcome.statistics.counters["steps"],
-                    outcome.statistics.timers["run"]);
+  context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, outcome.statistics.counters["steps"],
+                    context.resume ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
   manifest.content().models[name] = std::move(outcome.statistics);
   interrupted = outcome.state == ModelOutcome::State::interrupted;
   message = std::move(outcome.message);
