@@ -53,9 +53,9 @@ struct State {
   typename S::Vector q, v;
 };
 
-/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative refinement.
-/// Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the force or the
-/// Gram solve fails.
+/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
+/// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the
+/// force or the Gram solve fails.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
