@@ -72,8 +72,7 @@ class ModelRun {
     if (Status status = model_.row(time, state, workspace, row_); !status) return status;
     measure_constraint(state);
     csv_->append(row_);
-    if (context_.needs.graphics && frames_.has(k))
-      if (Status status = write_frame(k, time, state, workspace); !status) return status;
+    if (context_.needs.graphics && frames_.has(k)) write_frame(k, time, state, workspace);
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     good_.take(position_, state, workspace);
@@ -144,7 +143,8 @@ class ModelRun {
       csv_.emplace(io::CsvWriter::resume(csv_path, columns, n_samples_taken));
       std::vector<io::PvdCollection::Frame> written;
       for (long j = 0; context_.needs.graphics && j < frames_.n_before(n_samples_taken); ++j)
-        written.push_back({frame_time(j), context_.directory.frame(Model::name, static_cast<int>(j))});
+        if (const auto path = context_.directory.frame(Model::name, static_cast<int>(j)); std::filesystem::exists(path))
+          written.push_back({frame_time(j), path});
       if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(Model::name), std::move(written));
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
     } else {
@@ -192,7 +192,8 @@ class ModelRun {
                                    .tolerance = Model::pilot_reserve * scene.time.tolerance,
                                    .rattle_limit = std::min(limit, left),
                                    .step_bound = std::min(bound, times_.interval()),
-                                   .method = method};
+                                   .method = method,
+                                   .give_up = io::interrupt_requested};
     State from_zero = state_;
     from_zero.t = 0;
     auto choice =
@@ -249,11 +250,14 @@ class ModelRun {
     return context_.scene.time.end * (static_cast<double>(frames_.sample(j)) / static_cast<double>(times_.n_samples));
   }
 
-  Status write_frame(long k, double time, const State& state, Workspace& workspace) {
+  /// A picture that cannot be drawn (a node turned inside out while the quadrature points are sound) is left out: the
+  /// run is the same with and without pictures.
+  void write_frame(long k, double time, const State& state, Workspace& workspace) {
     const auto path = context_.directory.frame(Model::name, static_cast<int>(frames_.n_before(k)));
-    if (Status status = model_.write_frame(path, state, workspace); !status) return status;
-    pvd_->add(time, path);
-    return {};
+    if (Status status = model_.write_frame(path, state, workspace); !status)
+      context_.log->warn("{}: no picture at t = {:.6g}: {}", Model::name, time, status.reason());
+    else
+      pvd_->add(time, path);
   }
 
   void save(Snapshot<System>& snapshot) {

@@ -29,8 +29,8 @@ class ReducedModel {
   double constraint_scale() const { return 1; }
   Eigen::Matrix3d Q(const State& state) const { return state.q; }
   Eigen::Matrix3d Qdot(const State& state) const { return state.v; }
-  /// Pilot runs are cheap: the whole run, unless it is longer than about a hundred pulsations.
-  double pilot_window(double end) const { return std::min(end, 200.0); }
+  /// About ten pulsations: from there on the time error of regular motions grows linearly.
+  double pilot_window(double end) const { return std::min(end, 20.0); }
 
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::reduced_columns(q); }
 

@@ -40,6 +40,7 @@ struct StepRequest {
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   std::optional<MethodId> method{};  ///< empty: the cheapest
+  bool (*give_up)() = nullptr;       ///< asked after every pilot step; true ends the search
 };
 
 /// What to run with, or why nothing can be run. Times are those of the system, that is internal units.
@@ -68,10 +69,13 @@ namespace detail {
 inline constexpr int max_step_halvings = 12;
 inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
 inline constexpr long max_pilot_samples = 32;
+/// A method that needs this many times the least cost of a method of higher order is not pursued.
+inline constexpr double clearly_dearer = 4;
 
 /// One pilot run: Q at the samples, and the size of the velocity.
 struct PilotRun {
   Status status;
+  double t = 0;  ///< time reached
   std::vector<Eigen::Matrix3d> Q;
   double speed = 0;
 };
@@ -80,7 +84,8 @@ template <ConstrainedSystem S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
   long n_steps;
-  PilotRun run;
+  bool (*give_up)();
+  PilotRun run{};
 
   Status sample(long, const State<S>& state, const RattleWorkspace<S>&) {
     run.Q.push_back(Q_of(state));
@@ -88,7 +93,7 @@ struct PilotHooks {
     return {};
   }
   long steps_per_interval(long, const State<S>&, const RattleWorkspace<S>&) const { return n_steps; }
-  bool step_done(Cursor, const State<S>&, const RattleWorkspace<S>&) const { return true; }
+  bool step_done(Cursor, const State<S>&, const RattleWorkspace<S>&) const { return !give_up || !give_up(); }
 };
 
 inline double largest_difference(const PilotRun& a, const PilotRun& b) {
@@ -146,11 +151,12 @@ class StepSearch {
       const bool both = coarse.status.ok() && fine.status.ok();
       const double d = both ? largest_difference(coarse, fine) : 0;
       if (both && settle<Method>(trial, h, d, d_before, fine.speed)) return trial;
-      if (run_forces<Method>(h) >= n_forces_to_beat) {
+      if ((both ? predicted_forces<Method>(h, d) : run_forces<Method>(h)) >= n_forces_to_beat) {
         trial.verdict = Trial::Verdict::dearer;
         return trial;
       }
       trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
+      if (motion_ends(coarse, fine) || given_up()) return trial;
       d_before = d;
       coarse = std::move(fine);
     }
@@ -166,16 +172,29 @@ class StepSearch {
   }
   long n_force() const { return n_force_; }
 
+  bool given_up() const { return request_.give_up && request_.give_up(); }
+
  private:
-  /// n_samples times n_steps steps, none longer than h, fill the window.
+  /// n_samples times n_steps steps, none longer than h, fill the window; as few steps as the choice of n_samples
+  /// allows.
   struct Grid {
     long n_samples, n_steps;
     Grid(double window, double h) {
-      const double n = std::max(1.0, std::ceil(window / h * (1 - 1e-12)));
-      n_samples = static_cast<long>(std::min(n, static_cast<double>(max_pilot_samples)));
-      n_steps = static_cast<long>(std::ceil(n / static_cast<double>(n_samples)));
+      const long n = std::max(1L, static_cast<long>(std::ceil(window / h * (1 - 1e-12))));
+      n_samples = std::min(n, max_pilot_samples);
+      n_steps = (n + n_samples - 1) / n_samples;
+      for (long fewer = n_samples - 1; fewer >= max_pilot_samples / 2; --fewer)
+        if (const long steps = (n + fewer - 1) / fewer; fewer * steps < n_samples * n_steps) {
+          n_samples = fewer;
+          n_steps = steps;
+        }
     }
   };
+
+  /// Steps of different lengths that fail at nearly the same time: it is the motion that ends there, and no step helps.
+  static bool motion_ends(const PilotRun& coarse, const PilotRun& fine) {
+    return !coarse.status && !fine.status && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
+  }
 
   template <class Method>
   double limit() const {
@@ -186,15 +205,25 @@ class StepSearch {
     return std::ceil(request_.end / h) * Method::n_stages;
   }
 
+  /// Forces of the run if the difference d at h falls as the order promises. Above the asymptotic regime errors
+  /// saturate and this is too small, so a method that it rules out is ruled out.
+  template <class Method>
+  double predicted_forces(double h, double d) const {
+    constexpr double p = Method::order;
+    const double e = d * std::max(1.0, request_.end / window_), target = error_safety * request_.tolerance;
+    return run_forces<Method>(h) * std::max(1.0, std::pow(e / target, 1 / p));
+  }
+
   template <class Method>
   PilotRun pilot(long n_samples, long n_steps) {
-    PilotHooks<S, QOf> hooks{Q_of_, n_steps, {}};
+    PilotHooks<S, QOf> hooks{Q_of_, n_steps, request_.give_up};
     State<S> state = initial_;
     RattleWorkspace<S> workspace(system_);
     Cursor cursor;
     RunResult result = run_time_loop<Method>(system_, {window_, n_samples}, state, cursor, workspace, hooks);
     n_force_ += workspace.counters.n_force;
-    if (result.outcome == Outcome::failed) hooks.run.status = Status::failure(std::move(result.reason));
+    hooks.run.t = result.t;
+    if (result.outcome != Outcome::finished) hooks.run.status = Status::failure(std::move(result.reason));
     return std::move(hooks.run);
   }
 
@@ -209,7 +238,11 @@ class StepSearch {
     const bool regular = fall >= p - 0.5, enough = e <= target || e <= walk;
 
     if (!regular && !enough) return false;
-    if (fall == 0 || e == 0) return accept<Method>(trial, h, e, walk);
+    if (fall == 0 || e == 0) {
+      // The grid of the pilot rounds its step down; where accuracy has room, the limit itself is taken.
+      const double step = std::min(trial.limit, h * std::clamp(e > 0 ? std::pow(target / e, 1 / p) : 1.25, 1.0, 1.25));
+      return accept<Method>(trial, step, e * std::pow(step / h, p), walk);
+    }
     const double exponent = e > target ? p : std::max(p, fall);  // never trust a fast fall to go on
     const double h_accuracy = h * std::pow(target / e, 1 / exponent);
     const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
@@ -243,21 +276,35 @@ class StepSearch {
 }  // namespace detail
 
 /// The cheapest method, or the step of the one that is asked for. Methods are tried by rising order, as long as the
-/// next one at its stability limit would be cheaper than the best so far at the step that accuracy asks of it.
+/// next one at its stability limit would be cheaper than the best so far at the step that accuracy asks of it, and
+/// dropped as soon as a pilot shows that a higher order must be cheaper.
 /// Q_of(state) → Eigen::Matrix3d. `initial` is at t = 0. A pilot run that fails is repeated with half the step.
 template <ConstrainedSystem S, class QOf>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of) {
   detail::StepSearch<S, QOf> search(system, initial, request, Q_of);
   std::vector<detail::Trial> trials;
   std::optional<detail::Trial> best;
+  bool broken_off = false;
+  // The least that a method of higher order can cost, if there is a choice.
+  const auto least_forces_above = [&](MethodId id) {
+    double least = HUGE_VAL;
+    for (const MethodId other : all_methods)
+      if (other > id && !request.method)
+        with_method(other,
+                    [&]<class Method>(Method) { least = std::min(least, search.template least_forces<Method>()); });
+    return least;
+  };
   for (const MethodId id : all_methods) {
     if (request.method && *request.method != id) continue;
+    if (broken_off) break;  // a motion that ends within the window ends for every method
     with_method(id, [&]<class Method>(Method) {
-      const double to_beat = best ? best->n_forces_of_run : HUGE_VAL;
-      if (search.template least_forces<Method>() >= to_beat) return;
+      const double cheapest = best ? best->n_forces_of_run : HUGE_VAL;
+      if (search.template least_forces<Method>() >= cheapest) return;
+      const double to_beat = std::min(cheapest, detail::clearly_dearer * least_forces_above(id));
       trials.push_back(search.template try_method<Method>(id, to_beat));
       const detail::Trial& trial = trials.back();
-      if (trial.verdict == detail::Trial::Verdict::accepted && trial.n_forces_of_run < to_beat) best = trial;
+      broken_off = trial.verdict == detail::Trial::Verdict::failed;
+      if (trial.verdict == detail::Trial::Verdict::accepted && trial.n_forces_of_run < cheapest) best = trial;
     });
   }
 

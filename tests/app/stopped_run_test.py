@@ -91,9 +91,6 @@ class StoppedRun(ProgramTest):
         self.assert_exit(smaller, STOPPED)
         self.assertGreater(len(self.table("output/scene/continuum.csv")), len(stopped))
 
-    # A known defect: the pilot runs that look for the step halve it a dozen times with every method although the motion
-    # breaks off with any step, and do not listen to Ctrl-C. To be unmarked when it is mended.
-    @unittest.expectedFailure
     def test_velocity_that_no_mesh_stands_with_a_chosen_step(self):
         self.scene(self.VIOLENT)
         self.check_stopped_by_inversion(self.run_program("run", "scene.prm", "--quiet", timeout=15))
