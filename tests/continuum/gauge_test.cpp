@@ -75,7 +75,7 @@ TEST_F(Gauge, MotionIsTheSame) {
     const State<GaugedBall> state{0, plain.states[k].q, plain.states[k].v};
     difference = std::max(difference, distance(state, shifted.states[k]));
   }
-  EXPECT_LT(difference, 1e-10);
+  EXPECT_LT(difference, 1e-11);
   EXPECT_GT((ball.mass_moment(plain.last().q) - diagonal(1.2, 1, 1 / 1.2)).norm(), 0.05);
 }
 
