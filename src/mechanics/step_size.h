@@ -156,7 +156,7 @@ class StepSearch {
         return trial;
       }
       trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
-      if (motion_ends(coarse, fine) || given_up()) return trial;
+      if (motion_ends(coarse, fine, h) || given_up()) return trial;
       d_before = d;
       coarse = std::move(fine);
     }
@@ -191,9 +191,10 @@ class StepSearch {
     }
   };
 
-  /// Steps of different lengths that fail at nearly the same time: it is the motion that ends there, and no step helps.
-  static bool motion_ends(const PilotRun& coarse, const PilotRun& fine) {
-    return !coarse.status && !fine.status && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
+  /// Steps h and h/2 that fail at nearly the same time, many steps from the start: it is the motion that ends there,
+  /// and no step helps. (Steps beyond stability fail within the first few.)
+  static bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
+    return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
   }
 
   template <class Method>
