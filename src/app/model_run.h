@@ -54,7 +54,9 @@ class ModelRun {
 
   ModelOutcome run() {
     const auto start = Clock::now();
-    if (Status status = begin(); !status) return outcome(ModelOutcome::State::failed, status.reason(), start);
+    if (Status status = begin(); !status)
+      return outcome(io::interrupt_requested() ? ModelOutcome::State::interrupted : ModelOutcome::State::failed,
+                     status.reason(), start);
     mechanics::RunResult result;
     if (next_stepping_) result = run_until(position_.cursor.sample + 1);
     if (result.outcome == mechanics::Outcome::finished) {
@@ -198,6 +200,8 @@ class ModelRun {
     from_zero.t = 0;
     auto choice =
         mechanics::choose_step(model_.system(), from_zero, request, [&](const State& s) { return model_.Q(s); });
+    // Nothing is begun with a step that an interrupted search has not found.
+    if (io::interrupt_requested()) return Status::failure("interrupted while looking for the step");
     if (!choice.status) {
       // The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
       position_.method = method.value_or(mechanics::MethodId::rattle);

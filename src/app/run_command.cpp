@@ -68,8 +68,12 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
     manifest.finish("done", exit_done);
     return exit_done;
   }
-  context.log->error("{} (--resume goes on from there{})", message,
-                     interrupted ? "" : ", with a smaller Time/Step perhaps");
+  const auto has_checkpoint = [&](const char* model) { return exists(context.directory.checkpoint(model)); };
+  const bool resumable = has_checkpoint("reduced") || has_checkpoint("continuum");
+  context.log->error("{}{}", message,
+                     !resumable    ? ""
+                     : interrupted ? " (--resume goes on from there)"
+                                   : " (--resume goes on from there, with a smaller Time/Step perhaps)");
   manifest.finish(interrupted ? "interrupted" : "failed", exit_stopped, message);
   return exit_stopped;
 }
