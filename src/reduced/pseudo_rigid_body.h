@@ -16,7 +16,7 @@
 
 #include "materials/eigen_tensor.h"
 #include "mechanics/body_observables.h"
-#include "mechanics/constrained_system.h"
+#include "mechanics/conservative_system.h"
 
 namespace pseudorigid::reduced {
 
@@ -48,6 +48,7 @@ class PseudoRigidBody {
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f * E0_inverse_; }
+  void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     if (mechanics::Status status = admissible(Q); !status) return status;
@@ -66,6 +67,13 @@ class PseudoRigidBody {
   void add_reaction(const Vector& Q, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) f += lambda * Q.inverse().transpose();
   }
+  /// d/dt of the reaction along Q̇ = v:  (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
+  void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
+    if constexpr (incompressible) {
+      const Eigen::Matrix3d inverse_transposed = Q.inverse().transpose();
+      f -= lambda * inverse_transposed * v.transpose() * inverse_transposed;
+    }
+  }
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     if constexpr (incompressible) lambda = r / (Q1.inverse() * Q0.inverse().transpose() * E0_inverse_).trace();
@@ -80,6 +88,22 @@ class PseudoRigidBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * (v * E0_ * v.transpose()).trace(); }
   double elastic_energy(const Vector& Q) const { return volume_ * law_.energy(materials::to_tensor(Q)); }
+  double potential_energy(const Vector& Q) const { return elastic_energy(Q); }
+
+  /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which is
+  /// a symmetry if E₀ ∝ Id and the law is isotropic.
+  int n_symmetries() const { return E0_.isApprox(m_bar_ * Eigen::Matrix3d::Identity(), 1e-14) ? 6 : 3; }
+  void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
+    const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
+    if (i < 3) {
+      dQ = turn * Q;
+      dv = turn * v;
+    } else {
+      dQ = -Q * turn;
+      dv = -v * turn;
+    }
+  }
+
   const Law& law() const { return law_; }
   double m_bar() const { return m_bar_; }
   const Eigen::Matrix3d& E0() const { return E0_; }
