@@ -52,17 +52,33 @@ struct Composition {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true, needs_tangent = Base::needs_tangent;
+  static constexpr bool adaptive = false;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
-  template <ConstrainedSystem S, class Workspace>
-  static Status advance(const S& system, double h, State<S>& state, Workspace& w) {
+  template <class S>
+  using Workspace = typename Base::template Workspace<S>;
+  template <class S>
+  static constexpr bool fits = Base::template fits<S>;
+
+  /// Some substeps go backwards in time, where a dissipative force would pump energy in.
+  template <class S>
+  static Status accepts(const S& system) {
+    if (dissipative(system))
+      return Status::failure(
+          "compositions take some substeps backwards in time, where dissipation would feed energy in; use rattle or "
+          "explicit-8");
+    return Base::accepts(system);
+  }
+
+  template <ConstrainedSystem S>
+  static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     for (const double gamma : Coefficients::gamma)
       if (Status status = Base::advance(system, gamma * h, state, w); !status) return status;
     return {};
   }
 
-  template <ConstrainedSystem S, class Workspace>
-  static Status project_velocity(const S& system, State<S>& state, Workspace& w) {
+  template <ConstrainedSystem S>
+  static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     return Base::project_velocity(system, state, w);
   }
 };

@@ -14,12 +14,21 @@
 ///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q)/h,   v ← v + M⁻¹G(q_n)ᵀδ,   q ← q + h M⁻¹G(q_n)ᵀδ,
 ///
 /// started from the multiplier extrapolated along the motion and driven until |g| ≤ tolerance (or round-off).
+///
+/// A force that depends on the velocity is taken at v_n in the first half step and at v_{n+1} in the second, which is
+/// then implicit:  v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n],  solved together with the projection.
+/// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2).
+///
+/// The small increments of q and v are summed with compensation (vector_space.h).
 
 #include <cmath>
+#include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "mechanics/constrained_system.h"
+#include "mechanics/second_order_field.h"
 
 namespace pseudorigid::mechanics {
 
@@ -54,8 +63,16 @@ struct MultiplierHistory {
   }
 };
 
-/// Temporaries, caches and warm starts of one integration. `history`, `pending_weight` and the counters belong to
-/// the state of the computation (checkpoints keep them); the rest is recomputed.
+/// Zero, where the space of the system's vectors sums with compensation.
+template <class S>
+typename S::Vector make_rounding(const S& system) {
+  if constexpr (VectorSpace<typename S::Vector>::compensated)
+    return system.make_vector();
+  else
+    return {};
+}
+
+/// Temporaries, caches and warm starts of one integration.
 template <ConstrainedSystem S>
 struct RattleWorkspace {
   explicit RattleWorkspace(const S& system)
@@ -63,6 +80,9 @@ struct RattleWorkspace {
         acceleration(system.make_vector()),
         q_start(system.make_vector()),
         reaction(system.make_vector()),
+        v_half(velocity_dependent(system) ? system.make_vector() : typename S::Vector{}),
+        q_rounding(make_rounding(system)),
+        v_rounding(make_rounding(system)),
         residual(system.make_multiplier()),
         delta(system.make_multiplier()),
         impulse(system.make_multiplier()),
@@ -70,11 +90,28 @@ struct RattleWorkspace {
 
   typename S::Workspace system;
   typename S::Vector acceleration, q_start, reaction;  // M⁻¹f at the state; q_n; M⁻¹Gᵀδ
+  typename S::Vector v_half;                           // v_{n+1/2}, for forces that depend on the velocity
+  typename S::Vector q_rounding, v_rounding;           // what rounding has kept back from q and v
   typename S::Multiplier residual, delta, impulse;     // g or Gv; δ; Λ
   MultiplierHistory<S> history;
   double pending_weight = 0;  // half steps since the last projection, whose reaction is still to come
   bool acceleration_known = false;
   Counters counters;
+
+  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    visit(local_values(history.latest));
+    visit(local_values(history.before));
+    visit(history.t_latest);
+    visit(history.t_before);
+    visit(history.n_known);
+    visit(pending_weight);
+    if constexpr (VectorSpace<typename S::Vector>::compensated) {
+      visit(local_values(q_rounding));
+      visit(local_values(v_rounding));
+    }
+  }
 };
 
 namespace detail {
@@ -112,21 +149,34 @@ struct Rattle {
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = true, symmetric = true, needs_tangent = false;
+  static constexpr bool adaptive = false;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;
 
-  /// One substep without the final velocity projection.
+  template <class S>
+  using Workspace = RattleWorkspace<S>;
+  template <class S>
+  static constexpr bool fits = ConstrainedSystem<S>;
+
+  /// Whether the promises of the method hold for this system; if not, why.
+  template <ConstrainedSystem S>
+  static Status accepts(const S&) {
+    return {};
+  }
+
+  /// One substep without the final velocity projection (which forces that depend on the velocity need, and get).
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = ensure_acceleration(system, state, w); !status) return status;
-    axpy(h / 2, w.acceleration, state.v);
+    add(h / 2, w.acceleration, state.v, w.v_rounding);
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
     state.t += h;
     w.acceleration_known = false;
-    if (Status status = ensure_acceleration(system, state, w); !status) return status;
-    axpy(h / 2, w.acceleration, state.v);
     w.pending_weight = h / 2;
     ++w.counters.n_substeps;
+    if (velocity_dependent(system)) return settle_velocity(system, h, state, w);
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    add(h / 2, w.acceleration, state.v, w.v_rounding);
     return {};
   }
 
@@ -144,7 +194,8 @@ struct Rattle {
           return Status::failure(detail::constraint_stuck("velocity", residual, 0));
         scale(-1.0, w.residual);
         if (Status status = react(system, state.q, state.q, w); !status) return status;
-        axpy(1.0, w.reaction, state.v);
+        add(1.0, w.reaction, state.v, w.v_rounding);
+        if (velocity_dependent(system)) w.acceleration_known = false;
       }
       w.pending_weight = 0;
       ++w.counters.n_projections;
@@ -161,6 +212,33 @@ struct Rattle {
     ++w.counters.n_force;
     w.acceleration_known = true;
     return {};
+  }
+
+  /// v_{n+1} from v_{n+1/2} by iteration on the force, each time with the projection, until v no longer changes.
+  template <ConstrainedSystem S>
+  static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    w.v_half = state.v;
+    const typename S::Vector rounding_half = w.v_rounding;
+    double before = HUGE_VAL;
+    for (int i = 0; i < detail::max_constraint_iterations; ++i) {
+      w.acceleration_known = false;
+      if (Status status = ensure_acceleration(system, state, w); !status) return status;
+      typename S::Vector change = state.v;
+      state.v = w.v_half;
+      w.v_rounding = rounding_half;
+      add(h / 2, w.acceleration, state.v, w.v_rounding);
+      if (Status status = project_velocity(system, state, w); !status) return status;
+      axpy(-1.0, state.v, change);
+      const double size = max_norm(change), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
+      if (size <= round_off || (size >= 0.5 * before && size <= 100 * round_off)) {
+        w.acceleration_known = false;  // of the velocity before
+        return {};
+      }
+      if (!(size < 2 * before)) break;
+      before = size;
+    }
+    return Status::failure("the iteration on a force that depends on the velocity does not converge at a substep of " +
+                           std::to_string(h) + " internal time units; use a smaller step");
   }
 
   /// δ from G(q)M⁻¹G(q₀)ᵀ δ = residual, and reaction = M⁻¹G(q₀)ᵀ δ.
@@ -186,7 +264,7 @@ struct Rattle {
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (unconstrained<S>) {
-      axpy(h, state.v, state.q);
+      add(h, state.v, state.q, w.q_rounding);
       return {};
     } else {
       w.q_start = state.q;
@@ -194,8 +272,8 @@ struct Rattle {
       w.history.guess(state.t, w.impulse);
       scale(weight, w.impulse);
       set_reaction(system, w.q_start, w.impulse, w);
-      axpy(1.0, w.reaction, state.v);
-      axpy(h, state.v, state.q);
+      add(1.0, w.reaction, state.v, w.v_rounding);
+      add(h, state.v, state.q, w.q_rounding);
 
       detail::ConvergenceMonitor monitor{system.constraint_tolerance()};
       for (;;) {
@@ -208,8 +286,8 @@ struct Rattle {
         scale(-1 / h, w.residual);
         if (Status status = react(system, state.q, w.q_start, w); !status) return status;
         axpy(1.0, w.delta, w.impulse);
-        axpy(1.0, w.reaction, state.v);
-        axpy(h, w.reaction, state.q);
+        add(1.0, w.reaction, state.v, w.v_rounding);
+        add(h, w.reaction, state.q, w.q_rounding);
         ++w.counters.n_position_iterations;
       }
       record_multiplier(state.t, weight, h, w);

@@ -87,13 +87,20 @@ struct PilotHooks {
   bool (*give_up)();
   PilotRun run{};
 
-  Status sample(long, const State<S>& state, const RattleWorkspace<S>&) {
+  template <class W>
+  Status sample(long, const State<S>& state, const W&) {
     run.Q.push_back(Q_of(state));
     run.speed = std::max(run.speed, max_norm(state.v));
     return {};
   }
-  long steps_per_interval(long, const State<S>&, const RattleWorkspace<S>&) const { return n_steps; }
-  bool step_done(Cursor, const State<S>&, const RattleWorkspace<S>&) const { return !give_up || !give_up(); }
+  template <class W>
+  long steps_per_interval(long, const State<S>&, const W&) const {
+    return n_steps;
+  }
+  template <class W>
+  bool step_done(Cursor, const State<S>&, const W&) const {
+    return !give_up || !give_up();
+  }
 };
 
 inline double largest_difference(const PilotRun& a, const PilotRun& b) {
@@ -219,7 +226,7 @@ class StepSearch {
   PilotRun pilot(long n_samples, long n_steps) {
     PilotHooks<S, QOf> hooks{Q_of_, n_steps, request_.give_up};
     State<S> state = initial_;
-    RattleWorkspace<S> workspace(system_);
+    typename Method::template Workspace<S> workspace(system_);
     Cursor cursor;
     RunResult result = run_time_loop<Method>(system_, {window_, n_samples}, state, cursor, workspace, hooks);
     n_force_ += workspace.counters.n_force;

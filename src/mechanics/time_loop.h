@@ -42,8 +42,8 @@ struct RunResult {
 ///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1;
 ///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run.
-template <class H, class S>
-concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, RattleWorkspace<S> w, Cursor cursor) {
+template <class H, class S, class W>
+concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cursor cursor) {
   { hooks.sample(k, state, w) } -> std::same_as<Status>;
   { hooks.steps_per_interval(k, state, w) } -> std::convertible_to<long>;
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
@@ -51,9 +51,10 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, RattleWo
 
 /// Runs from `cursor` (the start, or where a checkpoint was written) to the last sample. `cursor` and `state` are left
 /// where the run ended; after a failure the state is that of the failing step and not to be used.
-template <class Method, ConstrainedSystem S, TimeLoopHooks<S> Hooks>
-RunResult run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
-                        RattleWorkspace<S>& w, Hooks& hooks) {
+template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
+requires(!Method::adaptive) RunResult
+    run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
+                  typename Method::template Workspace<S>& w, Hooks& hooks) {
   const auto fail = [&](Status status) { return RunResult{Outcome::failed, status.reason(), state.t}; };
   if (cursor.sample == 0 && cursor.step == 0)
     if (Status status = hooks.sample(0, state, w); !status) return fail(std::move(status));

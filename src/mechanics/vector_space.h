@@ -1,6 +1,11 @@
 #pragma once
 /// The operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, x ← a x and |x|_∞;
 /// frequency estimates also use xᵀy. A distributed vector specialises VectorSpace; its max_norm and dot are collective.
+///
+/// Long sums of small increments keep their round-off (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, VIII.5): with t = a x + c,
+///
+///   y ← fl(y + t),   c ← (y_old + t) − y   (exact, by Knuth's two-sum).
 
 #include <Eigen/Core>
 #include <cmath>
@@ -11,6 +16,15 @@ namespace pseudorigid::mechanics {
 
 template <class V>
 struct VectorSpace {  // dense Eigen vectors and matrices
+  static constexpr bool compensated = true;
+  static void add(double a, const V& x, V& y, V& c) {
+    for (Eigen::Index i = 0; i < y.size(); ++i) {
+      const double t = a * x.data()[i] + c.data()[i], y_old = y.data()[i];
+      const double sum = y_old + t, t_rounded = sum - y_old;
+      c.data()[i] = (y_old - (sum - t_rounded)) + (t - t_rounded);
+      y.data()[i] = sum;
+    }
+  }
   static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
   static void scale(double a, V& x) { x *= a; }
   static double max_norm(const V& x) { return x.size() == 0 ? 0.0 : x.template lpNorm<Eigen::Infinity>(); }
@@ -52,6 +66,14 @@ double max_norm(const V& x) {
 template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
+}
+/// y ← y + a x with the round-off kept in c where the space compensates; c starts as zero.
+template <class V>
+void add(double a, const V& x, V& y, V& c) {
+  if constexpr (VectorSpace<V>::compensated)
+    VectorSpace<V>::add(a, x, y, c);
+  else
+    axpy(a, x, y);
 }
 /// The entries that this process owns, for checkpoints.
 template <class V>

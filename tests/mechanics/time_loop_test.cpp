@@ -1,6 +1,7 @@
 /// Sample times, whole numbers of steps, interruption and resumption.
 
 #include "mechanics/time_loop.h"
+#include "mechanics/memory.h"
 
 #include <gtest/gtest.h>
 
@@ -67,8 +68,9 @@ std::vector<State<SphericalPendulum>> interrupted_run(const SampleTimes& times, 
   EXPECT_EQ(cursor.sample * n_steps + cursor.step, n_before);
 
   RattleWorkspace<SphericalPendulum> after(pendulum);
-  after.history = before.history;
-  after.pending_weight = before.pending_weight;
+  std::vector<double> memory;
+  mechanics::save_memory(before, memory);
+  EXPECT_TRUE(mechanics::restore_memory(after, memory));
   State<SphericalPendulum> restored{state.t, state.q, state.v};
   const auto finished = mechanics::run_time_loop<Method>(pendulum, times, restored, cursor, after, hooks);
   EXPECT_EQ(finished.outcome, Outcome::finished);

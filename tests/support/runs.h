@@ -27,12 +27,17 @@ struct Recorder {
   long n_steps_allowed = -1;
   std::vector<mechanics::State<S>> states{};
 
-  mechanics::Status sample(long, const mechanics::State<S>& state, const mechanics::RattleWorkspace<S>&) {
+  template <class W>
+  mechanics::Status sample(long, const mechanics::State<S>& state, const W&) {
     states.push_back(state);
     return {};
   }
-  long steps_per_interval(long, const mechanics::State<S>&, const mechanics::RattleWorkspace<S>&) { return n_steps; }
-  bool step_done(mechanics::Cursor, const mechanics::State<S>&, const mechanics::RattleWorkspace<S>&) {
+  template <class W>
+  long steps_per_interval(long, const mechanics::State<S>&, const W&) {
+    return n_steps;
+  }
+  template <class W>
+  bool step_done(mechanics::Cursor, const mechanics::State<S>&, const W&) {
     return --n_steps_allowed != 0;
   }
 };
@@ -40,7 +45,7 @@ struct Recorder {
 /// N samples with n steps between them.
 template <class Method, class S>
 RecordedRun<S> run(const S& system, mechanics::State<S> state, double end, long n_samples, long n_steps) {
-  mechanics::RattleWorkspace<S> workspace(system);
+  typename Method::template Workspace<S> workspace(system);
   mechanics::Cursor cursor;
   Recorder<S> recorder{n_steps};
   auto result = mechanics::run_time_loop<Method>(system, {end, n_samples}, state, cursor, workspace, recorder);

@@ -1,0 +1,56 @@
+#pragma once
+/// What a method carries from step to step (multipliers known so far, positions of earlier steps, round-off kept back),
+/// as a plain list of numbers: saved with a checkpoint and put back, it makes a resumed run repeat the uninterrupted
+/// one bit by bit. A workspace hands its numbers out by `visit_memory(visit)`, always the same ones in the same order.
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+namespace detail {
+
+struct MemorySaver {
+  std::vector<double>& numbers;
+  void operator()(std::span<double> values) const { numbers.insert(numbers.end(), values.begin(), values.end()); }
+  template <class Number>
+  void operator()(Number& value) const {  // whole numbers below 2^53 and truth values are doubles exactly
+    numbers.push_back(static_cast<double>(value));
+  }
+};
+
+struct MemoryRestorer {
+  std::span<const double> numbers;
+  void operator()(std::span<double> values) {
+    std::copy_n(numbers.begin(), values.size(), values.begin());
+    numbers = numbers.subspan(values.size());
+  }
+  template <class Number>
+  void operator()(Number& value) {
+    value = static_cast<Number>(numbers.front());
+    numbers = numbers.subspan(1);
+  }
+};
+
+}  // namespace detail
+
+/// `numbers` ← the memory of the workspace; its capacity is reused.
+template <class Workspace>
+void save_memory(Workspace& workspace, std::vector<double>& numbers) {
+  numbers.clear();
+  workspace.visit_memory(detail::MemorySaver{numbers});
+}
+
+/// The reverse; false, and nothing changed, if the list is not of the workspace's length.
+template <class Workspace>
+bool restore_memory(Workspace& workspace, std::span<const double> numbers) {
+  std::vector<double> present;
+  save_memory(workspace, present);
+  if (present.size() != numbers.size()) return false;
+  workspace.visit_memory(detail::MemoryRestorer{numbers});
+  return true;
+}
+
+}  // namespace pseudorigid::mechanics
