@@ -1,0 +1,48 @@
+#pragma once
+/// External forces on a rigid body as a vector measure on its points (Oliva 5.89, 5.92): weight, m g at the centre of
+/// mass G, and springs from body points ξ to fixed points c of space,
+///
+///   V = −m⟨g, x(G)⟩ + Σ ½k(|x(ξ) − c| − l)²,   x(ξ) the place of the body point ξ.
+///
+/// The constrained body and Euler's equation use the same loads: the one as ∫df ξᵀ, the other as ∫ξ × R⁻¹df.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "mechanics/status.h"
+#include "systems/central_force.h"
+
+namespace pseudorigid::systems {
+
+struct BodySpring {
+  Eigen::Vector3d xi, anchor;
+  SpringLaw law;
+};
+
+struct BodyLoads {
+  double mass = 1;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   // G
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
+  std::vector<BodySpring> springs{};
+
+  /// Hands every force to act(ξ, f); place(ξ) is x(ξ).
+  template <class Place, class Act>
+  mechanics::Status apply(const Place& place, const Act& act) const {
+    if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));
+    for (const BodySpring& spring : springs) {
+      Eigen::Vector3d f;
+      if (mechanics::Status status = central_force(spring.law, place(spring.xi) - spring.anchor, f); !status)
+        return status;
+      act(spring.xi, f);
+    }
+    return {};
+  }
+  template <class Place>
+  double potential_energy(const Place& place) const {
+    double V = -mass * gravity.dot(place(center));
+    for (const BodySpring& spring : springs) V += spring.law.energy((place(spring.xi) - spring.anchor).norm());
+    return V;
+  }
+};
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,69 @@
+#pragma once
+/// Euler angles (Oliva 5.6.20, with θ̇ in place of the printed ψ̇ in the first component), R = R_z(φ) R_x(θ) R_z(ψ):
+///
+///   Ω = (φ̇ sinθ sinψ + θ̇ cosψ,  φ̇ sinθ cosψ − θ̇ sinψ,  φ̇ cosθ + ψ̇)
+///   ω = (θ̇ cosφ + ψ̇ sinφ sinθ,  θ̇ sinφ − ψ̇ cosφ sinθ,  φ̇ + ψ̇ cosθ)
+///
+/// They serve for output only: the chart is singular at sin θ = 0, where φ and ψ are not defined one by one.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "mechanics/status.h"
+
+namespace pseudorigid::systems {
+
+struct EulerAngles {
+  double phi = 0, theta = 0, psi = 0;
+};
+
+inline Eigen::Matrix3d rotation_of(const EulerAngles& a) {
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  return (AngleAxisd(a.phi, Vector3d::UnitZ()) * AngleAxisd(a.theta, Vector3d::UnitX()) *
+          AngleAxisd(a.psi, Vector3d::UnitZ()))
+      .toRotationMatrix();
+}
+inline Eigen::Vector3d body_angular_velocity(const EulerAngles& a, const EulerAngles& rate) {
+  return {rate.phi * std::sin(a.theta) * std::sin(a.psi) + rate.theta * std::cos(a.psi),
+          rate.phi * std::sin(a.theta) * std::cos(a.psi) - rate.theta * std::sin(a.psi),
+          rate.phi * std::cos(a.theta) + rate.psi};
+}
+inline Eigen::Vector3d space_angular_velocity(const EulerAngles& a, const EulerAngles& rate) {
+  return {rate.theta * std::cos(a.phi) + rate.psi * std::sin(a.phi) * std::sin(a.theta),
+          rate.theta * std::sin(a.phi) - rate.psi * std::cos(a.phi) * std::sin(a.theta),
+          rate.phi + rate.psi * std::cos(a.theta)};
+}
+/// Rates of the angles from Ω, where sin θ ≠ 0.
+inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) {
+  const double phi_rate = (Omega.x() * std::sin(a.psi) + Omega.y() * std::cos(a.psi)) / std::sin(a.theta);
+  return {phi_rate, Omega.x() * std::cos(a.psi) - Omega.y() * std::sin(a.psi),
+          Omega.z() - phi_rate * std::cos(a.theta)};
+}
+
+/// Angles along a path: θ ∈ (0, π), φ and ψ without jumps of 2π from one rotation to the next.
+class EulerAnglePath {
+ public:
+  mechanics::Status next(const Eigen::Matrix3d& R, EulerAngles& angles) {
+    const double sin_theta = std::hypot(R(2, 0), R(2, 1));
+    // φ and ψ have the round-off ε/sin θ; below this bound less than three digits of them are left.
+    constexpr double smallest_sine = 2e-13;
+    if (!(sin_theta > smallest_sine))
+      return mechanics::Status::failure(
+          "the Euler angles phi and psi are not defined at sin(theta) = 0, where only phi + psi or phi - psi is");
+    angles = {near(std::atan2(R(0, 2), -R(1, 2)), before_.phi), std::atan2(sin_theta, R(2, 2)),
+              near(std::atan2(R(2, 0), R(2, 1)), before_.psi)};
+    before_ = angles;
+    return {};
+  }
+
+ private:
+  /// angle + 2πk next to the one before.
+  static double near(double angle, double before) {
+    constexpr double turn = 2 * std::numbers::pi;
+    return angle + turn * std::round((before - angle) / turn);
+  }
+  EulerAngles before_;
+};
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,116 @@
+#pragma once
+/// Rigid body with a fixed point (or about its centre of mass) by Euler's equation (Oliva 5.6.16–5.6.17) on unit
+/// quaternions q, with x(ξ) = R(q)ξ = q ξ q̄:
+///
+///   q̇ = ½qΩ,   AΩ̇ = AΩ × Ω + N,   N = ∫ξ × R⁻¹df,
+///   q̈ = ½(q̇Ω + qΩ̇)
+///
+/// as a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are no
+/// exception as long as A is invertible. q is stored as (x, y, z, w), Eigen's order.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <concepts>
+#include <string>
+#include <utility>
+
+#include "mechanics/second_order_field.h"
+#include "systems/body_loads.h"
+
+namespace pseudorigid::systems {
+
+/// N in the body, as a function of time, rotation and Ω.
+template <class T>
+concept BodyTorque = requires(const T torque, double t, const Eigen::Matrix3d R, const Eigen::Vector3d Omega,
+                              Eigen::Vector3d N) {
+  { torque(t, R, Omega, N) } -> std::same_as<mechanics::Status>;
+};
+
+struct NoTorque {
+  mechanics::Status operator()(double, const Eigen::Matrix3d&, const Eigen::Vector3d&, Eigen::Vector3d& N) const {
+    N.setZero();
+    return {};
+  }
+};
+
+/// The torque of weight and springs.
+struct LoadTorque {
+  BodyLoads loads;
+  mechanics::Status operator()(double, const Eigen::Matrix3d& R, const Eigen::Vector3d&, Eigen::Vector3d& N) const {
+    N.setZero();
+    return loads.apply(
+        [&](const Eigen::Vector3d& xi) -> Eigen::Vector3d { return R * xi; },
+        [&](const Eigen::Vector3d& xi, const Eigen::Vector3d& df) { N += xi.cross(R.transpose() * df); });
+  }
+};
+
+template <BodyTorque Torque = NoTorque>
+class EulerTop {
+ public:
+  using Vector = Eigen::Vector4d;
+  struct Workspace {};
+
+  struct Parameters {
+    Eigen::Matrix3d A = Eigen::Matrix3d::Identity();  // inertia operator
+    Torque torque{};
+  };
+
+  explicit EulerTop(Parameters parameters) : p_(std::move(parameters)), A_inverse_(p_.A.inverse()) {}
+
+  mechanics::Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
+    const Eigen::Vector3d Omega = body_angular_velocity(q, v);
+    Eigen::Vector3d N;
+    if (mechanics::Status status = p_.torque(t, rotation(q), Omega, N); !status) return status;
+    const Eigen::Vector3d Omega_rate = A_inverse_ * ((p_.A * Omega).cross(Omega) + N);
+    a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
+    return {};
+  }
+  mechanics::Status project(Vector& q, Vector& v, Workspace&) const {
+    const double norm = q.norm();
+    if (!(norm > 0.5 && norm < 2))
+      return mechanics::Status::failure("the quaternion of the rotation has lost its unit length: |q| = " +
+                                        std::to_string(norm));
+    q /= norm;
+    v -= q.dot(v) * q;
+    return {};
+  }
+  Vector make_vector() const { return Vector::Zero(); }
+  Workspace make_workspace() const { return {}; }
+  bool velocity_dependent() const { return true; }
+
+  static Eigen::Matrix3d rotation(const Vector& q) {
+    return Eigen::Quaterniond(Vector(q.normalized())).toRotationMatrix();
+  }
+  /// Ω = 2 q⁻¹q̇
+  static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
+    const Eigen::Vector3d a = q.head<3>(), b = v.head<3>();
+    return 2 / q.squaredNorm() * (q(3) * b - v(3) * a - a.cross(b));
+  }
+  /// A state from the rotation R and Ω.
+  static mechanics::State<EulerTop> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
+    const Vector q = Eigen::Quaterniond(R).normalized().coeffs();
+    return {0, q, 0.5 * product(q, Omega)};
+  }
+  double kinetic_energy(const Vector& q, const Vector& v) const {
+    const Eigen::Vector3d Omega = body_angular_velocity(q, v);
+    return 0.5 * Omega.dot(p_.A * Omega);
+  }
+  /// p = R AΩ
+  Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v) const {
+    return rotation(q) * (p_.A * body_angular_velocity(q, v));
+  }
+  const Parameters& parameters() const { return p_; }
+
+ private:
+  /// The quaternion q times the pure quaternion (w, 0).
+  static Vector product(const Vector& q, const Eigen::Vector3d& w) {
+    Vector r;
+    r << q(3) * w + Eigen::Vector3d(q.head<3>()).cross(w), -q.head<3>().dot(w);
+    return r;
+  }
+
+  Parameters p_;
+  Eigen::Matrix3d A_inverse_;
+};
+
+}  // namespace pseudorigid::systems

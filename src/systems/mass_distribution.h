@@ -1,0 +1,49 @@
+#pragma once
+/// Mass, centre of mass and second moment of a body S ⊂ K with the mass measure m (Oliva 5.6):
+///
+///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
+///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.
+///
+/// The moment of inertia about the axis through c with unit direction e is ∫|e × (ξ − c)|² dm (5.6.10), and the second
+/// moment about another point c is E₀ − m(Gcᵀ + cGᵀ) + m ccᵀ, which is Steiner's theorem (5.6.11).
+
+#include <Eigen/Dense>
+#include <span>
+
+namespace pseudorigid::systems {
+
+struct WeightedPoint {
+  Eigen::Vector3d xi;
+  double mass = 0;
+};
+
+struct MassDistribution {
+  double mass = 0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // G
+  Eigen::Matrix3d E0 = Eigen::Matrix3d::Zero();      // about the origin of K
+
+  static MassDistribution of_points(std::span<const WeightedPoint> points) {
+    MassDistribution d;
+    for (const auto& p : points) {
+      d.mass += p.mass;
+      d.center += p.mass * p.xi;
+      d.E0 += p.mass * p.xi * p.xi.transpose();
+    }
+    d.center /= d.mass;
+    return d;
+  }
+  /// The same body with the point c as the origin of K.
+  MassDistribution about(const Eigen::Vector3d& c) const {
+    const Eigen::Matrix3d mixed = mass * center * c.transpose();
+    return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};
+  }
+};
+
+inline Eigen::Matrix3d inertia_operator(const Eigen::Matrix3d& E0) {
+  return E0.trace() * Eigen::Matrix3d::Identity() - E0;
+}
+inline Eigen::Matrix3d second_moment(const Eigen::Matrix3d& A) {
+  return 0.5 * A.trace() * Eigen::Matrix3d::Identity() - A;
+}
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,175 @@
+#pragma once
+/// n mass points (Oliva 5.5.1): m_i q̈_i = f_i^ext + Σ_j f_ij with f_ij = −f_ji along q_i − q_j.
+///
+/// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
+///            springs   V = Σ ½k(|q_i − q_j| − l)²
+///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (zero on rigid motions: objective)
+/// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
+///            linear drag f_i = −γ v_i
+///
+/// The power that dashpots and drag take away is P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|², so dE/dt = −P.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "mechanics/conservative_system.h"
+#include "systems/central_force.h"
+#include "systems/invariant_axes.h"
+
+namespace pseudorigid::systems {
+
+class MassPoints {
+ public:
+  using Vector = Eigen::Matrix3Xd;  // a column is a point
+  using Multiplier = mechanics::NoMultiplier;
+  struct Workspace {};
+  static constexpr int n_constraints = 0;
+
+  struct Spring {
+    int i = 0, j = 1;
+    SpringLaw law;
+  };
+  struct Dashpot {
+    int i = 0, j = 1;
+    double damping = 0;  // d
+  };
+  struct Parameters {
+    Eigen::VectorXd masses;
+    double gravitational_constant = 0;  // G
+    std::vector<Spring> springs{};
+    std::vector<Dashpot> dashpots{};
+    Eigen::Vector3d field = Eigen::Vector3d::Zero();   // g
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // c
+    double confinement = 0;                            // k
+    double central_attraction = 0;                     // μ
+    double drag = 0;                                   // γ
+  };
+
+  explicit MassPoints(Parameters parameters) : p_(std::move(parameters)) {
+    const bool homogeneous = p_.confinement == 0 && p_.central_attraction == 0;
+    if (homogeneous) translations_ = translations_across(p_.field);
+    axes_ = turns_that_fix({p_.field});
+  }
+
+  mechanics::Status force(double, const Vector& q, const Vector& v, Workspace&, Vector& f) const {
+    for (Eigen::Index i = 0; i < n(); ++i)
+      f.col(i) = p_.masses(i) * p_.field - p_.confinement * (q.col(i) - p_.center) - p_.drag * v.col(i);
+    if (mechanics::Status status = add_attractions(q, f); !status) return status;
+    for (const Spring& s : p_.springs)
+      if (mechanics::Status status = add_pair(s.law, s.i, s.j, q, f); !status) return status;
+    for (const Dashpot& d : p_.dashpots) {
+      const Eigen::Vector3d along = direction(q, d.i, d.j);
+      const Eigen::Vector3d f_ij = -d.damping * along.dot(v.col(d.i) - v.col(d.j)) * along;
+      f.col(d.i) += f_ij;
+      f.col(d.j) -= f_ij;
+    }
+    return {};
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
+  void apply_mass(const Vector& v, Vector& f) const { f = v * p_.masses.asDiagonal(); }
+
+  mechanics::Status constraint(const Vector&, Multiplier&) const { return {}; }
+  void constraint_rate(const Vector&, const Vector&, Multiplier&) const {}
+  void constraint_curvature(const Vector&, const Vector&, Multiplier&) const {}
+  void add_reaction(const Vector&, const Multiplier&, Vector&) const {}
+  void add_reaction_rate(const Vector&, const Vector&, const Multiplier&, Vector&) const {}
+  mechanics::SolveReport solve_gram(const Vector&, const Vector&, const Multiplier&, Workspace&, Multiplier&) const {
+    return {};
+  }
+  double constraint_tolerance() const { return 0; }
+  Vector make_vector() const { return Vector::Zero(3, n()); }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {}; }
+
+  bool velocity_dependent() const { return p_.drag != 0 || !p_.dashpots.empty(); }
+  bool dissipative() const { return velocity_dependent(); }
+
+  double kinetic_energy(const Vector& v) const { return 0.5 * v.colwise().squaredNorm().dot(p_.masses); }
+  double potential_energy(const Vector& q) const {
+    double V = 0;
+    const AttractionLaw to_center{p_.central_attraction};
+    for (Eigen::Index i = 0; i < n(); ++i) {
+      const Eigen::Vector3d d = q.col(i) - p_.center;
+      V += -p_.masses(i) * p_.field.dot(q.col(i)) + 0.5 * p_.confinement * d.squaredNorm();
+      if (p_.central_attraction != 0) V += p_.masses(i) * to_center.energy(d.norm());
+    }
+    if (p_.gravitational_constant != 0)
+      for (Eigen::Index i = 0; i < n(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j) V += pair_gravity(i, j).energy((q.col(i) - q.col(j)).norm());
+    for (const Spring& s : p_.springs) V += s.law.energy((q.col(s.i) - q.col(s.j)).norm());
+    return V;
+  }
+  /// P, the rate at which dashpots and drag take energy away.
+  double dissipated_power(const Vector& q, const Vector& v) const {
+    double P = p_.drag * v.squaredNorm();
+    for (const Dashpot& d : p_.dashpots) {
+      const double closing = direction(q, d.i, d.j).dot(v.col(d.i) - v.col(d.j));
+      P += d.damping * closing * closing;
+    }
+    return P;
+  }
+  Eigen::Vector3d momentum(const Vector& v) const { return v * p_.masses; }
+  /// Σ m_i (q_i − c) × v_i
+  Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v, const Eigen::Vector3d& c) const {
+    Eigen::Vector3d L = Eigen::Vector3d::Zero();
+    for (Eigen::Index i = 0; i < n(); ++i) L += p_.masses(i) * column(q, i, c).cross(Eigen::Vector3d(v.col(i)));
+    return L;
+  }
+
+  /// Translations, then turns about the centre c, as far as the external conservative forces leave them. Internal
+  /// forces leave all of them; drag has no part in V and keeps no momentum.
+  int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
+  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
+    const auto k = static_cast<std::size_t>(i);
+    if (k < translations_.size()) {
+      dq.colwise() = translations_[k];
+      dv.setZero();
+      return;
+    }
+    const Eigen::Vector3d& axis = axes_[k - translations_.size()];
+    for (Eigen::Index c = 0; c < n(); ++c) {
+      dq.col(c) = axis.cross(column(q, c, p_.center));
+      dv.col(c) = axis.cross(Eigen::Vector3d(v.col(c)));
+    }
+  }
+
+  const Parameters& parameters() const { return p_; }
+
+ private:
+  Eigen::Index n() const { return p_.masses.size(); }
+  static Eigen::Vector3d column(const Vector& q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
+  static Eigen::Vector3d direction(const Vector& q, int i, int j) { return (q.col(i) - q.col(j)).stableNormalized(); }
+  AttractionLaw pair_gravity(Eigen::Index i, Eigen::Index j) const {
+    return {p_.gravitational_constant * p_.masses(i) * p_.masses(j)};
+  }
+
+  template <class Law>
+  static mechanics::Status add_pair(const Law& law, Eigen::Index i, Eigen::Index j, const Vector& q, Vector& f) {
+    Eigen::Vector3d f_ij;
+    if (mechanics::Status status = central_force(law, q.col(i) - q.col(j), f_ij); !status) return status;
+    f.col(i) += f_ij;
+    f.col(j) -= f_ij;
+    return {};
+  }
+  mechanics::Status add_attractions(const Vector& q, Vector& f) const {
+    if (p_.central_attraction != 0)
+      for (Eigen::Index i = 0; i < n(); ++i) {
+        Eigen::Vector3d f_i;
+        const AttractionLaw law{p_.central_attraction * p_.masses(i)};
+        if (mechanics::Status status = central_force(law, q.col(i) - p_.center, f_i); !status) return status;
+        f.col(i) += f_i;
+      }
+    if (p_.gravitational_constant != 0)
+      for (Eigen::Index i = 0; i < n(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j)
+          if (mechanics::Status status = add_pair(pair_gravity(i, j), i, j, q, f); !status) return status;
+    return {};
+  }
+
+  Parameters p_;
+  Directions translations_, axes_;
+};
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,165 @@
+#pragma once
+/// Motion of a point of unit mass seen from a frame K that moves, q = M_t Q + r(t), M_t ∈ SO(3) (Oliva 5.6.7):
+///
+///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
+///       force  translation  rotation  Coriolis  centrifugal
+///
+/// Frame:   M_t = exp(t p×) M₀ exp(α(t) n×),  α = ν t + ½ν̇t²:  a spin about the axis n of K that itself precesses with
+///          p in space. Then, with u = exp(−α n×)M₀⁻¹p,  Ω = α̇n + u,  Ω̇ = α̈n − α̇ n × u.
+/// Origin:  r = r₀ + ṙ₀t + ½at² + b sin(wt).
+/// Forces:  in space, uniform g, −k(q − c), −μ(q − c)/|q − c|³; in the frame, uniform G, −diag(K₁, K₂, K₃)(Q − C).
+///
+/// The same motion in the inertial frame is q̈ = f.
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <utility>
+
+#include "mechanics/second_order_field.h"
+#include "systems/central_force.h"
+
+namespace pseudorigid::systems {
+
+/// M_t and r(t) with their derivatives at one time.
+struct FramePose {
+  Eigen::Matrix3d M;
+  Eigen::Vector3d Omega, Omega_rate;  // in K
+  Eigen::Vector3d r, r_rate, r_acceleration;
+};
+
+struct FrameMotion {
+  Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d spin_axis = Eigen::Vector3d::UnitZ();    // n
+  double spin_rate = 0, spin_acceleration = 0;             // ν, ν̇
+  Eigen::Vector3d precession = Eigen::Vector3d::Zero();    // p
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();        // r₀
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();      // ṙ₀
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  // a
+  Eigen::Vector3d shaking = Eigen::Vector3d::Zero();       // b
+  double shaking_frequency = 0;                            // w
+
+  FramePose at(double t) const {
+    const Eigen::Vector3d n = spin_axis.normalized();
+    const double alpha = (spin_rate + 0.5 * spin_acceleration * t) * t, alpha_rate = spin_rate + spin_acceleration * t;
+    const Eigen::Matrix3d spin = Eigen::AngleAxisd(alpha, n).toRotationMatrix();
+    const Eigen::Vector3d u = spin.transpose() * (M0.transpose() * precession);
+    const double s = std::sin(shaking_frequency * t), c = std::cos(shaking_frequency * t);
+    return {.M = turn(t * precession) * M0 * spin,
+            .Omega = alpha_rate * n + u,
+            .Omega_rate = spin_acceleration * n - alpha_rate * n.cross(u),
+            .r = origin + t * velocity + 0.5 * t * t * acceleration + s * shaking,
+            .r_rate = velocity + t * acceleration + shaking_frequency * c * shaking,
+            .r_acceleration = acceleration - shaking_frequency * shaking_frequency * s * shaking};
+  }
+
+ private:
+  static Eigen::Matrix3d turn(const Eigen::Vector3d& w) {
+    return Eigen::AngleAxisd(w.norm(), w.stableNormalized()).toRotationMatrix();
+  }
+};
+
+struct FrameForces {
+  Eigen::Vector3d field = Eigen::Vector3d::Zero();            // g
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();           // c
+  double stiffness = 0;                                       // k
+  double attraction = 0;                                      // μ
+  Eigen::Vector3d frame_field = Eigen::Vector3d::Zero();      // G
+  Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // C
+  Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // K₁, K₂, K₃
+
+  /// f in space on the point q, of which Q is the place in the frame.
+  mechanics::Status in_space(const Eigen::Vector3d& q, const Eigen::Vector3d& Q, const Eigen::Matrix3d& M,
+                             Eigen::Vector3d& f) const {
+    const Eigen::Vector3d in_frame = frame_field - frame_stiffness.cwiseProduct(Q - frame_center);
+    f = field - stiffness * (q - center) + M * in_frame;
+    if (attraction == 0) return {};
+    Eigen::Vector3d pull;
+    if (mechanics::Status status = central_force(AttractionLaw{attraction}, q - center, pull); !status) return status;
+    f += pull;
+    return {};
+  }
+};
+
+struct FrameParameters {
+  FrameMotion frame;
+  FrameForces forces;
+};
+
+/// The terms of 5.6.7, in the moving frame and by unit mass.
+struct RelativeTerms {
+  Eigen::Vector3d force, translation, rotation, coriolis, centrifugal;
+  Eigen::Vector3d sum() const { return force + translation + rotation + coriolis + centrifugal; }
+};
+
+/// The point in the moving frame: the field of (Q, Q̇).
+class MovingFrame {
+ public:
+  using Vector = Eigen::Vector3d;
+  struct Workspace {};
+  using Parameters = FrameParameters;
+
+  explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
+
+  mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
+    const FramePose pose = p_.frame.at(t);
+    Eigen::Vector3d f;
+    if (mechanics::Status status = p_.forces.in_space(pose.M * Q + pose.r, Q, pose.M, f); !status) return status;
+    terms = {.force = pose.M.transpose() * f,
+             .translation = -pose.M.transpose() * pose.r_acceleration,
+             .rotation = -pose.Omega_rate.cross(Q),
+             .coriolis = -2 * pose.Omega.cross(V),
+             .centrifugal = -pose.Omega.cross(pose.Omega.cross(Q))};
+    return {};
+  }
+  mechanics::Status acceleration(double t, const Vector& Q, const Vector& V, Workspace&, Vector& a) const {
+    RelativeTerms sum;
+    if (mechanics::Status status = terms(t, Q, V, sum); !status) return status;
+    a = sum.sum();
+    return {};
+  }
+  Vector make_vector() const { return Vector::Zero(); }
+  Workspace make_workspace() const { return {}; }
+  bool velocity_dependent() const { return true; }
+  bool time_dependent() const { return true; }
+
+  const Parameters& parameters() const { return p_; }
+
+ private:
+  Parameters p_;
+};
+
+/// The same point in the inertial frame: the field of (q, q̇).
+class InertialFrame {
+ public:
+  using Vector = Eigen::Vector3d;
+  struct Workspace {};
+  using Parameters = FrameParameters;
+
+  explicit InertialFrame(Parameters parameters) : p_(std::move(parameters)) {}
+
+  mechanics::Status acceleration(double t, const Vector& q, const Vector&, Workspace&, Vector& a) const {
+    const FramePose pose = p_.frame.at(t);
+    return p_.forces.in_space(q, pose.M.transpose() * (q - pose.r), pose.M, a);
+  }
+  Vector make_vector() const { return Vector::Zero(); }
+  Workspace make_workspace() const { return {}; }
+  bool time_dependent() const { return true; }
+
+  const Parameters& parameters() const { return p_; }
+
+ private:
+  Parameters p_;
+};
+
+/// q = MQ + r,  q̇ = M(Q̇ + Ω × Q) + ṙ                                                                    (5.49), (5.50)
+inline mechanics::State<InertialFrame> to_inertial(const FrameMotion& frame, const mechanics::State<MovingFrame>& s) {
+  const FramePose pose = frame.at(s.t);
+  return {s.t, pose.M * s.q + pose.r, pose.M * (s.v + pose.Omega.cross(s.q)) + pose.r_rate};
+}
+inline mechanics::State<MovingFrame> to_moving(const FrameMotion& frame, const mechanics::State<InertialFrame>& s) {
+  const FramePose pose = frame.at(s.t);
+  const Eigen::Vector3d Q = pose.M.transpose() * (s.q - pose.r);
+  return {s.t, Q, pose.M.transpose() * (s.v - pose.r_rate) - pose.Omega.cross(Q)};
+}
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,190 @@
+#pragma once
+/// Rigid body on k × SO(3) (Oliva 5.6.19) as a constrained body in the vector space of the matrices q = [R | x], where
+/// x(ξ) = Rξ + x is the place of the body point ξ; with a fixed point the column x is absent. The origin of K is the
+/// fixed point or else the centre of mass (5.101).
+///
+///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
+///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
+///
+/// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c of R, numbered 11 22 33 23 13 12,
+/// so that the six multipliers are the entries of the symmetric Λ, and S = G(q₁)M⁻¹G(q₀)ᵀ is
+///
+///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "mechanics/body_observables.h"
+#include "mechanics/conservative_system.h"
+#include "systems/body_loads.h"
+#include "systems/body_symmetries.h"
+#include "systems/mass_distribution.h"
+
+namespace pseudorigid::systems {
+
+template <bool has_fixed_point>
+class RigidBody {
+ public:
+  static constexpr int n_columns = has_fixed_point ? 3 : 4;
+  using Vector = Eigen::Matrix<double, 3, n_columns>;
+  using Multiplier = Eigen::Matrix<double, 6, 1>;
+  struct Workspace {};
+  static constexpr int n_constraints = 6;
+
+  struct Parameters {
+    Eigen::Matrix3d E0 = Eigen::Matrix3d::Identity();  // about the origin of K
+    BodyLoads loads{};
+  };
+
+  /// Why a body cannot be one of GL⁺(3), if so: its mass operator must be invertible there.
+  static mechanics::Status accepts(const Parameters& p) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
+    const Eigen::Vector3d& e = solver.eigenvalues();
+    if (!(e.minCoeff() > 1e-12 * e.cwiseAbs().maxCoeff()))
+      return mechanics::Status::failure(
+          "the second moment E0 has the eigenvalue " + std::to_string(e.minCoeff()) +
+          ": a flat or linear body has no constrained form in GL+(3); use Euler's equation, or moments of inertia of "
+          "which each is less than the sum of the two others");
+    if (!(p.loads.mass > 0)) return mechanics::Status::failure("the mass of a rigid body must be positive");
+    if (!has_fixed_point && !p.loads.center.isZero(0))
+      return mechanics::Status::failure("a rigid body without fixed point must have its centre of mass at the origin");
+    return {};
+  }
+
+  /// Of parameters that are accepted.
+  explicit RigidBody(Parameters parameters)
+      : p_(std::move(parameters)),
+        E0_inverse_(p_.E0.inverse()),
+        symmetries_(body_symmetries(p_.E0, p_.loads, has_fixed_point)) {}
+
+  mechanics::Status force(double, const Vector& q, const Vector&, Workspace&, Vector& f) const {
+    f.setZero();
+    return p_.loads.apply([&](const Eigen::Vector3d& xi) { return place(q, xi); },
+                          [&](const Eigen::Vector3d& xi, const Eigen::Vector3d& df) {
+                            f.template leftCols<3>() += df * xi.transpose();
+                            if constexpr (!has_fixed_point) f.col(3) += df;
+                          });
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const {
+    const Eigen::Matrix3d turning = rotation(f) * E0_inverse_;
+    if constexpr (!has_fixed_point) a.col(3) = f.col(3) / p_.loads.mass;
+    a.template leftCols<3>() = turning;
+  }
+  void apply_mass(const Vector& v, Vector& f) const {
+    const Eigen::Matrix3d turning = rotation(v) * p_.E0;
+    if constexpr (!has_fixed_point) f.col(3) = p_.loads.mass * v.col(3);
+    f.template leftCols<3>() = turning;
+  }
+
+  mechanics::Status constraint(const Vector& q, Multiplier& g) const {
+    const Eigen::Matrix3d R = rotation(q);
+    if (const double J = R.determinant(); !(J > 0 && std::isfinite(J)))
+      return mechanics::Status::failure("the body has been turned inside out or is not finite: det R = " +
+                                        std::to_string(J));
+    const Eigen::Matrix3d C = R.transpose() * R;
+    g << 0.5 * (C(0, 0) - 1), 0.5 * (C(1, 1) - 1), 0.5 * (C(2, 2) - 1), C(1, 2), C(0, 2), C(0, 1);
+    return {};
+  }
+  void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const {
+    r = sym2(rotation(q).transpose() * rotation(v));
+  }
+  void constraint_curvature(const Vector&, const Vector& v, Multiplier& r) const { constraint_rate(v, v, r); }
+  void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
+    f.template leftCols<3>() += rotation(q) * symmetric(lambda);
+  }
+  /// The constraints are quadratic: the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
+    add_reaction(v, lambda, f);
+  }
+  mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
+                                    Multiplier& lambda) const {
+    const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);
+    Eigen::Matrix<double, 6, 6> S;
+    for (int k = 0; k < 6; ++k) S.col(k) = sym2(B * symmetric(Multiplier::Unit(k)) * E0_inverse_);
+    lambda = S.partialPivLu().solve(r);
+    if (lambda.allFinite()) return {};
+    return {mechanics::Status::failure("the body has turned by a right angle within one step; use a smaller step")};
+  }
+  double constraint_tolerance() const { return 6e-16; }
+  Vector make_vector() const { return Vector::Zero(); }
+  Multiplier make_multiplier() const { return Multiplier::Zero(); }
+  Workspace make_workspace() const { return {}; }
+
+  double kinetic_energy(const Vector& v) const {
+    Vector p;
+    apply_mass(v, p);
+    return 0.5 * v.cwiseProduct(p).sum();
+  }
+  double potential_energy(const Vector& q) const {
+    return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
+  }
+
+  /// Translations, turns of space about axes through the origin, turns of the body about axes through its origin. The
+  /// last ones leave the set g = 0 as a whole, q ↦ (RO, x) takes g to Oᵀg O, and conserve the body's own momentum.
+  int n_symmetries() const { return symmetries_.size(); }
+  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
+    auto [kind, direction] = symmetries_[i];
+    dq.setZero();
+    dv.setZero();
+    if (kind == BodySymmetry::Kind::translation) {
+      if constexpr (!has_fixed_point) dq.col(3) = direction;
+    } else if (kind == BodySymmetry::Kind::turn_of_space) {
+      dq = mechanics::cross_matrix(direction) * q;
+      dv = mechanics::cross_matrix(direction) * v;
+    } else {
+      dq.template leftCols<3>() = -rotation(q) * mechanics::cross_matrix(direction);
+      dv.template leftCols<3>() = -rotation(v) * mechanics::cross_matrix(direction);
+    }
+  }
+
+  static Eigen::Matrix3d rotation(const Vector& q) { return q.template leftCols<3>(); }
+  /// x(ξ) = Rξ + x
+  static Eigen::Vector3d place(const Vector& q, const Eigen::Vector3d& xi) {
+    Eigen::Vector3d x = rotation(q) * xi;
+    if constexpr (!has_fixed_point) x += q.col(3);
+    return x;
+  }
+  /// Ω of RᵀṘ = Ω×
+  static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
+    return -0.5 * mechanics::axial_vector(rotation(q).transpose() * rotation(v));
+  }
+  /// p = ∫x × ẋ dm about the origin of space (5.77).
+  Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v) const {
+    Eigen::Vector3d p = mechanics::axial_vector(rotation(q) * p_.E0 * rotation(v).transpose());
+    if constexpr (!has_fixed_point) p += p_.loads.mass * Eigen::Vector3d(q.col(3)).cross(Eigen::Vector3d(v.col(3)));
+    return p;
+  }
+  Eigen::Matrix3d inertia() const { return inertia_operator(p_.E0); }
+  const Parameters& parameters() const { return p_; }
+
+ private:
+  static Eigen::Matrix3d symmetric(const Multiplier& l) {
+    return (Eigen::Matrix3d() << l(0), l(5), l(4), l(5), l(1), l(3), l(4), l(3), l(2)).finished();
+  }
+  static Multiplier sym2(const Eigen::Matrix3d& Y) {
+    return {Y(0, 0), Y(1, 1), Y(2, 2), Y(1, 2) + Y(2, 1), Y(0, 2) + Y(2, 0), Y(0, 1) + Y(1, 0)};
+  }
+
+  Parameters p_;
+  Eigen::Matrix3d E0_inverse_;
+  BodySymmetries symmetries_;
+};
+
+using FixedPointBody = RigidBody<true>;
+using FreeBody = RigidBody<false>;
+
+/// A state from the rotation R and the angular velocity Ω in the body.
+inline mechanics::State<FixedPointBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
+  return {0, R, R * mechanics::cross_matrix(Omega)};
+}
+inline mechanics::State<FreeBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega,
+                                          const Eigen::Vector3d& x, const Eigen::Vector3d& velocity) {
+  mechanics::State<FreeBody> state;
+  state.q << R, x;
+  state.v << R * mechanics::cross_matrix(Omega), velocity;
+  return state;
+}
+
+}  // namespace pseudorigid::systems
