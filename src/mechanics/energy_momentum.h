@@ -1,0 +1,333 @@
+#pragma once
+/// The conserving method: energy, momenta and constraints are kept exactly, at any step size (discrete gradients of
+/// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999) 165; here in phase space
+/// and with the velocity constraint). With X = (q, p), p = M v, Hamilton's function H = K(p) + V(q), the constraints
+/// g(q) = 0 and their rates γ(X) = G(q) M⁻¹p = 0, a step of size h is
+///
+///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,
+///   ∇̄F = ∇F(X_m) + θ P,   θ = (ΔF − ∇F(X_m)·ΔX)/|P|²,   X_m = (X₀ + X₁)/2,
+///
+/// where P is ΔX = (Δq, Δv) without its part along the orbit of the system's symmetries at X_m (orbit_complement.h),
+/// taken as a covector, and P·ΔX = |P|². In (q, v):
+///
+///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
+///   Δv = h M⁻¹(A − θ P_q),   Δq = h [v_m + M⁻¹(B + θ P_v)],   θ = (ΔV + A·Δq − B·Δv)/|P|².
+///
+/// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. Both ends satisfy g = 0 and γ = 0: ΔH = 0. (K is quadratic, so that
+///   its gradient at X_m is a discrete gradient already. Δg and Δγ are set to zero in ΔF: what round-off leaves of them
+///   does not touch the energy.)
+/// - A momentum J is bilinear in (q, p): ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m), and 𝒥∇J(X_m) is tangent to the orbit, on
+///   which the invariants H, g, γ are constant and to which P is orthogonal: ΔJ = 0.
+/// - The step is symmetric, and of order 2: θ = O(h), μ = O(h²).
+///
+/// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
+/// by what exceeds ν, and what is left of the energy error is carried to the next step: it stays within ν and does not
+/// add up. On relative equilibria (motions along the orbit) P vanishes. H is critical there among the states of the
+/// same momenta, so that at |P| ≤ ε^{1/2}|ΔX| the energy is right to round-off; θ is left out.
+///
+/// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
+///
+///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
+///
+/// until the increments are round-off; the last iterations hold θ, which would pass on the noise of V. An oscillation
+/// of frequency ω is contracted by (hω/2)² each time.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mechanics/conservative_system.h"
+#include "mechanics/orbit_complement.h"
+#include "mechanics/rattle.h"
+#include "mechanics/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+/// Temporaries and warm starts of one integration.
+template <ConservativeSystem S>
+struct EnergyMomentumWorkspace {
+  using Vector = typename S::Vector;
+  using Multiplier = typename S::Multiplier;
+
+  explicit EnergyMomentumWorkspace(const S& system)
+      : system(system.make_workspace()),
+        dq(system.make_vector()),
+        dv(dq),
+        acceleration(dq),
+        q_middle(dq),
+        v_middle(dq),
+        q_end(dq),
+        v_end(dq),
+        A(dq),
+        B(dq),
+        P_q(dq),
+        P_v(dq),
+        dq_before(dq),
+        dv_before(dq),
+        q_rounding(make_rounding(system)),
+        v_rounding(q_rounding),
+        lambda(system.make_multiplier()),
+        mu(lambda),
+        residual(lambda),
+        delta(lambda),
+        history{lambda, lambda},
+        orbit(system) {}
+
+  typename S::Workspace system;
+  Vector dq, dv, acceleration;              // Δq, Δv; Δv/h of the last step
+  Vector q_middle, v_middle, q_end, v_end;  // X_m, X₁
+  Vector A, B, P_q, P_v;                    // as above
+  Vector dq_before, dv_before;              // of the iteration before
+  Vector q_rounding, v_rounding;            // what rounding has kept back from q and v
+  Multiplier lambda, mu, residual, delta;
+  MultiplierHistory<S> history;  // of λ, at the middle of the steps
+  OrbitComplement<S> orbit;
+  double V_start = 0, theta = 0, noise = 0;  // V(q₀); θ; increments that the round-off of V makes by θ
+  bool theta_held = false;
+  double energy_gained = 0;     // by round-off, since the first step
+  double potential_noise = -1;  // round-off of V about the first state; negative: not known yet
+  Counters counters;
+
+  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    visit(local_values(acceleration));
+    visit(local_values(history.latest));
+    visit(local_values(history.before));
+    visit(history.t_latest);
+    visit(history.t_before);
+    visit(history.n_known);
+    visit(energy_gained);
+    visit(potential_noise);
+    if constexpr (VectorSpace<Vector>::compensated) {
+      visit(local_values(q_rounding));
+      visit(local_values(v_rounding));
+    }
+  }
+};
+
+namespace detail {
+
+/// Decides on the increments of a fixed-point iteration. Near round-off they jitter instead of falling.
+struct FixedPointMonitor {
+  static constexpr int max_iterations = 100;
+  double previous = HUGE_VAL;
+  int iteration = 0;
+
+  ConvergenceMonitor::Verdict judge(double increment, double round_off) {
+    using Verdict = ConvergenceMonitor::Verdict;
+    if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
+    // A NaN compares false everywhere and is stuck at once.
+    if (!(increment < 10 * previous) || ++iteration > max_iterations) return Verdict::stuck;
+    previous = increment;
+    return Verdict::go_on;
+  }
+};
+
+}  // namespace detail
+
+struct EnergyMomentum {
+  static constexpr const char* name = "energy-momentum";
+  static constexpr int order = 2;
+  static constexpr int n_stages = 1;
+  static constexpr bool symplectic = false, symmetric = true, needs_tangent = false;
+  static constexpr bool adaptive = false;
+  /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all.
+  static constexpr double stability_limit = 1.6;
+
+  template <class S>
+  using Workspace = EnergyMomentumWorkspace<S>;
+  template <class S>
+  static constexpr bool fits = ConservativeSystem<S>;
+
+  /// Whether the promises of the method hold for this system; if not, why.
+  template <ConservativeSystem S>
+  static Status accepts(const S& system) {
+    if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
+      return Status::failure(
+          "energy-momentum keeps the energy constant, which forces that dissipate, depend on the velocity or depend on "
+          "time do not do; use rattle or explicit-8");
+    return {};
+  }
+
+  /// One substep. The state is left as it is where the step fails.
+  template <ConservativeSystem S>
+  static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    using Verdict = detail::ConvergenceMonitor::Verdict;
+    w.V_start = system.potential_energy(state.q);
+    if (w.potential_noise < 0) w.potential_noise = noise_of_potential(system, state.q);
+    predict(h, state, w);
+    detail::FixedPointMonitor monitor;
+    for (Verdict verdict = Verdict::go_on; verdict != Verdict::done;) {
+      w.dq_before = w.dq;
+      w.dv_before = w.dv;
+      if (Status status = improve(system, h, state, w); !status) return status;
+      if (Status status = constrain(system, h, state, w); !status) return status;
+      ++w.counters.n_position_iterations;
+
+      axpy(-1.0, w.dq, w.dq_before);
+      axpy(-1.0, w.dv, w.dv_before);
+      const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
+      if (increment <= w.noise) w.theta_held = true;
+      verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
+      if (verdict == Verdict::stuck) return Status::failure(does_not_converge(increment, h));
+    }
+    accept(system, h, state, w);
+    return {};
+  }
+
+  /// Velocities satisfy G v = 0 after every substep.
+  template <ConservativeSystem S>
+  static Status project_velocity(const S&, State<S>&, EnergyMomentumWorkspace<S>&) {
+    return {};
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  /// |P|/|ΔX| below which the motion is one along the orbit.
+  static constexpr double relative_equilibrium = 1e-7;
+
+  static std::string does_not_converge(double increment, double h) {
+    return "the iteration of the conserving step does not converge (increment " + std::to_string(increment) +
+           " at a substep of " + std::to_string(h) + " internal time units); use a smaller step";
+  }
+
+  /// How much V changes where q changes by a few units of its last place: terms that cancel do not show in V itself.
+  template <ConservativeSystem S>
+  static double noise_of_potential(const S& system, const typename S::Vector& q) {
+    const double V = system.potential_energy(q);
+    double noise = 0;
+    for (int k = 1; k <= 8; ++k) {
+      typename S::Vector near = q;
+      scale(1 + 4 * k * epsilon, near);
+      noise = std::max(noise, std::abs(system.potential_energy(near) - V));
+    }
+    return noise;
+  }
+
+  /// ΔX with the acceleration of the last step, λ extrapolated.
+  template <ConservativeSystem S>
+  static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.dv = w.acceleration;
+    scale(h, w.dv);
+    w.dq = state.v;
+    axpy(0.5, w.dv, w.dq);
+    scale(h, w.dq);
+    w.history.guess(state.t + h / 2, w.lambda);
+    scale(0.0, w.mu);
+    w.theta_held = false;
+    set_end(state, w);
+  }
+
+  template <ConservativeSystem S>
+  static void set_end(const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.q_end = state.q;
+    w.v_end = state.v;
+    axpy(1.0, w.dq, w.q_end);
+    axpy(1.0, w.dv, w.v_end);
+  }
+
+  /// Δv and Δq from the ones before, with the multipliers known so far.
+  template <ConservativeSystem S>
+  static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.q_middle = state.q;
+    w.v_middle = state.v;
+    axpy(0.5, w.dq, w.q_middle);
+    axpy(0.5, w.dv, w.v_middle);
+    if (Status status = system.force(state.t + h / 2, w.q_middle, w.v_middle, w.system, w.A); !status) return status;
+    ++w.counters.n_force;
+    scale(0.0, w.B);
+    if constexpr (!unconstrained<S>) {
+      system.add_reaction(w.q_middle, w.lambda, w.A);
+      system.add_reaction(w.q_middle, w.mu, w.B);
+      w.delta = w.mu;
+      scale(-1.0, w.delta);
+      system.add_reaction_rate(w.q_middle, w.v_middle, w.delta, w.A);
+    }
+    set_correction(system, h, w);
+
+    system.apply_inverse_mass(w.A, w.A);
+    w.dv = w.A;
+    axpy(-w.theta, w.P_q, w.dv);
+    scale(h, w.dv);
+    w.dq = state.v;
+    axpy(0.5, w.dv, w.dq);
+    axpy(w.theta, w.P_v, w.dq);
+    if constexpr (!unconstrained<S>) {
+      system.apply_inverse_mass(w.B, w.B);
+      axpy(1.0, w.B, w.dq);
+    }
+    scale(h, w.dq);
+    set_end(state, w);
+    return {};
+  }
+
+  /// θ, and M⁻¹P in the place of P.
+  template <ConservativeSystem S>
+  static void set_correction(const S& system, double h, EnergyMomentumWorkspace<S>& w) {
+    w.P_q = w.dq;
+    w.P_v = w.dv;
+    const double length = std::sqrt(dot(w.dq, w.dq) + dot(w.dv, w.dv));
+    const double P = w.orbit.project(system, w.q_middle, w.v_middle, w.P_q, w.P_v);
+    system.apply_inverse_mass(w.P_q, w.P_q);
+    system.apply_inverse_mass(w.P_v, w.P_v);
+    if (w.theta_held) return;
+    w.theta = w.noise = 0;
+    if (P <= relative_equilibrium * length) return;
+    const double V_end = system.potential_energy(w.q_end), work = dot(w.A, w.dq);
+    const double nu = 2 * w.potential_noise + 2 * epsilon * (std::abs(w.V_start) + std::abs(V_end) + std::abs(work));
+    const double gain = V_end - w.V_start + work - dot(w.B, w.dv) + w.energy_gained;
+    w.theta = std::copysign(std::max(std::abs(gain) - nu, 0.0), gain) / (P * P);
+    w.noise = std::abs(h) * nu / (P * P) * std::max(max_norm(w.P_q), max_norm(w.P_v));
+  }
+
+  /// g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by the reactions at q_m.
+  template <ConservativeSystem S>
+  static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    if constexpr (!unconstrained<S>) {
+      if (Status status = system.constraint(w.q_end, w.residual); !status) return status;
+      if (Status status = react(system, w); !status) return status;
+      axpy(1.0, w.B, w.dq);
+      axpy(1 / h, w.delta, w.mu);
+      set_end(state, w);
+
+      system.constraint_rate(w.q_end, w.v_end, w.residual);
+      if (Status status = react(system, w); !status) return status;
+      axpy(1.0, w.B, w.dv);
+      axpy(1 / h, w.delta, w.lambda);
+      axpy(-0.5, w.delta, w.mu);
+      set_end(state, w);
+    }
+    return {};
+  }
+
+  /// δ from G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and B = M⁻¹G(q_m)ᵀ δ.
+  template <ConservativeSystem S>
+  static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
+    scale(-1.0, w.residual);
+    SolveReport report = system.solve_gram(w.q_end, w.q_middle, w.residual, w.system, w.delta);
+    w.counters.n_gram_iterations += report.iterations;
+    if (!report.status) return std::move(report.status);
+    scale(0.0, w.B);
+    system.add_reaction(w.q_middle, w.delta, w.B);
+    system.apply_inverse_mass(w.B, w.B);
+    return {};
+  }
+
+  template <ConservativeSystem S>
+  static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    const double K_start = system.kinetic_energy(state.v);
+    add(1.0, w.dq, state.q, w.q_rounding);
+    add(1.0, w.dv, state.v, w.v_rounding);
+    w.energy_gained += (system.potential_energy(state.q) - w.V_start) + (system.kinetic_energy(state.v) - K_start);
+    w.acceleration = w.dv;
+    scale(1 / h, w.acceleration);
+    w.history.record(state.t + h / 2, w.lambda);
+    state.t += h;
+    ++w.counters.n_substeps;
+  }
+};
+
+}  // namespace pseudorigid::mechanics
