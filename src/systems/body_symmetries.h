@@ -8,56 +8,36 @@
 
 #include <Eigen/Dense>
 #include <limits>
-#include <vector>
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"
 
 namespace pseudorigid::systems {
 
-struct BodySymmetry {
-  enum class Kind { translation, turn_of_space, turn_of_body };
-  Kind kind;
-  Eigen::Vector3d direction;
-};
-
-class BodySymmetries {
- public:
-  void append(BodySymmetry::Kind kind, const Directions& directions) {
-    for (const auto& direction : directions) list_.push_back({kind, direction});
-  }
-  int size() const { return static_cast<int>(list_.size()); }
-  const BodySymmetry& operator[](int i) const { return list_[static_cast<std::size_t>(i)]; }
-
- private:
-  std::vector<BodySymmetry> list_;
+struct BodySymmetries {
+  Directions translations, turns_of_space, turns_of_body;
 };
 
 /// Axes of the turns that leave E₀ and the given vectors of K unchanged; E₀ with three different eigenvalues has none.
-inline Directions turns_of_body(const Eigen::Matrix3d& E0, const Directions& fixed) {
+inline Directions turns_that_fix(const Eigen::Matrix3d& E0, Directions vectors) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(E0);
   const Eigen::Vector3d& e = solver.eigenvalues();
   const double round_off = 64 * std::numeric_limits<double>::epsilon() * e(2);
   const bool lower_two_agree = e(1) - e(0) <= round_off, upper_two_agree = e(2) - e(1) <= round_off;
   if (!lower_two_agree && !upper_two_agree) return {};
-  Directions to_fix = fixed;
-  if (!(lower_two_agree && upper_two_agree)) to_fix.push_back(solver.eigenvectors().col(lower_two_agree ? 2 : 0));
-  return turns_that_fix(to_fix);
+  if (!(lower_two_agree && upper_two_agree)) vectors.push_back(solver.eigenvectors().col(lower_two_agree ? 2 : 0));
+  return turns_that_fix(vectors);
 }
 
 inline BodySymmetries body_symmetries(const Eigen::Matrix3d& E0, const BodyLoads& loads, bool has_fixed_point) {
-  using Kind = BodySymmetry::Kind;
   Directions in_space{loads.gravity}, in_body;
   if (!loads.gravity.isZero(0)) in_body.push_back(loads.center);
   for (const BodySpring& spring : loads.springs) {
     in_space.push_back(spring.anchor);
     in_body.push_back(spring.xi);
   }
-  BodySymmetries symmetries;
-  if (!has_fixed_point && loads.springs.empty())
-    symmetries.append(Kind::translation, translations_across(loads.gravity));
-  symmetries.append(Kind::turn_of_space, turns_that_fix(in_space));
-  symmetries.append(Kind::turn_of_body, turns_of_body(E0, in_body));
+  BodySymmetries symmetries{{}, turns_that_fix(in_space), turns_that_fix(E0, in_body)};
+  if (!has_fixed_point && loads.springs.empty()) symmetries.translations = translations_across(loads.gravity);
   return symmetries;
 }
 

@@ -121,23 +121,25 @@ class RigidBody {
     return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
   }
 
-  /// Translations, turns of space about axes through the origin, turns of the body about axes through its origin. The
-  /// last ones leave the set g = 0 as a whole, q ↦ (RO, x) takes g to Oᵀg O, and conserve the body's own momentum.
-  int n_symmetries() const { return symmetries_.size(); }
-  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
-    auto [kind, direction] = symmetries_[i];
-    dq.setZero();
-    dv.setZero();
-    if (kind == BodySymmetry::Kind::translation) {
-      if constexpr (!has_fixed_point) dq.col(3) = direction;
-    } else if (kind == BodySymmetry::Kind::turn_of_space) {
-      dq = mechanics::cross_matrix(direction) * q;
-      dv = mechanics::cross_matrix(direction) * v;
-    } else {
-      dq.template leftCols<3>() = -rotation(q) * mechanics::cross_matrix(direction);
-      dv.template leftCols<3>() = -rotation(v) * mechanics::cross_matrix(direction);
-    }
+  /// Translations, then turns of space about axes through its origin.
+  int n_symmetries() const {
+    return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }
+  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
+    const auto k = static_cast<std::size_t>(i), n_translations = symmetries_.translations.size();
+    if (k < n_translations) {
+      dq.setZero();
+      dv.setZero();
+      if constexpr (!has_fixed_point) dq.col(3) = symmetries_.translations[k];
+      return;
+    }
+    const Eigen::Matrix3d turn = mechanics::cross_matrix(symmetries_.turns_of_space[k - n_translations]);
+    dq = turn * q;
+    dv = turn * v;
+  }
+  /// Axes E of the body's own symmetry, along which ⟨E, P⟩ is constant. They are not among the symmetries above: turns
+  /// of the body, R ↦ RO, leave the set g = 0 but not the functions g.
+  const Directions& body_axes() const { return symmetries_.turns_of_body; }
 
   static Eigen::Matrix3d rotation(const Vector& q) { return q.template leftCols<3>(); }
   /// x(ξ) = Rξ + x
@@ -155,6 +157,10 @@ class RigidBody {
     Eigen::Vector3d p = mechanics::axial_vector(rotation(q) * p_.E0 * rotation(v).transpose());
     if constexpr (!has_fixed_point) p += p_.loads.mass * Eigen::Vector3d(q.col(3)).cross(Eigen::Vector3d(v.col(3)));
     return p;
+  }
+  /// P = AΩ about the origin of K (5.78, 5.82).
+  Eigen::Vector3d body_momentum(const Vector& q, const Vector& v) const {
+    return inertia() * body_angular_velocity(q, v);
   }
   Eigen::Matrix3d inertia() const { return inertia_operator(p_.E0); }
   const Parameters& parameters() const { return p_; }
