@@ -1,0 +1,46 @@
+#pragma once
+/// Forward automatic differentiation with Eigen's AutoDiffScalar: a function written over any scalar gives its value
+/// and all n partial derivatives in one evaluation, exact to round-off. Nested once, it gives second derivatives.
+///
+/// Why this library: its scalar is one type for all n variables, so a metric is an ordinary matrix of it. Boost.Math's
+/// autodiff gives each variable a type of its own; with one pass a variable it was measured at twice the time.
+
+#include <Eigen/Core>
+#include <unsupported/Eigen/AutoDiff>
+
+namespace pseudorigid::mechanics {
+
+template <class T, int n>
+using Coordinates = Eigen::Matrix<T, n, 1>;
+
+/// A number with its n partial derivatives.
+template <class T, int n>
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, n, 1>>;
+
+/// q as independent variables: ∂q_k/∂q_j = δ_kj.
+template <class T, int n>
+Coordinates<Dual<T, n>, n> independent(const Coordinates<T, n>& q) {
+  Coordinates<Dual<T, n>, n> x;
+  for (int k = 0; k < n; ++k) x[k] = Dual<T, n>(q[k], n, k);
+  return x;
+}
+
+/// Value, gradient and Hessian of a scalar function at a point.
+template <int n>
+struct SecondOrderJet {
+  double value;
+  Coordinates<double, n> gradient;
+  Eigen::Matrix<double, n, n> hessian;
+};
+
+template <int n, class Function>
+SecondOrderJet<n> second_order_jet(const Function& f, const Coordinates<double, n>& q) {
+  const auto y = f(independent(independent(q)));
+  SecondOrderJet<n> jet;
+  jet.value = y.value().value();
+  jet.gradient = y.value().derivatives();
+  for (int i = 0; i < n; ++i) jet.hessian.row(i) = y.derivatives()[i].derivatives().transpose();
+  return jet;
+}
+
+}  // namespace pseudorigid::mechanics
