@@ -38,10 +38,7 @@ struct CiarletGeymonat {
     const Tensor<T> cof = cofactor(F);
     const T J = determinant(F, cof);
     const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
-    Tensor<T> P;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) P(i, j) = mu * F(i, j) + s * cof(i, j);
-    return P;
+    return entrywise([&](const T& f, const T& c) { return mu * f + s * c; }, F, cof);
   }
 };
 

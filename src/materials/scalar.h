@@ -33,4 +33,12 @@ inline std::complex<double> x_minus_log1p(std::complex<double> z) {
   return std::abs(z) <= 0.25 ? detail::x_minus_log1p_series(z) : z - log1p(z);
 }
 
+/// ln J, and cheap where J is about 1, as in the iterations of the constraint det Q = 1: with δ = J − 1 (exact),
+/// ln J = δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5, whose remainder δ⁶/6 is below round-off of the sum for |δ| ≤ 2⁻¹¹.
+inline double log_near_one(double J) {
+  const double delta = J - 1;
+  if (!(std::abs(delta) <= 0x1p-11)) return std::log(J);
+  return delta - delta * delta * (1.0 / 2 - delta * (1.0 / 3 - delta * (1.0 / 4 - delta * (1.0 / 5))));
+}
+
 }  // namespace pseudorigid::materials

@@ -10,16 +10,24 @@ struct Tensor {
   const T& operator()(int i, int j) const { return a[i][j]; }
 };
 
+/// The tensor of f(A_ij, B_ij, …). All nine entries are written out, here and below: loops over them would keep small
+/// tensors in memory, since compilers unroll loops only after they have given up putting arrays into registers.
+template <class F, class T, class... Ts>
+inline Tensor<T> entrywise(F f, const Tensor<T>& A, const Ts&... B) {
+  return {{{f(A(0, 0), B(0, 0)...), f(A(0, 1), B(0, 1)...), f(A(0, 2), B(0, 2)...)},
+           {f(A(1, 0), B(1, 0)...), f(A(1, 1), B(1, 1)...), f(A(1, 2), B(1, 2)...)},
+           {f(A(2, 0), B(2, 0)...), f(A(2, 1), B(2, 1)...), f(A(2, 2), B(2, 2)...)}}};
+}
+
 /// cof F = (det F) F⁻ᵀ = ∂(det F)/∂F
 template <class T>
 inline Tensor<T> cofactor(const Tensor<T>& F) {
-  Tensor<T> c;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-      c(i, j) = F(i1, j1) * F(i2, j2) - F(i1, j2) * F(i2, j1);
-    }
-  return c;
+  return {{{F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1), F(1, 2) * F(2, 0) - F(1, 0) * F(2, 2),
+            F(1, 0) * F(2, 1) - F(1, 1) * F(2, 0)},
+           {F(2, 1) * F(0, 2) - F(2, 2) * F(0, 1), F(2, 2) * F(0, 0) - F(2, 0) * F(0, 2),
+            F(2, 0) * F(0, 1) - F(2, 1) * F(0, 0)},
+           {F(0, 1) * F(1, 2) - F(0, 2) * F(1, 1), F(0, 2) * F(1, 0) - F(0, 0) * F(1, 2),
+            F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0)}}};
 }
 
 /// det F, given its cofactors.
@@ -33,20 +41,33 @@ inline T determinant(const Tensor<T>& F) {
   return determinant(F, cofactor(F));
 }
 
-/// A : B
+/// A : B, summed by rows: short chains of dependent additions.
 template <class T>
 inline T dot(const Tensor<T>& A, const Tensor<T>& B) {
-  T s = A(0, 0) * B(0, 0);
-  for (int k = 1; k < 9; ++k) s = s + A(k / 3, k % 3) * B(k / 3, k % 3);
-  return s;
+  return (A(0, 0) * B(0, 0) + A(0, 1) * B(0, 1) + A(0, 2) * B(0, 2)) +
+         ((A(1, 0) * B(1, 0) + A(1, 1) * B(1, 1) + A(1, 2) * B(1, 2)) +
+          (A(2, 0) * B(2, 0) + A(2, 1) * B(2, 1) + A(2, 2) * B(2, 2)));
+}
+
+/// AᵀB
+template <class T>
+inline Tensor<T> transposed_product(const Tensor<T>& A, const Tensor<T>& B) {
+  const auto entry = [&](int i, int j) { return A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j); };
+  return {{{entry(0, 0), entry(0, 1), entry(0, 2)},
+           {entry(1, 0), entry(1, 1), entry(1, 2)},
+           {entry(2, 0), entry(2, 1), entry(2, 2)}}};
+}
+
+/// tr A²
+template <class T>
+inline T trace_of_square(const Tensor<T>& A) {
+  return (A(0, 0) * A(0, 0) + A(1, 1) * A(1, 1) + A(2, 2) * A(2, 2)) +
+         2.0 * (A(0, 1) * A(1, 0) + A(0, 2) * A(2, 0) + A(1, 2) * A(2, 1));
 }
 
 template <class T>
 inline Tensor<T> operator*(const T& s, const Tensor<T>& A) {
-  Tensor<T> r;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) r(i, j) = s * A(i, j);
-  return r;
+  return entrywise([&](const T& a) { return s * a; }, A);
 }
 
 }  // namespace pseudorigid::materials

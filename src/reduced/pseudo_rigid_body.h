@@ -40,32 +40,63 @@ class PseudoRigidBody {
   static constexpr int n_constraints = incompressible ? 1 : 0;
 
   PseudoRigidBody(Law law, const ReferenceBody& body)
-      : law_(law), volume_(body.volume), E0_(body.E0), E0_inverse_(body.E0.inverse()), m_bar_(body.E0.trace() / 3) {}
+      : law_(law),
+        volume_(body.volume),
+        E0_(body.E0),
+        E0_inverse_(body.E0.inverse()),
+        m_bar_(body.E0.trace() / 3),
+        inverse_m_bar_(1 / m_bar_),
+        isotropic_(body.E0.isApprox(m_bar_ * Eigen::Matrix3d::Identity(), 1e-14)) {}
+
+  /// Q̈ of (5.120) with its multiplier, from one cofactor matrix C = cof Q = J Q⁻ᵀ:
+  ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
+  ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
+  mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
+    if (isotropic_)
+      return accelerate(Q, Qdot, a, [this](double s, const Tensor& X) { return (s * inverse_m_bar_) * X; });
+    return accelerate(Q, Qdot, a, [this](double s, const Tensor& X) {
+      return s * materials::to_tensor(materials::to_matrix(X) * E0_inverse_);
+    });
+  }
 
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
-    if (mechanics::Status status = admissible(Q); !status) return status;
-    f = -volume_ * materials::to_matrix(law_.stress(materials::to_tensor(Q)));
+    const Tensor q = materials::to_tensor(Q);
+    if (const double J = materials::determinant(q); !admissible(J)) return inadmissible(J);
+    materials::to_matrix(-volume_ * law_.stress(q), f);
     return {};
   }
-  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f * E0_inverse_; }
+  void apply_inverse_mass(const Vector& f, Vector& a) const {
+    if (isotropic_)
+      a = f * inverse_m_bar_;
+    else
+      a = f * E0_inverse_;
+  }
   void apply_mass(const Vector& v, Vector& f) const { f = v * E0_; }
 
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
-    if (mechanics::Status status = admissible(Q); !status) return status;
-    if constexpr (incompressible) g = std::log(Q.determinant());
+    const double J = materials::determinant(materials::to_tensor(Q));
+    if (!admissible(J)) return inadmissible(J);
+    if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
   void constraint_rate(const Vector& Q, const Vector& v, Multiplier& r) const {
-    if constexpr (incompressible) r = (Q.inverse() * v).trace();
+    if constexpr (incompressible) {
+      const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
+      r = materials::dot(cof, materials::to_tensor(v)) / materials::determinant(q, cof);
+    }
   }
   void constraint_curvature(const Vector& Q, const Vector& v, Multiplier& r) const {
     if constexpr (incompressible) {
-      const Eigen::Matrix3d L = Q.inverse() * v;
-      r = -(L * L).trace();
+      const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
+      const double J = materials::determinant(q, cof);
+      r = -materials::trace_of_square(materials::transposed_product(cof, materials::to_tensor(v))) / (J * J);
     }
   }
   void add_reaction(const Vector& Q, const Multiplier& lambda, Vector& f) const {
-    if constexpr (incompressible) f += lambda * Q.inverse().transpose();
+    if constexpr (incompressible) {
+      const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
+      f += materials::to_matrix((lambda / materials::determinant(q, cof)) * cof);
+    }
   }
   /// d/dt of the reaction along Q̇ = v:  (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
   void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
@@ -76,7 +107,14 @@ class PseudoRigidBody {
   }
   mechanics::SolveReport solve_gram(const Vector& Q1, const Vector& Q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
-    if constexpr (incompressible) lambda = r / (Q1.inverse() * Q0.inverse().transpose() * E0_inverse_).trace();
+    if constexpr (incompressible) {
+      const Tensor q1 = materials::to_tensor(Q1), cof1 = materials::cofactor(q1);
+      const Tensor q0 = materials::to_tensor(Q0), cof0 = materials::cofactor(q0);
+      Vector direction = materials::to_matrix(cof0);
+      apply_inverse_mass(direction, direction);
+      lambda = r * (materials::determinant(q1, cof1) * materials::determinant(q0, cof0)) /
+               materials::dot(cof1, materials::to_tensor(direction));
+    }
     return {};
   }
   /// Round-off of ln det Q; bodies with large axis ratios stop at the round-off that they have (ConvergenceMonitor).
@@ -90,9 +128,9 @@ class PseudoRigidBody {
   double elastic_energy(const Vector& Q) const { return volume_ * law_.energy(materials::to_tensor(Q)); }
   double potential_energy(const Vector& Q) const { return elastic_energy(Q); }
 
-  /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which is
-  /// a symmetry if E₀ ∝ Id and the law is isotropic.
-  int n_symmetries() const { return E0_.isApprox(m_bar_ * Eigen::Matrix3d::Identity(), 1e-14) ? 6 : 3; }
+  /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which
+  /// is a symmetry if E₀ ∝ Id and the law is isotropic.
+  int n_symmetries() const { return isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
     if (i < 3) {
@@ -115,9 +153,31 @@ class PseudoRigidBody {
   }
 
  private:
-  static mechanics::Status admissible(const Vector& Q) {
-    const double J = Q.determinant();
-    if (J > 0 && std::isfinite(J)) return {};
+  using Tensor = materials::Tensor<double>;
+
+  /// scaled_by_inertia(s, X) = s X E₀⁻¹
+  template <class ScaledByInertia>
+  mechanics::Status accelerate(const Vector& Q, const Vector& Qdot, Vector& a,
+                               ScaledByInertia scaled_by_inertia) const {
+    const Tensor q = materials::to_tensor(Q), C = materials::cofactor(q);
+    const double J = materials::determinant(q, C);
+    const Tensor A = scaled_by_inertia(volume_, law_.stress(q));
+    if constexpr (incompressible) {
+      const Tensor B = scaled_by_inertia(1, C);
+      const double curvature = materials::trace_of_square(materials::transposed_product(C, materials::to_tensor(Qdot)));
+      const double s = (curvature + J * materials::dot(C, A)) * (1 / (J * materials::dot(C, B)));
+      if (!admissible(J) || !std::isfinite(s)) return inadmissible(J);
+      materials::to_matrix(materials::entrywise([&](double x, double y) { return s * y - x; }, A, B), a);
+    } else {
+      if (!admissible(J)) return inadmissible(J);
+      materials::to_matrix(-1.0 * A, a);
+    }
+    return {};
+  }
+
+  static bool admissible(double J) { return J > 0 && std::isfinite(J); }
+  /// Apart from the steps' path: a message costs more than a right-hand side.
+  [[gnu::cold, gnu::noinline]] static mechanics::Status inadmissible(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       std::to_string(J));
   }
@@ -125,7 +185,8 @@ class PseudoRigidBody {
   Law law_;
   double volume_;
   Eigen::Matrix3d E0_, E0_inverse_;
-  double m_bar_;
+  double m_bar_, inverse_m_bar_;
+  bool isotropic_;  // E₀ = m̄ Id
 };
 
 }  // namespace pseudorigid::reduced
