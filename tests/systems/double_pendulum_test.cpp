@@ -73,7 +73,7 @@ struct PendulumFactory {
     if (order == 2) return {160, 320, 640, 1280, 2560};
     if (order == 4) return {40, 57, 80, 113, 160, 226};
     if (order == 6) return {40, 48, 57, 67, 80, 95};
-    return {48, 56, 67, 80, 95, 113};
+    return {67, 73, 80, 87, 95, 113};
   }
   long n_reference_steps() const { return 400; }
 };
