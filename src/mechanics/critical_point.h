@@ -1,0 +1,91 @@
+#pragma once
+/// A critical point of V on N = {g = 0}, ∇V = Gᵀλ, and what is near it (Oliva, Geometric Mechanics, 5.8). With a basis
+/// T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
+///
+///   H = Tᵀ(∇²V − Σ λ_k D²g_k)T,   D = TᵀCT,
+///   ÿ + Dẏ + Hy = 0:   z²y + zDy + Hy = 0.
+///
+/// Morse index and nullity are those of H. Where the damping is strongly dissipative and H regular, the point is
+/// hyperbolic, and its unstable manifold has the dimension of the Morse index (5.8.3).
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "mechanics/landscape.h"
+
+namespace pseudorigid::mechanics {
+
+struct CriticalPoint {
+  Eigen::VectorXd q, lambda;
+  double V = 0;
+  int morse_index = 0, nullity = 0;
+  Eigen::VectorXd hessian_eigenvalues;  // of H, rising: squares of frequencies without damping
+  Eigen::VectorXcd rates;               // z
+  Eigen::MatrixXcd directions;          // δq = T y of each rate, of length 1 in the metric
+  int n_unstable = 0, n_stable = 0;     // rates with positive and with negative real part
+
+  bool hyperbolic() const { return n_unstable + n_stable == rates.size(); }
+  /// 5.8.3: hyperbolic, with as many unstable directions as the Morse index says.
+  bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
+};
+
+namespace detail {
+
+/// Eigenvalues count as zero below this part of the largest: Hessians by differences are good to about 1e-12.
+inline constexpr double zero_curvature = 1e-8;
+/// A zero of H splits into rates of the size of the square root of its error where there is no damping.
+inline constexpr double zero_rate = 1e-6;
+
+/// T: a basis of ker G with TᵀMT = Id.
+inline Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
+  if (G.rows() > 0) {
+    const Eigen::MatrixXd normals = factor.matrixL().solve(G.transpose());
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(normals);
+    Z = (qr.householderQ() * Z).rightCols(M.rows() - qr.rank()).eval();
+  }
+  return factor.matrixU().solve(Z);
+}
+
+/// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
+inline void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
+  const Eigen::Index n = H.rows();
+  Eigen::MatrixXd A(2 * n, 2 * n);  // of (y, ẏ)
+  A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  p.rates = solver.eigenvalues();
+  p.directions = T * solver.eigenvectors().topRows(n).colwise().normalized();
+  const double zero = zero_rate * (n > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
+  p.n_unstable = static_cast<int>((p.rates.real().array() > zero).count());
+  p.n_stable = static_cast<int>((p.rates.real().array() < -zero).count());
+}
+
+}  // namespace detail
+
+/// Describes the critical point (q, λ). `added_damping` is a covector force −C v beside the system's own.
+template <Landscape L>
+Status describe_critical_point(const L& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
+                               const Eigen::MatrixXd& added_damping, CriticalPoint& p) {
+  Eigen::MatrixXd M, G, hessian, C;
+  landscape.mass(q, M);
+  landscape.constraint_gradient(q, G);
+  if (Status status = landscape.hessian(q, lambda, hessian); !status) return status;
+  if (Status status = landscape.damping(q, C); !status) return status;
+  const Eigen::MatrixXd T = detail::tangent_basis(M, G);
+  const Eigen::MatrixXd H = T.transpose() * hessian * T, D = T.transpose() * (C + added_damping) * T;
+  if (!H.allFinite() || !D.allFinite())
+    return Status::failure("the mass or the second derivative of the potential is singular at a critical point");
+
+  p.q = q;
+  p.lambda = lambda;
+  p.V = landscape.potential(q);
+  p.hessian_eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H, Eigen::EigenvaluesOnly).eigenvalues();
+  const double zero = detail::zero_curvature * p.hessian_eigenvalues.cwiseAbs().maxCoeff();
+  p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
+  p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
+  detail::linearise(H, D, T, p);
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics
