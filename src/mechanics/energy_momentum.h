@@ -59,6 +59,11 @@ struct EnergyMomentumWorkspace {
         q_middle(dq),
         v_middle(dq),
         q_end(dq),
+        q_side(dq),
+        C_q(dq),
+        C_v(dq),
+        v_side(dq),
+        force(dq),
         v_end(dq),
         A(dq),
         B(dq),
@@ -76,7 +81,8 @@ struct EnergyMomentumWorkspace {
         orbit(system) {}
 
   typename S::Workspace system;
-  Vector dq, dv, acceleration;              // Δq, Δv; Δv/h of the last step
+  Vector dq, dv, acceleration;  // Δq, Δv; Δv/h of the last step
+  Vector q_side, v_side, force, C_q, C_v;
   Vector q_middle, v_middle, q_end, v_end;  // X_m, X₁
   Vector A, B, P_q, P_v;                    // as above
   Vector dq_before, dv_before;              // of the iteration before
@@ -84,10 +90,10 @@ struct EnergyMomentumWorkspace {
   Multiplier lambda, mu, residual, delta;
   MultiplierHistory<S> history;  // of λ, at the middle of the steps
   OrbitComplement<S> orbit;
-  double V_start = 0, theta = 0, noise = 0;  // V(q₀); θ; increments that the round-off of V makes by θ
-  bool theta_held = false;
-  double energy_gained = 0;     // by round-off, since the first step
-  double potential_noise = -1;  // round-off of V about the first state; negative: not known yet
+  double V_start = 0, theta = 0;  // V(q₀), θ
+  int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
+  double energy_gained = 0;       // by round-off, since the first step
+  double potential_noise = -1;    // round-off of V about the first state; negative: not known yet
   Counters counters;
 
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
@@ -110,6 +116,12 @@ struct EnergyMomentumWorkspace {
 
 namespace detail {
 
+inline double pairing(double lambda, double r) { return lambda * r; }
+template <class Multiplier>
+double pairing(const Multiplier& lambda, const Multiplier& r) {
+  return dot(lambda, r);
+}
+
 /// Decides on the increments of a fixed-point iteration. Near round-off they jitter instead of falling.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 100;
@@ -130,10 +142,12 @@ struct FixedPointMonitor {
 
 struct EnergyMomentum {
   static constexpr const char* name = "energy-momentum";
+  static constexpr const char* documentation =
+      "keeps energy, momenta and constraints exactly (equivariant discrete gradients), order 2, implicit";
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = false, symmetric = true, needs_tangent = false;
-  static constexpr bool adaptive = false;
+  static constexpr bool adaptive = false, chosen_by_auto = false;
   /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all.
   static constexpr double stability_limit = 1.6;
 
@@ -170,7 +184,12 @@ struct EnergyMomentum {
       axpy(-1.0, w.dq, w.dq_before);
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
-      if (increment <= w.noise) w.theta_held = true;
+      const double step = std::max(max_norm(w.dq), max_norm(w.dv));
+      const bool stalled = increment >= monitor.previous && increment <= 1e-6 * step;
+      if (w.hold < 2 && (stalled || increment <= 1e-12 * step)) {
+        w.hold = stalled ? w.hold + 1 : 2;
+        monitor.previous = HUGE_VAL;
+      }
       verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
       if (verdict == Verdict::stuck) return Status::failure(does_not_converge(increment, h));
     }
@@ -194,14 +213,16 @@ struct EnergyMomentum {
            " at a substep of " + std::to_string(h) + " internal time units); use a smaller step";
   }
 
-  /// How much V changes where q changes by a few units of its last place: terms that cancel do not show in V itself.
+  /// How much V changes where the entries of q change by a few units of their last place: terms that cancel do not show
+  /// in V itself.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
-    const double V = system.potential_energy(q);
+    const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
     double noise = 0;
     for (int k = 1; k <= 8; ++k) {
       typename S::Vector near = q;
-      scale(1 + 4 * k * epsilon, near);
+      int i = 0;
+      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2, as if at random
       noise = std::max(noise, std::abs(system.potential_energy(near) - V));
     }
     return noise;
@@ -217,7 +238,7 @@ struct EnergyMomentum {
     scale(h, w.dq);
     w.history.guess(state.t + h / 2, w.lambda);
     scale(0.0, w.mu);
-    w.theta_held = false;
+    w.hold = 0;
     set_end(state, w);
   }
 
@@ -236,51 +257,96 @@ struct EnergyMomentum {
     w.v_middle = state.v;
     axpy(0.5, w.dq, w.q_middle);
     axpy(0.5, w.dv, w.v_middle);
-    if (Status status = system.force(state.t + h / 2, w.q_middle, w.v_middle, w.system, w.A); !status) return status;
-    ++w.counters.n_force;
+    scale(0.0, w.A);
     scale(0.0, w.B);
-    if constexpr (!unconstrained<S>) {
-      system.add_reaction(w.q_middle, w.lambda, w.A);
-      system.add_reaction(w.q_middle, w.mu, w.B);
-      w.delta = w.mu;
-      scale(-1.0, w.delta);
-      system.add_reaction_rate(w.q_middle, w.v_middle, w.delta, w.A);
-    }
-    set_correction(system, h, w);
+    if (Status status = add_gradient(system, 1.0, state.t + h / 2, w.q_middle, w.v_middle, w, w.A, w.B); !status)
+      return status;
+    if (w.hold < 2)
+      if (Status status = correct(system, h, state.t + h / 2, w); !status) return status;
 
+    axpy(-1.0, w.C_q, w.A);
+    axpy(1.0, w.C_v, w.B);
     system.apply_inverse_mass(w.A, w.A);
+    system.apply_inverse_mass(w.B, w.B);
     w.dv = w.A;
-    axpy(-w.theta, w.P_q, w.dv);
     scale(h, w.dv);
     w.dq = state.v;
     axpy(0.5, w.dv, w.dq);
-    axpy(w.theta, w.P_v, w.dq);
-    if constexpr (!unconstrained<S>) {
-      system.apply_inverse_mass(w.B, w.B);
-      axpy(1.0, w.B, w.dq);
-    }
+    axpy(1.0, w.B, w.dq);
     scale(h, w.dq);
     set_end(state, w);
     return {};
   }
 
-  /// θ, and M⁻¹P in the place of P.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ],  B += a G(q)ᵀμ:  (−A, B) is a part of ∇F.
   template <ConservativeSystem S>
-  static void set_correction(const S& system, double h, EnergyMomentumWorkspace<S>& w) {
+  static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
+                             const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
+                             typename S::Vector& B) {
+    if (Status status = system.force(t, q, v, w.system, w.force); !status) return status;
+    ++w.counters.n_force;
+    if constexpr (!unconstrained<S>) {
+      system.add_reaction(q, w.lambda, w.force);
+      w.delta = w.mu;
+      scale(-1.0, w.delta);
+      system.add_reaction_rate(q, v, w.delta, w.force);
+      scale(-a, w.delta);
+      system.add_reaction(q, w.delta, B);
+    }
+    axpy(a, w.force, A);
+    return {};
+  }
+
+  /// C = Π D + θ P.
+  template <ConservativeSystem S>
+  static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
     w.P_v = w.dv;
-    const double length = std::sqrt(dot(w.dq, w.dq) + dot(w.dv, w.dv));
-    const double P = w.orbit.project(system, w.q_middle, w.v_middle, w.P_q, w.P_v);
-    system.apply_inverse_mass(w.P_q, w.P_q);
-    system.apply_inverse_mass(w.P_v, w.P_v);
-    if (w.theta_held) return;
-    w.theta = w.noise = 0;
-    if (P <= relative_equilibrium * length) return;
-    const double V_end = system.potential_energy(w.q_end), work = dot(w.A, w.dq);
+    w.orbit.set(system, w.q_middle, w.v_middle);
+    const double P = w.orbit.project(w.P_q, w.P_v);
+    scale(0.0, w.C_q);
+    scale(0.0, w.C_v);
+    if (system.n_symmetries() > 0) {
+      for (const double side : {-0.5, 0.5}) {
+        w.q_side = w.q_middle;
+        w.v_side = w.v_middle;
+        axpy(side, w.dq, w.q_side);
+        axpy(-side, w.P_q, w.q_side);
+        axpy(side, w.dv, w.v_side);
+        axpy(-side, w.P_v, w.v_side);
+        if (Status status = add_gradient(system, 0.5, t, w.q_side, w.v_side, w, w.C_q, w.C_v); !status) return status;
+      }
+      axpy(-1.0, w.A, w.C_q);
+      scale(-1.0, w.C_q);
+      axpy(-1.0, w.B, w.C_v);
+      w.orbit.project(w.C_q, w.C_v);
+    }
+    if (w.hold == 0)
+      if (Status status = set_theta(system, h, P, w); !status) return status;
+    axpy(w.theta, w.P_q, w.C_q);
+    axpy(w.theta, w.P_v, w.C_v);
+    return {};
+  }
+
+  /// ΔF − (∇F(X_m) + D)·ΔX and what earlier steps have left over, as far as it exceeds ν. Both covectors vanish along
+  /// the orbit, so that their product with ΔX is that with P.
+  template <ConservativeSystem S>
+  static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
+    w.theta = 0;
+    if (P <= relative_equilibrium * std::sqrt(dot(w.dq, w.dq) + dot(w.dv, w.dv))) return {};
+    const double V_end = system.potential_energy(w.q_end);
+    const double work = dot(w.A, w.P_q) - dot(w.B, w.P_v) - dot(w.C_q, w.P_q) - dot(w.C_v, w.P_v);
+    const double limit = 0.01 * P * P / std::abs(h);
+    double gain = V_end - w.V_start + work + std::clamp(w.energy_gained, -limit, limit);
+    if constexpr (!unconstrained<S>) {  // −λ·Δg + μ·Δγ, as long as the iteration has not made them zero
+      if (Status status = system.constraint(w.q_end, w.residual); !status) return status;
+      gain -= detail::pairing(w.lambda, w.residual);
+      system.constraint_rate(w.q_end, w.v_end, w.residual);
+      gain += detail::pairing(w.mu, w.residual);
+    }
     const double nu = 2 * w.potential_noise + 2 * epsilon * (std::abs(w.V_start) + std::abs(V_end) + std::abs(work));
-    const double gain = V_end - w.V_start + work - dot(w.B, w.dv) + w.energy_gained;
     w.theta = std::copysign(std::max(std::abs(gain) - nu, 0.0), gain) / (P * P);
-    w.noise = std::abs(h) * nu / (P * P) * std::max(max_norm(w.P_q), max_norm(w.P_v));
+    return {};
   }
 
   /// g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by the reactions at q_m.

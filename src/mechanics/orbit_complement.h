@@ -24,33 +24,23 @@ class OrbitComplement {
   explicit OrbitComplement(const S& system)
       : basis_(static_cast<std::size_t>(system.n_symmetries()), {system.make_vector(), system.make_vector()}) {}
 
-  /// (P_q, P_v) ← (P_q, P_v) without the components along the orbit at (q, v); the result is |P|, and 0 if nothing but
-  /// round-off is left.
-  double project(const S& system, const Vector& q, const Vector& v, Vector& P_q, Vector& P_v) {
+  /// Sets the orbit: the one through (q, v).
+  void set(const S& system, const Vector& q, const Vector& v) {
     rank_ = 0;
     for (int i = 0; i < system.n_symmetries(); ++i) {
       Direction& e = basis_[rank_];
       system.symmetry(i, q, v, e.q, e.v);
-      const double length = orthogonalise(e.q, e.v);
+      const double length = project(e.q, e.v);
       if (length == 0) continue;
       scale(1 / length, e.q);
       scale(1 / length, e.v);
       ++rank_;
     }
-    return orthogonalise(P_q, P_v);
   }
 
- private:
-  struct Direction {
-    Vector q, v;
-  };
-  /// What is left of a vector in the span of the others, relative to its length: their round-off with a reserve.
-  static constexpr double dependent = 1e-12;
-
-  static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }
-
-  /// Repeated while cancellation takes more than half of the length; comparisons are such that a NaN ends the loop.
-  double orthogonalise(Vector& a, Vector& alpha) const {
+  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of what is left, and 0 if that is
+  /// round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
+  double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;
     do {
@@ -64,6 +54,15 @@ class OrbitComplement {
     } while (left > dependent * length && left < 0.5 * before);
     return left > dependent * length ? left : 0;
   }
+
+ private:
+  struct Direction {
+    Vector q, v;
+  };
+  /// What is left of a vector in the span of the others, relative to its length: their round-off with a reserve.
+  static constexpr double dependent = 1e-7;
+
+  static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }
 
   std::vector<Direction> basis_;
   std::size_t rank_ = 0;
