@@ -30,7 +30,7 @@ struct BodyLoads {
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));
     for (const BodySpring& spring : springs) {
-      Eigen::Vector3d f;
+      Eigen::Vector3d f = Eigen::Vector3d::Zero();
       if (mechanics::Status status = central_force(spring.law, place(spring.xi) - spring.anchor, f); !status)
         return status;
       act(spring.xi, f);

@@ -147,7 +147,7 @@ class MassPoints {
 
   template <class Law>
   static mechanics::Status add_pair(const Law& law, Eigen::Index i, Eigen::Index j, const Vector& q, Vector& f) {
-    Eigen::Vector3d f_ij;
+    Eigen::Vector3d f_ij = Eigen::Vector3d::Zero();
     if (mechanics::Status status = central_force(law, q.col(i) - q.col(j), f_ij); !status) return status;
     f.col(i) += f_ij;
     f.col(j) -= f_ij;
@@ -156,7 +156,7 @@ class MassPoints {
   mechanics::Status add_attractions(const Vector& q, Vector& f) const {
     if (p_.central_attraction != 0)
       for (Eigen::Index i = 0; i < n(); ++i) {
-        Eigen::Vector3d f_i;
+        Eigen::Vector3d f_i = Eigen::Vector3d::Zero();
         const AttractionLaw law{p_.central_attraction * p_.masses(i)};
         if (mechanics::Status status = central_force(law, q.col(i) - p_.center, f_i); !status) return status;
         f.col(i) += f_i;

@@ -73,7 +73,7 @@ struct FrameForces {
     const Eigen::Vector3d in_frame = frame_field - frame_stiffness.cwiseProduct(Q - frame_center);
     f = field - stiffness * (q - center) + M * in_frame;
     if (attraction == 0) return {};
-    Eigen::Vector3d pull;
+    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
     if (mechanics::Status status = central_force(AttractionLaw{attraction}, q - center, pull); !status) return status;
     f += pull;
     return {};
