@@ -124,15 +124,26 @@ double pairing(const Multiplier& lambda, const Multiplier& r) {
 
 /// Decides on the increments of a fixed-point iteration. Near round-off they jitter instead of falling.
 struct FixedPointMonitor {
-  static constexpr int max_iterations = 100;
-  double previous = HUGE_VAL;
-  int iteration = 0;
+  static constexpr int max_iterations = 150;
+  double previous = HUGE_VAL, least = HUGE_VAL;
+  int iteration = 0, n_since_least = 0;
+
+  /// Whether increments have come below a limit and are no longer falling.
+  bool stalled(double increment, double limit) {
+    n_since_least = increment < least ? 0 : n_since_least + 1;
+    least = std::min(least, increment);
+    return n_since_least >= 3 && increment <= limit;
+  }
+  void start_again() {
+    previous = least = HUGE_VAL;
+    n_since_least = 0;
+  }
 
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // A NaN compares false everywhere and is stuck at once.
-    if (!(increment < 10 * previous) || ++iteration > max_iterations) return Verdict::stuck;
+    // A NaN compares false everywhere and is stuck at once; increments below a thousandth of the unit may jitter.
+    if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
     previous = increment;
     return Verdict::go_on;
   }
@@ -185,10 +196,9 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
-      const bool stalled = increment >= monitor.previous && increment <= 1e-6 * step;
-      if (w.hold < 2 && (stalled || increment <= 1e-12 * step)) {
-        w.hold = stalled ? w.hold + 1 : 2;
-        monitor.previous = HUGE_VAL;
+      if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-12 * step)) {
+        w.hold = increment <= 1e-12 * step ? 2 : w.hold + 1;
+        monitor.start_again();
       }
       verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
       if (verdict == Verdict::stuck) return Status::failure(does_not_converge(increment, h));
