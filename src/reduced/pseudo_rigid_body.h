@@ -166,7 +166,8 @@ class PseudoRigidBody {
       const Tensor B = scaled_by_inertia(1, C);
       const double curvature = materials::trace_of_square(materials::transposed_product(C, materials::to_tensor(Qdot)));
       const double s = (curvature + J * materials::dot(C, A)) * (1 / (J * materials::dot(C, B)));
-      if (!admissible(J) || !std::isfinite(s)) return inadmissible(J);
+      if (!admissible(J)) return inadmissible(J);
+      if (!std::isfinite(s)) return not_finite();
       materials::to_matrix(materials::entrywise([&](double x, double y) { return s * y - x; }, A, B), a);
     } else {
       if (!admissible(J)) return inadmissible(J);
@@ -180,6 +181,9 @@ class PseudoRigidBody {
   [[gnu::cold, gnu::noinline]] static mechanics::Status inadmissible(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       std::to_string(J));
+  }
+  [[gnu::cold, gnu::noinline]] static mechanics::Status not_finite() {
+    return mechanics::Status::failure("the acceleration of the body is not finite");
   }
 
   Law law_;

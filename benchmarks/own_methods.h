@@ -1,0 +1,51 @@
+#pragma once
+/// Runs of the program's own methods by its own time loop.
+
+#include "mechanics/time_loop.h"
+#include "work_precision.h"
+
+namespace pseudorigid::benchmarks {
+
+template <class System>
+struct KeepSamples {
+  std::vector<State<System>>& samples;
+  long n_steps = 1;
+
+  template <class Workspace>
+  Status sample(long k, const State<System>& state, const Workspace&) {
+    if (k > 0) samples.push_back(state);
+    return {};
+  }
+  template <class Workspace>
+  long steps_per_interval(long, const State<System>&, const Workspace&) {
+    return n_steps;
+  }
+  template <class Workspace>
+  bool step_done(mechanics::Cursor, const State<System>&, const Workspace&) {
+    return true;
+  }
+};
+
+/// `parameter` is the tolerance of an adaptive method, the number of steps between two samples of another.
+template <class Method, class System>
+Recording<System> run_own(const Form<System>& form, double parameter) {
+  Recording<System> r;
+  r.samples.reserve(n_samples);
+  auto state = form.initial;
+  const Stopwatch watch;
+  KeepSamples<System> hooks{r.samples};
+  typename Method::template Workspace<System> workspace(form.system);
+  if constexpr (Method::adaptive)
+    workspace.tolerance = parameter;
+  else
+    hooks.n_steps = std::lround(parameter);
+  mechanics::Cursor cursor;
+  const auto result =
+      mechanics::run_time_loop<Method>(form.system, {end_time, n_samples}, state, cursor, workspace, hooks);
+  r.seconds = watch.seconds();
+  r.n_evaluations = workspace.counters.n_force;
+  r.failure = result.reason;
+  return r;
+}
+
+}  // namespace pseudorigid::benchmarks

@@ -1,0 +1,68 @@
+#pragma once
+/// One run of one method at one tolerance or step: what it delivers, and how it is judged.
+
+#include <Eigen/Core>
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "problems.h"
+
+namespace pseudorigid::benchmarks {
+
+/// What a run leaves: its samples, and what it took. The clock runs from the construction of the integrator to the last
+/// sample; samples are stored within that time and looked at after it.
+template <class System>
+struct Recording {
+  std::vector<State<System>> samples{};
+  double seconds = 0;
+  long n_evaluations = 0;
+  std::string failure{};  ///< one sentence; empty if all samples were delivered
+};
+
+struct Result {
+  double seconds = 0;
+  long n_evaluations = 0;
+  double error = 0, constraint_error = 0, energy_error = 0;  // greatest over the samples; energy relative
+  std::string failure;
+};
+
+/// A run that can be repeated.
+struct Job {
+  std::string problem, method, parameter_name;  // parameter: "tolerance", or "step"
+  double parameter;
+  std::function<Result()> run;
+};
+
+/// Rows of a reference: the coordinates at the samples.
+using Reference = std::vector<Eigen::VectorXd>;
+
+template <class System>
+Result judge(const Form<System>& form, const Reference& reference, const Recording<System>& recording) {
+  Result r{recording.seconds, recording.n_evaluations, 0, 0, 0, recording.failure};
+  if (!r.failure.empty()) return r;
+  const double energy = form.energy(form.initial);
+  for (std::size_t k = 0; k < reference.size(); ++k) {
+    const auto& s = recording.samples[k];
+    const double error = (form.coordinates(s) - reference[k]).cwiseAbs().maxCoeff();
+    if (!std::isfinite(error)) return {r.seconds, r.n_evaluations, HUGE_VAL, HUGE_VAL, HUGE_VAL, "not finite"};
+    r.error = std::max(r.error, error);
+    r.constraint_error = std::max(r.constraint_error, form.constraint_error(s));
+    r.energy_error = std::max(r.energy_error, std::abs(form.energy(s) / energy - 1));
+  }
+  return r;
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+inline double sample_time(int k) { return end_time * (k + 1.0) / n_samples; }
+
+}  // namespace pseudorigid::benchmarks
