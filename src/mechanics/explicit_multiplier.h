@@ -12,10 +12,10 @@
 /// and `project(q, v, w)`. Gram solves of a number of constraints known at compile time are direct; the others may be
 /// inexact and are refined until the constraint on the acceleration is met.
 
-#include <utility>
+#include <cmath>
 
 #include "mechanics/constrained_system.h"
-#include "mechanics/rattle.h"
+#include "mechanics/constraint_newton.h"
 #include "mechanics/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -27,8 +27,8 @@ class ExplicitMultiplier {
   using Multiplier = typename S::Multiplier;
   struct Workspace {
     typename S::Workspace system;
-    Vector reaction;
-    Multiplier residual, curvature, delta;
+    detail::ConstraintTemporaries<S> constraint;
+    Multiplier curvature;
   };
 
   explicit ExplicitMultiplier(const S& system) : system_(system) {}
@@ -36,8 +36,7 @@ class ExplicitMultiplier {
   const S& system() const { return system_; }
   Vector make_vector() const { return system_.make_vector(); }
   Workspace make_workspace() const {
-    return {system_.make_workspace(), system_.make_vector(), system_.make_multiplier(), system_.make_multiplier(),
-            system_.make_multiplier()};
+    return {system_.make_workspace(), detail::ConstraintTemporaries<S>(system_), system_.make_multiplier()};
   }
   bool velocity_dependent() const { return !unconstrained<S> || mechanics::velocity_dependent(system_); }
   bool dissipative() const { return mechanics::dissipative(system_); }
@@ -62,13 +61,18 @@ class ExplicitMultiplier {
     } else if constexpr (unconstrained<S>) {
       return {};
     } else {
-      const auto position = [&](Multiplier& g) { return system_.constraint(q, g); };
-      const auto rate = [&](Multiplier& r) {
-        system_.constraint_rate(q, v, r);
+      auto& c = w.constraint;
+      const auto evaluate_position = [&] { return system_.constraint(q, c.residual); };
+      const auto evaluate_rate = [&] {
+        system_.constraint_rate(q, v, c.residual);
         return Status();
       };
-      if (Status status = solve("position", q, q, position, w); !status) return status;
-      return solve("velocity", q, v, rate, w);
+      if (Status status = detail::meet_constraint(system_, "position", q, q, w.system, c, evaluate_position,
+                                                  [&] { axpy(1.0, c.reaction, q); });
+          !status)
+        return status;
+      return detail::meet_constraint(system_, "velocity", q, q, w.system, c, evaluate_rate,
+                                     [&] { axpy(1.0, c.reaction, v); });
     }
   }
 
@@ -80,45 +84,17 @@ class ExplicitMultiplier {
     system_.constraint_curvature(q, v, w.curvature);
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
-      system_.constraint_rate(q, a, w.residual);
-      axpy(1.0, w.curvature, w.residual);
+      system_.constraint_rate(q, a, w.constraint.residual);
+      axpy(1.0, w.curvature, w.constraint.residual);
       if constexpr (max_refinements > 1) {
-        const double norm = max_norm(w.residual);
+        const double norm = max_norm(w.constraint.residual);
         if (norm <= system_.constraint_tolerance() || norm > needed_fall * before) break;
         before = norm;
       }
-      if (Status status = react(q, w); !status) return status;
-      axpy(1.0, w.reaction, a);
+      if (Status status = detail::react(system_, q, q, w.system, w.constraint); !status) return status;
+      axpy(1.0, w.constraint.reaction, a);
     }
     return {};
-  }
-
-  /// reaction = M⁻¹Gᵀδ with G M⁻¹Gᵀ δ = −residual.
-  Status react(const Vector& q, Workspace& w) const {
-    scale(-1.0, w.residual);
-    if (SolveReport report = system_.solve_gram(q, q, w.residual, w.system, w.delta); !report.status)
-      return std::move(report.status);
-    scale(0.0, w.reaction);
-    system_.add_reaction(q, w.delta, w.reaction);
-    system_.apply_inverse_mass(w.reaction, w.reaction);
-    return {};
-  }
-
-  /// x ← x + M⁻¹G(q)ᵀδ until the residual (g(q) or G(q) v) is zero; x is q or v.
-  template <class Residual>
-  Status solve(const char* what, const Vector& q, Vector& x, Residual&& residual, Workspace& w) const {
-    detail::ConvergenceMonitor monitor{system_.constraint_tolerance()};
-    for (;;) {
-      if (Status status = residual(w.residual); !status) return status;
-      const double norm = max_norm(w.residual);
-      const auto verdict = monitor.judge(norm);
-      if (verdict == detail::ConvergenceMonitor::Verdict::done) return {};
-      if (verdict == detail::ConvergenceMonitor::Verdict::stuck)
-        return Status::failure(std::string("the projection of the ") + what +
-                               " onto the constraints does not converge (residual " + std::to_string(norm) + ")");
-      if (Status status = react(q, w); !status) return status;
-      axpy(1.0, w.reaction, x);
-    }
   }
 
   const S& system_;

@@ -1,0 +1,64 @@
+#pragma once
+/// Newton's iteration that meets a constraint by reactions: with the residual r = g(q) or G(q) v,
+///
+///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
+///
+/// until |r| ≤ tolerance (or round-off).
+
+#include <string>
+#include <utility>
+
+#include "mechanics/constrained_system.h"
+#include "mechanics/rattle.h"
+
+namespace pseudorigid::mechanics::detail {
+
+template <ConstrainedSystem S>
+struct ConstraintTemporaries {
+  explicit ConstraintTemporaries(const S& system)
+      : reaction(system.make_vector()), residual(system.make_multiplier()), delta(system.make_multiplier()) {}
+
+  typename S::Vector reaction;  // M⁻¹G(q₀)ᵀ δ
+  typename S::Multiplier residual, delta;
+};
+
+/// w.reaction = M⁻¹G(q₀)ᵀ λ.
+template <ConstrainedSystem S>
+void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
+                  ConstraintTemporaries<S>& w) {
+  scale(0.0, w.reaction);
+  system.add_reaction(q0, lambda, w.reaction);
+  system.apply_inverse_mass(w.reaction, w.reaction);
+}
+
+/// w.delta and w.reaction from w.residual.
+template <ConstrainedSystem S>
+Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
+             typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
+  scale(-1.0, w.residual);
+  if (SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta); !report.status)
+    return std::move(report.status);
+  set_reaction(system, q0, w.delta, w);
+  return {};
+}
+
+/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x.
+template <ConstrainedSystem S, class Evaluate, class Apply>
+Status meet_constraint(const S& system, const char* what, const typename S::Vector& q1, const typename S::Vector& q0,
+                       typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w, Evaluate&& evaluate,
+                       Apply&& apply) {
+  ConvergenceMonitor monitor{system.constraint_tolerance()};
+  for (;;) {
+    if (Status status = evaluate(); !status) return status;
+    const double norm = max_norm(w.residual);
+    const auto verdict = monitor.judge(norm);
+    if (verdict == ConvergenceMonitor::Verdict::done) return {};
+    if (verdict == ConvergenceMonitor::Verdict::stuck)
+      return Status::failure(std::string("the ") + what + " iteration of the constraint does not converge (residual " +
+                             std::to_string(norm) + ")");
+    if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
+    apply();
+  }
+}
+
+}  // namespace pseudorigid::mechanics::detail

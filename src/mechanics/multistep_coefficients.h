@@ -1,0 +1,129 @@
+#pragma once
+/// Coefficients of explicit symmetric linear multistep methods for q̈ = a (Lambert, Watson, J. Inst. Maths Applics 18
+/// (1976) 189; Quinlan, Tremaine, Astron. J. 100 (1990) 1694; Hairer, Lubich, Wanner, Geometric Numerical Integration,
+/// XV.1),
+///
+///   Σ_j α_j q_{n+j} = h² Σ_j β_j a_{n+j},   ρ(ζ) = (ζ − 1)² ∏_i (ζ² − 2 a_i ζ + 1),   α_j = α_{k−j}, β_j = β_{k−j}.
+///
+/// All roots of ρ are simple on the unit circle but the double one at 1. β follows from the order conditions: with the
+/// indices counted from the middle, i = j − k/2, only the even ones are left,
+///
+///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
+///
+/// For constraints the roots of σ(ζ) = Σβ_j ζ^j must be simple on the unit circle as well (but the one at 0), since the
+/// multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i here were
+/// searched for among those with two decimals such that the roots of ρ and of σ are well apart, the step is stable for
+/// hω ≤ stability_limit, and the error constant is small.
+
+#include <array>
+
+namespace pseudorigid::mechanics {
+
+template <int k>
+struct MultistepFormula {
+  /// The formula for the differences d_n = q_n − q_{n−1}, newest first:
+  ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
+  std::array<double, k - 1> difference{}, acceleration{};
+  /// Velocity from the past, exact for motions of degree k + 1:  v_n = d_n/h + h Σ_i velocity[i] a_{n−i},  i = 0 … k
+  /// − 1.
+  std::array<double, k> velocity{};
+};
+
+namespace detail {
+
+/// x with A x = b, by elimination with row pivoting.
+template <int n>
+constexpr std::array<long double, n> solve(std::array<std::array<long double, n>, n> A, std::array<long double, n> b) {
+  const auto size = [](long double x) { return x < 0 ? -x : x; };
+  for (int c = 0; c < n; ++c) {
+    int pivot = c;
+    for (int r = c + 1; r < n; ++r)
+      if (size(A[r][c]) > size(A[pivot][c])) pivot = r;
+    const auto row = A[c];
+    A[c] = A[pivot];
+    A[pivot] = row;
+    const long double value = b[c];
+    b[c] = b[pivot];
+    b[pivot] = value;
+    for (int r = c + 1; r < n; ++r) {
+      const long double factor = A[r][c] / A[c][c];
+      for (int j = c; j < n; ++j) A[r][j] -= factor * A[c][j];
+      b[r] -= factor * b[c];
+    }
+  }
+  for (int c = n - 1; c >= 0; --c) {
+    for (int j = c + 1; j < n; ++j) b[c] -= A[c][j] * b[j];
+    b[c] /= A[c][c];
+  }
+  return b;
+}
+
+constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
+
+/// ρ, from ζ⁰ on.
+template <int k>
+constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
+  std::array<long double, k + 1> rho{1, -2, 1};
+  for (int i = 0; i < k / 2 - 1; ++i)
+    for (int j = 2 * i + 4; j >= 0; --j) rho[j] += (j >= 1 ? -2 * a[i] * rho[j - 1] : 0) + (j >= 2 ? rho[j - 2] : 0);
+  return rho;
+}
+
+/// β_0, …, β_{k/2−1} of the indices counted from the middle.
+template <int k>
+constexpr std::array<long double, k / 2> second_polynomial(const std::array<long double, k + 1>& rho) {
+  constexpr int m = k / 2;
+  std::array<std::array<long double, m>, m> A{};
+  std::array<long double, m> b{};
+  for (int row = 0; row < m; ++row) {
+    const int s = 2 * (row + 1);
+    for (int j = 0; j <= k; ++j) b[row] += rho[j] * power(j - m, s);
+    for (int i = 0; i < m; ++i) A[row][i] = s * (s - 1) * (i == 0 ? 1 : 2) * power(i, s - 2);
+  }
+  return solve<m>(A, b);
+}
+
+/// ∫ of the polynomial through a_{n−i} gives v_n − d_n/h: exact for a = (t − t_n)^s with h = 1,
+///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
+template <int k>
+constexpr std::array<long double, k> velocity_weights() {
+  std::array<std::array<long double, k>, k> A{};
+  std::array<long double, k> b{};
+  for (int s = 0; s < k; ++s) {
+    for (int i = 0; i < k; ++i) A[s][i] = power(i, s);
+    b[s] = 1.0L / ((s + 1) * (s + 2));
+  }
+  return solve<k>(A, b);
+}
+
+}  // namespace detail
+
+template <int k>
+constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k / 2 - 1>& a) {
+  const auto rho = detail::first_polynomial<k>(a);
+  const auto beta = detail::second_polynomial<k>(rho);
+  const auto velocity = detail::velocity_weights<k>();
+  MultistepFormula<k> formula;
+  long double sum = rho[k];  // coefficients of ρ/(ζ − 1), from the highest on
+  for (int i = 0; i < k - 1; ++i) {
+    sum += rho[k - 1 - i];
+    formula.difference[i] = static_cast<double>(-sum);
+    const int from_middle = k / 2 - 1 - i;
+    formula.acceleration[i] = static_cast<double>(beta[from_middle < 0 ? -from_middle : from_middle]);
+  }
+  for (int i = 0; i < k; ++i) formula.velocity[i] = static_cast<double>(velocity[i]);
+  return formula;
+}
+
+struct Symmetric8Coefficients {
+  static constexpr int order = 8;
+  static constexpr double stability_limit = 0.44;
+  static constexpr std::array<long double, 3> a{-0.94L, 0.32L, 0.59L};
+};
+struct Symmetric12Coefficients {
+  static constexpr int order = 12;
+  static constexpr double stability_limit = 0.34;
+  static constexpr std::array<long double, 5> a{-0.96L, 0.42L, 0.60L, 0.75L, 0.88L};
+};
+
+}  // namespace pseudorigid::mechanics
