@@ -1,5 +1,5 @@
-/// The constrained rigid body: derivatives, symmetries, refusals, agreement of its loads with Euler's equation, Euler
-/// angles at their singularity, declared orders.
+/// The constrained rigid body: derivatives, symmetries, refusals, agreement of its loads with Euler's equation,
+/// declared orders.
 
 #include "systems/rigid_body.h"
 
@@ -8,7 +8,6 @@
 #include "mechanics/methods.h"
 #include "support/order_test.h"
 #include "systems/conservative_checks.h"
-#include "systems/euler_angles.h"
 #include "systems/sample_systems.h"
 
 namespace pseudorigid::testing {
@@ -136,18 +135,6 @@ TEST(EulerTop, ProjectionRestoresUnitLengthOrFails) {
   EXPECT_FALSE(top.project(q, v, w));
   q.setConstant(std::numeric_limits<double>::quiet_NaN());
   EXPECT_FALSE(top.project(q, v, w));
-}
-
-TEST(EulerAngles, SingularityIsReportedAndLeavesNoNaN) {
-  systems::EulerAnglePath path;
-  systems::EulerAngles a;
-  const auto status = path.next(systems::rotation_of({0.3, 0, 0.4}), a);
-  EXPECT_FALSE(status);
-  EXPECT_NE(status.reason().find("sin(theta) = 0"), std::string::npos);
-  EXPECT_TRUE(path.next(systems::rotation_of({0.3, 1e-6, 0.4}), a));
-  EXPECT_NEAR(a.phi, 0.3, 1e-9);
-  Eigen::Matrix3d nan = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(path.next(nan, a));
 }
 
 template <class Body>

@@ -1,0 +1,105 @@
+/// Euler angles (5.6.20, corrected): the angular velocities, the nodal line, continuity along a motion, the
+/// singularity; correction 3.
+
+#include "systems/euler_angles.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mechanics/methods.h"
+#include "support/runs.h"
+#include "systems/conservative_checks.h"
+#include "systems/sample_systems.h"
+
+namespace pseudorigid::testing {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+using systems::FixedPointBody;
+
+Vector3d axial_of_skew(const Matrix3d& W) { return -0.5 * mechanics::axial_vector(W); }
+
+const systems::EulerAngles some_angles{0.7, 1.1, -2.3}, some_rates{0.4, -0.9, 1.3};
+
+/// Ω and ω by differences of R(φ, θ, ψ) along a path through the angles.
+std::array<Vector3d, 2> angular_velocities_by_differences() {
+  const auto& [a, rate] = std::pair(some_angles, some_rates);
+  const Matrix3d R = systems::rotation_of(a),
+                 R_rate = derivative([&, a = a, rate = rate](double t) -> Matrix3d {
+                   return systems::rotation_of({a.phi + t * rate.phi, a.theta + t * rate.theta, a.psi + t * rate.psi});
+                 });
+  return {axial_of_skew(R.transpose() * R_rate), axial_of_skew(R_rate * R.transpose())};
+}
+
+/// The Euler angles, (5.6.20) with θ̇ in A: Ω, ω and the way back from R and Ω.
+TEST(Statement_5_6_20, EulerAnglesGiveTheAngularVelocities) {
+  const auto [Omega, omega] = angular_velocities_by_differences();
+  EXPECT_LT((systems::body_angular_velocity(some_angles, some_rates) - Omega).norm(), difference_tolerance);
+  EXPECT_LT((systems::space_angular_velocity(some_angles, some_rates) - omega).norm(), difference_tolerance);
+  const auto rates = systems::rates_of(some_angles, Omega);
+  EXPECT_NEAR(rates.phi, some_rates.phi, difference_tolerance);
+  EXPECT_NEAR(rates.theta, some_rates.theta, difference_tolerance);
+  EXPECT_NEAR(rates.psi, some_rates.psi, difference_tolerance);
+}
+
+/// φ turns e_x to the nodal line e_N = e_z × e₃/|e_z × e₃|, θ turns e_z to e₃, ψ turns e_N to e₁.
+TEST(Statement_5_6_20, AnglesAreThoseOfTheNodalLine) {
+  const Matrix3d R = systems::rotation_of(some_angles);
+  const Vector3d nodal = Vector3d::UnitZ().cross(R.col(2)).normalized(), e1 = R.col(0), e3 = R.col(2);
+  const auto turn = [](double angle, const Vector3d& axis) {
+    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+  };
+  EXPECT_LT((turn(some_angles.phi, Vector3d::UnitZ()) * Vector3d::UnitX() - nodal).norm(), 1e-15);
+  EXPECT_LT((turn(some_angles.theta, nodal) * Vector3d::UnitZ() - e3).norm(), 1e-15);
+  EXPECT_LT((turn(some_angles.psi, e3) * nodal - e1).norm(), 1e-15);
+}
+
+/// "K = ½(I₁A² + I₂B² + I₃C²)", and the angles of a motion are continuous and satisfy their own rates.
+TEST(Statement_5_6_20, AnglesAlongAMotionAreContinuous) {
+  const FixedPointBody body({generic_E0(), {}});
+  const auto r =
+      run<mechanics::Rattle8>(body, systems::turning(systems::rotation_of(some_angles), {0.2, 0.1, 2.0}), 30, 3000, 1);
+  ASSERT_TRUE(r.finished());
+  systems::EulerAnglePath path;
+  systems::EulerAngles a, before;
+  for (std::size_t k = 0; k < r.states.size(); ++k) {
+    const auto& s = r.states[k];
+    ASSERT_TRUE(path.next(s.q, a));
+    EXPECT_LT((systems::rotation_of(a) - s.q).norm(), 4e-14) << "round-off of angles up to 60";
+    const Vector3d Omega = FixedPointBody::body_angular_velocity(s.q, s.v);
+    const Vector3d ABC = systems::body_angular_velocity(a, systems::rates_of(a, Omega));
+    EXPECT_NEAR(0.5 * ABC.dot(generic_moments.cwiseProduct(ABC)), body.kinetic_energy(s.v), 1e-12);
+    if (k > 0) {
+      EXPECT_LT(std::max(std::abs(a.phi - before.phi), std::abs(a.psi - before.psi)), 0.5) << "no jump of 2π";
+    }
+    before = a;
+  }
+  EXPECT_GT(std::abs(a.phi) + std::abs(a.psi), 6 * std::numbers::pi) << "several turns";
+}
+
+/// Right: A = φ̇ sinψ sinθ + θ̇ cosψ. The printed A = φ̇ sinψ sinθ + ψ̇ cosψ is not the component of Ω.
+TEST(Correction_3, PrintedFirstComponentOfOmegaIsWrong) {
+  const Vector3d Omega = angular_velocities_by_differences()[0];
+  const auto& a = some_angles;
+  const double turning = some_rates.phi * std::sin(a.psi) * std::sin(a.theta);
+  EXPECT_NEAR(turning + some_rates.theta * std::cos(a.psi), Omega.x(), difference_tolerance);
+  EXPECT_GT(std::abs(turning + some_rates.psi * std::cos(a.psi) - Omega.x()), 1);
+}
+
+TEST(EulerAngles, SingularityIsReportedAndLeavesNoNaN) {
+  systems::EulerAnglePath path;
+  systems::EulerAngles a;
+  const auto status = path.next(systems::rotation_of({0.3, 0, 0.4}), a);
+  EXPECT_FALSE(status);
+  EXPECT_NE(status.reason().find("sin(theta) = 0"), std::string::npos);
+  EXPECT_TRUE(path.next(systems::rotation_of({0.3, 1e-6, 0.4}), a));
+  EXPECT_NEAR(a.phi, 0.3, 1e-9);
+  Eigen::Matrix3d nan = Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(path.next(nan, a));
+}
+
+}  // namespace pseudorigid::testing
