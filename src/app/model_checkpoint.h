@@ -1,25 +1,28 @@
 #pragma once
-/// The state of a model's run as a checkpoint, and back. Besides (t, q, v) it holds what the methods carry from step to
-/// step (multiplier history, pending reaction weight), so that a resumed run repeats the uninterrupted one.
+/// The state of a model's run as a checkpoint, and back. Besides (t, q, v) it holds what the method carries from step
+/// to step (mechanics/memory.h), so that a resumed run repeats the uninterrupted one.
 
 #include <algorithm>
 #include <array>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/checkpoint.h"
+#include "mechanics/memory.h"
 #include "mechanics/methods.h"
-#include "mechanics/rattle.h"
 #include "mechanics/time_loop.h"
 #include "scene/print_scene.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::app {
 
 /// Where a run stands and what it steps with.
 struct RunPosition {
   mechanics::Cursor cursor;
-  mechanics::MethodId method = mechanics::MethodId::rattle;
+  mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
   double step = 0;                                     ///< upper bound of the outer step, internal time
+  double local_tolerance = 0;                          ///< of an adaptive method
   long steps_in_interval = 0;                          ///< of the interval that the cursor is in; 0 at a sample
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
 };
@@ -46,22 +49,15 @@ template <class S>
 struct Snapshot {
   RunPosition position;
   mechanics::State<S> state;
-  mechanics::MultiplierHistory<S> history;
-  double pending_weight = 0;
+  std::vector<double> memory;  ///< of the method
   mechanics::Counters counters;
 
-  void take(const RunPosition& at, const mechanics::State<S>& s, const mechanics::RattleWorkspace<S>& w) {
+  template <class Workspace>
+  void take(const RunPosition& at, const mechanics::State<S>& s, Workspace& w) {
     position = at;
     state = s;
-    history = w.history;
-    pending_weight = w.pending_weight;
+    mechanics::save_memory(w, memory);
     counters = w.counters;
-  }
-  void put(mechanics::State<S>& s, mechanics::RattleWorkspace<S>& w) const {
-    s = state;
-    w.history = history;
-    w.pending_weight = pending_weight;
-    w.counters = counters;
   }
 };
 
@@ -69,7 +65,6 @@ template <class S>
 io::Checkpoint to_checkpoint(const RunIdentity& identity, Snapshot<S>& snapshot) {
   using mechanics::local_values;
   const RunPosition& position = snapshot.position;
-  auto& history = snapshot.history;
   const mechanics::Counters& n = snapshot.counters;
   io::Checkpoint c;
   c.set("scene", identity.frozen_scene);
@@ -77,14 +72,12 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, Snapshot<S>& snapshot)
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
   c.set("steps in interval", position.steps_in_interval);
-  c.set("method", static_cast<int>(position.method));
-  c.set("numbers", std::array{position.step, position.max_constraint, position.max_constraint_rate, snapshot.state.t,
-                              snapshot.pending_weight, history.t_latest, history.t_before});
+  c.set("method", std::string(mechanics::method_name(position.method)));
+  c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
+                              position.max_constraint_rate, snapshot.state.t});
   c.set("q", local_values(snapshot.state.q));
   c.set("v", local_values(snapshot.state.v));
-  c.set("history known", history.n_known);
-  c.set("multiplier latest", local_values(history.latest));
-  c.set("multiplier before", local_values(history.before));
+  c.set("memory", std::span<const double>(snapshot.memory));
   c.set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
                                static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
                                static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
@@ -98,22 +91,20 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
     const auto& stored = c.get_doubles(name, values.size());
     std::copy(stored.begin(), stored.end(), values.begin());
   };
-  const auto& numbers = c.get_doubles("numbers", 7);
+  const auto& numbers = c.get_doubles("numbers", 5);
+  const auto method = mechanics::find_method(c.get_string("method"));
+  if (!method) throw UserError("the checkpoint is of a method that this program does not have");
   snapshot.position = {{c.get_integer("sample"), c.get_integer("step in interval")},
-                       static_cast<mechanics::MethodId>(c.get_integer("method")),
+                       *method,
                        numbers[0],
-                       c.get_integer("steps in interval"),
                        numbers[1],
-                       numbers[2]};
-  snapshot.state.t = numbers[3];
-  snapshot.pending_weight = numbers[4];
-  snapshot.history.t_latest = numbers[5];
-  snapshot.history.t_before = numbers[6];
-  snapshot.history.n_known = static_cast<int>(c.get_integer("history known"));
+                       c.get_integer("steps in interval"),
+                       numbers[2],
+                       numbers[3]};
+  snapshot.state.t = numbers[4];
   read("q", mechanics::local_values(snapshot.state.q));
   read("v", mechanics::local_values(snapshot.state.v));
-  read("multiplier latest", mechanics::local_values(snapshot.history.latest));
-  read("multiplier before", mechanics::local_values(snapshot.history.before));
+  snapshot.memory = c.get_doubles("memory");
   const auto& n = c.get_doubles("counters", 6);
   snapshot.counters = {static_cast<long>(n[0]), static_cast<long>(n[1]), static_cast<long>(n[2]),
                        static_cast<long>(n[3]), static_cast<long>(n[4]), static_cast<long>(n[5])};

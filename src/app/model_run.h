@@ -1,31 +1,35 @@
 #pragma once
-/// One model's run, the same for both: choice of method and step, time loop, CSV rows, pictures, checkpoints, progress.
+/// One model's run, the same for all systems: choice of method and step, time loop, CSV rows, pictures, checkpoints,
+/// progress.
 ///
 /// A Model offers
 ///   using System;  static constexpr const char* name;  static constexpr int steps_between_looks;
 ///   static constexpr double pilot_reserve;
-///   const System& system() const;  State<System> initial_state() const;  double constraint_scale() const;
-///   Eigen::Matrix3d Q(state) const, Qdot(state) const;  double pilot_window(end) const;
+///   const System& system() const;  State<System> initial_state() const;
+///   configuration(state) const       what Time/Tolerance speaks of: a vector or matrix of Eigen
+///   double rate(state) const         of the motion itself, beside its largest frequency
+///   double pilot_window(end) const;
 ///   std::vector<std::string> columns(quantities) const;
-///   Status row(time, state, workspace, row) const;  Status write_frame(path, state, workspace);
-///   void report(workspace, statistics) const.
+///   Status row(time, state, system workspace, row);
+///   void report(workspace, statistics) const;
+/// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
+/// workspace).
 
 #include <chrono>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "app/frame_schedule.h"
 #include "app/model_checkpoint.h"
+#include "app/model_stepping.h"
 #include "app/run_context.h"
-#include "app/scene_to_model.h"
 #include "io/csv.h"
 #include "io/progress.h"
 #include "io/pvd.h"
 #include "io/signals.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/step_size.h"
 #include "mechanics/time_loop.h"
 
 namespace pseudorigid::app {
@@ -34,9 +38,9 @@ template <class Model>
 class ModelRun {
   using System = typename Model::System;
   using State = mechanics::State<System>;
-  using Workspace = mechanics::RattleWorkspace<System>;
   using Status = mechanics::Status;
   using Clock = std::chrono::steady_clock;
+  using Outcome = mechanics::Outcome;
 
  public:
   ModelRun(Model& model, const RunContext& context)
@@ -45,11 +49,11 @@ class ModelRun {
         identity_(run_identity(context.scene)),
         checkpoint_path_(context.directory.checkpoint(Model::name)),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
+        stepping_(model, context, times_.end, times_.interval()),
         frames_(context.scene.output.frames, context.scene.output.samples),
         state_(model.initial_state()),
-        workspace_(model.system()),
         progress_(Model::name, context.show_progress) {
-    good_.take(position_, state_, workspace_);
+    good_.state = state_;
   }
 
   ModelOutcome run() {
@@ -59,7 +63,7 @@ class ModelRun {
                      status.reason(), start);
     mechanics::RunResult result;
     if (next_stepping_) result = run_until(position_.cursor.sample + 1);
-    if (result.outcome == mechanics::Outcome::finished) {
+    if (result.outcome == Outcome::finished) {
       if (next_stepping_) step_anew();
       result = run_until(times_.n_samples);
     }
@@ -69,33 +73,40 @@ class ModelRun {
 
   // Hooks of the time loop.
 
+  template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
     const double time = context_.scene.time.end * (static_cast<double>(k) / static_cast<double>(times_.n_samples));
-    if (Status status = model_.row(time, state, workspace, row_); !status) return status;
+    auto& system_workspace = workspace_of_system(workspace);
+    if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
     measure_constraint(state);
     csv_->append(row_);
-    if (context_.needs.graphics && frames_.has(k)) write_frame(k, time, state, workspace);
+    if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
+      if (context_.needs.graphics && frames_.has(k)) write_frame(k, time, state, system_workspace);
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
-    good_.take(position_, state, workspace);
+    if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
     if (k == 0) save(good_);
     return {};
   }
 
-  long steps_per_interval(long k, const State& state, Workspace& workspace) {
+  template <class Workspace>
+  long steps_per_interval(long k, const State& state, Workspace&) {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
-    if (adapts() && k > 0 && k % looks_at_frequency_every() == 0) reconsider_step(state, workspace);
+    if (stepping_.adapts(position_) && k > 0 && k % looks_at_frequency_every() == 0)
+      stepping_.reconsider(state, position_);
     return position_.steps_in_interval = times_.steps_per_interval(position_.step);
   }
 
+  template <class Workspace>
   bool step_done(mechanics::Cursor cursor, const State& state, Workspace& workspace) {
+    position_.cursor = cursor;
+    // Steps of an adaptive method do not end at samples.
+    if (stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
     if (++steps_since_look_ < Model::steps_between_looks) return true;
     steps_since_look_ = 0;
-    const double part = static_cast<double>(cursor.step) / static_cast<double>(position_.steps_in_interval);
-    progress_.step((static_cast<double>(cursor.sample) + part) / static_cast<double>(times_.n_samples));
+    progress_.step(state.t / times_.end);
     const bool interrupted = io::interrupt_requested();
     if (interrupted || Clock::now() - last_save_ > seconds_between_checkpoints) {
-      position_.cursor = cursor;
       Snapshot<System> now;
       now.take(position_, state, workspace);
       save(now);
@@ -104,33 +115,67 @@ class ModelRun {
   }
 
  private:
+  static constexpr bool has_constraints = [] {
+    if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
+    return false;
+  }();
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
-  static constexpr int n_lanczos = 24;
 
   struct Stepping {
     mechanics::MethodId method;
-    double step;
+    double step, local_tolerance;
     std::string entries;  ///< of the scene, as in RunIdentity
   };
 
   /// Goes on to a sample with the method of the position.
   mechanics::RunResult run_until(long sample) {
-    const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
-    return mechanics::with_method(position_.method, [&]<class Method>(Method) {
-      return mechanics::run_time_loop<Method>(model_.system(), times, state_, position_.cursor, workspace_, *this);
-    });
+    mechanics::RunResult result{Outcome::failed, "", state_.t};
+    with_fitting_method<System>(position_.method,
+                                [&]<class Method>(Method) { result = run_until_with<Method>(sample); });
+    return result;
   }
 
-  /// At a sample, with the state of which `good_` is the snapshot.
+  template <class Method>
+  mechanics::RunResult run_until_with(long sample) {
+    const auto& form = mechanics::form_for<Method>(model_.system());
+    typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
+    if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory))
+      throw UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
+    workspace.counters = good_.counters;
+    if constexpr (Method::adaptive) {
+      workspace.tolerance = position_.local_tolerance;
+      workspace.h_max = position_.step;
+    }
+    const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
+    auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
+    counters_ = workspace.counters;
+    model_.report(workspace, statistics_);
+    return result;
+  }
+
+  template <class Workspace>
+  typename System::Workspace& workspace_of_system(Workspace& workspace) {
+    if constexpr (std::is_same_v<decltype(workspace.system), typename System::Workspace>) {
+      return workspace.system;
+    } else {
+      if (!system_workspace_) system_workspace_.emplace(model_.system().make_workspace());
+      return *system_workspace_;
+    }
+  }
+
+  /// At a sample, from which on the state alone matters.
   void step_anew() {
     std::swap(position_.method, next_stepping_->method);
     std::swap(position_.step, next_stepping_->step);
+    std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
     std::swap(identity_.stepping, next_stepping_->entries);
     good_.position = position_;
+    good_.state = state_;
+    good_.memory.clear();
+    good_.counters = counters_;
     next_stepping_.reset();
   }
 
-  bool adapts() const { return !context_.scene.time.step; }
   /// The largest frequency changes with the deformation; it is looked at this often.
   long looks_at_frequency_every() const { return std::max(1L, times_.n_samples / 16); }
 
@@ -150,7 +195,7 @@ class ModelRun {
       if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(Model::name), std::move(written));
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
     } else {
-      if (Status status = choose_step(); !status) return status;
+      if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
       csv_.emplace(io::CsvWriter::create(csv_path, columns));
       if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(Model::name));
     }
@@ -161,92 +206,33 @@ class ModelRun {
   Status restore() {
     const io::Checkpoint file = io::Checkpoint::load(checkpoint_path_);
     from_checkpoint(file, good_);
-    good_.put(state_, workspace_);
+    state_ = good_.state;
+    counters_ = good_.counters;
     position_ = good_.position;
     const bool complete = position_.cursor.sample == times_.n_samples;
     if (complete || file.get_string("stepping") == identity_.stepping) return {};
-    // New steps begin at a sample. A run that failed stands at one; one that was interrupted within an interval
-    // finishes it with the old ones first.
+    // New steps begin at a sample. A run that failed stands at one; one that stands within an interval finishes it with
+    // the old ones first.
     const RunPosition old = position_;
-    if (Status status = choose_step(); !status) return status;
-    if (old.steps_in_interval == 0) return {};
-    next_stepping_ = {position_.method, position_.step, std::exchange(identity_.stepping, file.get_string("stepping"))};
+    if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
+    if (old.steps_in_interval == 0 && state_.t == times_[old.cursor.sample]) {
+      good_.memory.clear();
+      return {};
+    }
+    next_stepping_ = {position_.method, position_.step, position_.local_tolerance,
+                      std::exchange(identity_.stepping, file.get_string("stepping"))};
     position_ = old;
     return {};
   }
 
-  /// Method and step of the scene, or those that its tolerance asks for. A choice made by somebody is announced.
-  Status choose_step() {
-    const scene::Scene& scene = context_.scene;
-    const std::optional<mechanics::MethodId> method = method_of(scene);
-    const double bound = scene.time.step ? context_.internal_time(*scene.time.step) : HUGE_VAL;
-    if (method && scene.time.step) {
-      position_.method = *method;
-      position_.step = bound;
-      return {};
-    }
-    const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace_.system, n_lanczos);
-    if (!frequency.status) return frequency.status;
-    const double limit = mechanics::rattle_step_limit(frequency.omega, model_.Q(state_), model_.Qdot(state_));
-    const double left = times_.end - state_.t;
-    mechanics::StepRequest request{.end = left,
-                                   .window = model_.pilot_window(left),
-                                   .tolerance = Model::pilot_reserve * scene.time.tolerance,
-                                   .rattle_limit = std::min(limit, left),
-                                   .step_bound = std::min(bound, times_.interval()),
-                                   .method = method,
-                                   .give_up = io::interrupt_requested};
-    State from_zero = state_;
-    from_zero.t = 0;
-    auto choice =
-        mechanics::choose_step(model_.system(), from_zero, request, [&](const State& s) { return model_.Q(s); });
-    // Nothing is begun with a step that an interrupted search has not found.
-    if (io::interrupt_requested()) return Status::failure("interrupted while looking for the step");
-    if (!choice.status) {
-      // The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
-      position_.method = method.value_or(mechanics::MethodId::rattle);
-      position_.step = mechanics::with_method(position_.method, [&]<class Method>(Method) {
-        return std::min(bound, 0.5 * limit * Method::stability_limit / mechanics::Rattle::stability_limit);
-      });
-      context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with half the stable step, {:.4g}",
-                         Model::name, choice.status.reason(), mechanics::method_name(position_.method),
-                         position_.step * context_.units.time);
-      return {};
-    }
-    position_.method = choice.method;
-    position_.step = choice.step;
-    statistics_.counters["pilot_forces"] += static_cast<double>(choice.n_force);
-    statistics_.counters["estimated_time_error"] = choice.error;
-    statistics_.counters["largest_frequency"] = frequency.omega / context_.units.time;
-    context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", Model::name,
-                       mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
-    context_.log->debug("{}: {}", Model::name, choice.why);
-    return {};
-  }
-
-  /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
-  void reconsider_step(const State& state, Workspace& workspace) {
-    const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace.system, n_lanczos);
-    if (!frequency.status) return;  // the step itself will meet the failure and report it
-    const double rattle_limit = mechanics::rattle_step_limit(frequency.omega, model_.Q(state), model_.Qdot(state), 0.9);
-    const double limit = mechanics::with_method(position_.method, [&]<class Method>(Method) {
-      return rattle_limit * Method::stability_limit / mechanics::Rattle::stability_limit;
-    });
-    const double before = position_.step;
-    while (position_.step > limit) position_.step /= 2;
-    if (position_.step != before)
-      context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", Model::name,
-                         position_.step * context_.units.time, state.t * context_.units.time);
-  }
-
   void measure_constraint(const State& state) {
-    if constexpr (!mechanics::unconstrained<System>) {
+    if constexpr (has_constraints) {
       const double scale = model_.constraint_scale();
-      if (Status status = model_.system().constraint(state.q, workspace_.residual); !status) return;
-      position_.max_constraint = std::max(position_.max_constraint, mechanics::max_norm(workspace_.residual) / scale);
-      model_.system().constraint_rate(state.q, state.v, workspace_.residual);
-      position_.max_constraint_rate =
-          std::max(position_.max_constraint_rate, mechanics::max_norm(workspace_.residual) / scale);
+      auto residual = model_.system().make_multiplier();
+      if (Status status = model_.system().constraint(state.q, residual); !status) return;
+      position_.max_constraint = std::max(position_.max_constraint, mechanics::max_norm(residual) / scale);
+      model_.system().constraint_rate(state.q, state.v, residual);
+      position_.max_constraint_rate = std::max(position_.max_constraint_rate, mechanics::max_norm(residual) / scale);
     }
   }
 
@@ -256,7 +242,7 @@ class ModelRun {
 
   /// A picture that cannot be drawn (a node turned inside out while the quadrature points are sound) is left out: the
   /// run is the same with and without pictures.
-  void write_frame(long k, double time, const State& state, Workspace& workspace) {
+  void write_frame(long k, double time, const State& state, typename System::Workspace& workspace) {
     const auto path = context_.directory.frame(Model::name, static_cast<int>(frames_.n_before(k)));
     if (Status status = model_.write_frame(path, state, workspace); !status)
       context_.log->warn("{}: no picture at t = {:.6g}: {}", Model::name, time, status.reason());
@@ -271,7 +257,6 @@ class ModelRun {
   }
 
   ModelOutcome end(mechanics::RunResult result, Clock::time_point start) {
-    using Outcome = mechanics::Outcome;
     if (result.outcome == Outcome::interrupted)
       return outcome(ModelOutcome::State::interrupted, "interrupted at t = " + physical_time(result.t), start);
     save(good_);
@@ -289,20 +274,19 @@ class ModelRun {
   }
 
   ModelOutcome outcome(ModelOutcome::State state, const std::string& message, Clock::time_point start) {
-    const mechanics::Counters& n = workspace_.counters;
+    const mechanics::Counters& n = counters_;
     auto& c = statistics_.counters;
     c["steps"] = static_cast<double>(n.n_steps);
     c["substeps"] = static_cast<double>(n.n_substeps);
     c["forces"] = static_cast<double>(n.n_force);
     c["step"] = position_.step * context_.units.time;
     c["order"] = mechanics::with_method(position_.method, []<class Method>(Method) { return Method::order; });
-    if constexpr (!mechanics::unconstrained<System>) {
+    if constexpr (has_constraints) {
       c["position_iterations"] = static_cast<double>(n.n_position_iterations);
       c["velocity_projections"] = static_cast<double>(n.n_projections);
       c["max_scaled_constraint"] = position_.max_constraint;
       c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
     }
-    model_.report(workspace_, statistics_);
     statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
     return {state, message.empty() ? message : std::string(Model::name) + " " + message, std::move(statistics_)};
   }
@@ -312,9 +296,11 @@ class ModelRun {
   RunIdentity identity_;
   std::filesystem::path checkpoint_path_;
   mechanics::SampleTimes times_;
+  ModelStepping<Model> stepping_;
   FrameSchedule frames_;
   State state_;
-  Workspace workspace_;
+  mechanics::Counters counters_;
+  std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
   RunPosition position_;
   std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
   Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again

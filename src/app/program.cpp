@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 
+#include "app/catalogue.h"
 #include "app/command_line.h"
 #include "app/run_command.h"
 #include "io/build_info.h"
@@ -51,7 +52,7 @@ struct Launch {
 }
 
 scene::ReadScene read_and_validate(const Options& options) {
-  scene::ReadScene read = scene::read_scene(options.scene, options.overrides);
+  scene::ReadScene read = scene::read_scene(options.scene, options.overrides, program_catalogue());
   read.scene = scene::validate(read.scene, read.origins);
   return read;
 }
@@ -77,7 +78,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
       return exit_done;
     }
     case Command::parameters:
-      std::fputs(scene::parameters(options.format).c_str(), stdout);
+      std::fputs(scene::parameters(options.format, program_catalogue()).c_str(), stdout);
       return exit_done;
     case Command::version: {
       const io::BuildInfo build = io::build_info();

@@ -58,6 +58,8 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   std::string message;
   bool interrupted = false, complete = true;
   const scene::Needs& needs = context.needs;
+  const std::string system(needs.system ? needs.system->file : "");
+  if (needs.system) complete = run_model(system.c_str(), run_system, context, manifest, message, interrupted);
   if (needs.reduced) complete = run_model("reduced", run_reduced, context, manifest, message, interrupted);
   if (complete && needs.continuum)
     complete = run_model("continuum", executable.run_continuum, context, manifest, message, interrupted);
@@ -69,7 +71,8 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
     return exit_done;
   }
   const auto has_checkpoint = [&](const char* model) { return exists(context.directory.checkpoint(model)); };
-  const bool resumable = has_checkpoint("reduced") || has_checkpoint("continuum");
+  const bool resumable =
+      needs.system ? has_checkpoint(system.c_str()) : has_checkpoint("reduced") || has_checkpoint("continuum");
   context.log->error("{}{}", message,
                      !resumable    ? ""
                      : interrupted ? " (--resume goes on from there)"
@@ -80,7 +83,9 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
 
 /// Every checkpoint in the directory can be read and belongs to this scene.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
-  for (const char* model : {"reduced", "continuum"}) {
+  std::vector<std::string> models{"reduced", "continuum"};
+  if (const auto* system = scene.catalogue->system(scene.system)) models.emplace_back(system->file);
+  for (const std::string& model : models) {
     const auto path = directory.checkpoint(model);
     if (std::filesystem::exists(path) &&
         io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
@@ -97,7 +102,10 @@ void prepare(const io::RunDirectory& directory, const scene::ReadScene& read, co
       directory.prepare_resume();
       require_same_scene(directory, read.scene);
     } else {
-      directory.prepare_fresh();
+      std::vector<std::string> system_files;
+      for (const auto& system : read.scene.catalogue->systems)
+        system_files.push_back(std::string(system.file) + ".csv");
+      directory.prepare_fresh(system_files);
     }
     if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
   } catch (const UserError& error) {

@@ -13,7 +13,7 @@ class ContinuumModel {
  public:
   using System = continuum::ElasticBall;
   using State = mechanics::State<System>;
-  using Workspace = mechanics::RattleWorkspace<System>;
+  using Workspace = System::Workspace;
   static constexpr const char* name = "continuum";
   static constexpr int steps_between_looks = 1;
   /// In its first half pulsation a ball released from rest gathers as little as 0.45 of the mean growth of its time
@@ -33,16 +33,17 @@ class ContinuumModel {
             ball_.affine_field(initial_velocity(context_.scene, context_.units))};
   }
   double constraint_scale() const { return ball_.multiplier_scale(); }
-  Eigen::Matrix3d Q(const State& state) const { return ball_.mass_moment(state.q); }
-  Eigen::Matrix3d Qdot(const State& state) const { return ball_.mass_moment(state.v); }
+  Eigen::Matrix3d configuration(const State& state) const { return ball_.mass_moment(state.q); }
+  double rate(const State& state) const {
+    return mechanics::affine_rate(ball_.mass_moment(state.q), ball_.mass_moment(state.v));
+  }
   /// About half a pulsation: by then the shear front from the surface has crossed the ball.
   double pilot_window(double end) const { return std::min(end, 1.0); }
 
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::continuum_columns(q); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
-    if (auto status = continuum::observe(ball_, state, workspace.system, request_, observables_); !status)
-      return status;
+    if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     io::continuum_row(time, observables_, context_.units, context_.needs.quantities, row);
     return {};
   }
@@ -50,7 +51,7 @@ class ContinuumModel {
   mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
     if (reference_.points.empty()) reference_ = continuum::nodal_grid(ball_.space());
     continuum::NodalFields fields;
-    if (auto status = continuum::nodal_fields(ball_, law_, state, workspace.system, fields); !status) return status;
+    if (auto status = continuum::nodal_fields(ball_, law_, state, workspace, fields); !status) return status;
     const io::Units& units = context_.units;
     io::UnstructuredGrid grid{.points = reference_.points,
                               .connectivity = reference_.connectivity,
@@ -65,7 +66,8 @@ class ContinuumModel {
     return {};
   }
 
-  void report(const Workspace& w, io::Manifest::Model& statistics) const {
+  template <class MethodWorkspace>
+  void report(const MethodWorkspace& w, io::Manifest::Model& statistics) const {
     auto& c = statistics.counters;
     c["cells"] = ball_.space().n_cells();
     c["unknowns"] = 3.0 * ball_.space().n_nodes();

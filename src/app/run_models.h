@@ -7,6 +7,9 @@ namespace pseudorigid::app {
 
 ModelOutcome run_reduced(const RunContext& context);
 
+/// The system of the table that the scene names.
+ModelOutcome run_system(const RunContext& context);
+
 /// Only in pseudorigid-continuum, which links deal.II.
 ModelOutcome run_continuum(const RunContext& context);
 

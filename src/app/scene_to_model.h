@@ -41,19 +41,7 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
 
 /// Empty for `auto`.
 inline std::optional<mechanics::MethodId> method_of(const scene::Scene& scene) {
-  switch (scene.time.method) {
-    case scene::Method::automatic:
-      return std::nullopt;
-    case scene::Method::rattle:
-      return mechanics::MethodId::rattle;
-    case scene::Method::rattle4:
-      return mechanics::MethodId::rattle4;
-    case scene::Method::rattle6:
-      return mechanics::MethodId::rattle6;
-    case scene::Method::rattle8:
-      return mechanics::MethodId::rattle8;
-  }
-  throw std::logic_error("a method of the scene layer is missing here");
+  return mechanics::find_method(scene.time.method);
 }
 
 }  // namespace pseudorigid::app

@@ -18,6 +18,7 @@ using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 template <>
 struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   using Vector = pseudorigid::continuum::Vector;
+  static constexpr bool dense = false;
   /// Runs of the ball are short enough, and another vector to read and write would cost more than it gives.
   static constexpr bool compensated = false;
   static void axpy(double a, const Vector& x, Vector& y) { y.add(a, x); }

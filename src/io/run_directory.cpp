@@ -17,11 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every name that a run may give to a file of its directory, but for the checkpoints and graphics matched below.
-/// Another analysis or system adds its own here.
+/// Every name that a run may give to a file of its directory, but for the CSV files of systems, which prepare_fresh is
+/// told, and the checkpoints and graphics matched below.
 constexpr std::array<std::string_view, 12> owned_names{
-    "used.prm",  "manifest.json",   "log.txt",     "reduced.csv",   "continuum.csv", "comparison.csv",
-    "modes.csv", "equilibrium.csv", "reduced.pvd", "continuum.pvd", "report.html",   "comparison.json"};
+    "used.prm",  "manifest.json",  "log.txt",     "reduced.csv",   "continuum.csv", "comparison.csv",
+    "modes.csv", "equilibria.csv", "reduced.pvd", "continuum.pvd", "report.html",   "comparison.json"};
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
@@ -37,7 +37,8 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
 }
 
 /// Unlinks the files (never folders) of `directory` whose names satisfy `owned`.
-void remove_files(const fs::path& directory, bool (*owned)(std::string_view)) {
+template <class Owned>
+void remove_files(const fs::path& directory, const Owned& owned) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
 }
@@ -74,13 +75,15 @@ void RunDirectory::require_writable() const {
   if (::access(path_.c_str(), W_OK | X_OK) != 0) throw cannot("write to", path_, std::strerror(errno));
 }
 
-void RunDirectory::prepare_fresh() const {
+void RunDirectory::prepare_fresh(std::span<const std::string> other_files) const {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw cannot("create", path_, error.message());
   require_writable();
   try {
-    remove_files(path_, &RunDirectory::owns);
+    remove_files(path_, [&](std::string_view name) {
+      return owns(name) || std::ranges::find(other_files, without_partial_suffix(name)) != other_files.end();
+    });
     const fs::path graphics = path_ / "graphics";
     if (fs::is_directory(graphics)) {
       remove_files(graphics, &RunDirectory::owns_graphics);

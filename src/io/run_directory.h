@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -20,9 +21,9 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates the folder and removes the results of an earlier run: files that bear one of our names, nothing else.
-  /// UserError with path and reason if the folder cannot be created or written.
-  void prepare_fresh() const;
+  /// Creates the folder and removes the results of an earlier run: files that bear one of our names or one of
+  /// `other_files`, nothing else. UserError with path and reason if the folder cannot be created or written.
+  void prepare_fresh(std::span<const std::string> other_files = {}) const;
   /// UserError if the folder holds no checkpoint or cannot be written.
   void prepare_resume() const;
 

@@ -52,7 +52,7 @@ struct Composition {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true, needs_tangent = Base::needs_tangent;
-  static constexpr bool adaptive = false;
+  static constexpr bool adaptive = false, chosen_by_auto = Base::chosen_by_auto;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
   template <class S>
@@ -83,8 +83,17 @@ struct Composition {
   }
 };
 
-using Rattle4 = Composition<Rattle, Suzuki4>;
-using Rattle6 = Composition<Rattle, KahanLi6>;
-using Rattle8 = Composition<Rattle, KahanLi8>;
+struct Rattle4 : Composition<Rattle, Suzuki4> {
+  static constexpr const char* name = "rattle-4";
+  static constexpr const char* documentation = "RATTLE composed to order 4, 5 forces a step";
+};
+struct Rattle6 : Composition<Rattle, KahanLi6> {
+  static constexpr const char* name = "rattle-6";
+  static constexpr const char* documentation = "RATTLE composed to order 6, 9 forces a step";
+};
+struct Rattle8 : Composition<Rattle, KahanLi8> {
+  static constexpr const char* name = "rattle-8";
+  static constexpr const char* documentation = "RATTLE composed to order 8, 17 forces a step";
+};
 
 }  // namespace pseudorigid::mechanics

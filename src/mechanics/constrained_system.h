@@ -46,12 +46,15 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// Position and velocity at a time: the whole state of a mechanical system.
-template <class S>
-struct State {
+/// Position and velocity at a time: the whole state of a mechanical system. Systems with the same vectors (constrained
+/// form and explicit-multiplier form, say) share it.
+template <class Vector>
+struct VectorState {
   double t = 0;
-  typename S::Vector q, v;
+  Vector q, v;
 };
+template <class S>
+using State = VectorState<typename S::Vector>;
 
 /// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
 /// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the

@@ -40,8 +40,9 @@ struct RunResult {
 
 /// What the caller does along the way.
 ///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
-///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1;
-///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run.
+///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1 (not asked by adaptive methods);
+///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run. All samples up to the
+///   state's time have been taken then.
 template <class H, class S, class W>
 concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cursor cursor) {
   { hooks.sample(k, state, w) } -> std::same_as<Status>;
@@ -74,6 +75,32 @@ requires(!Method::adaptive) RunResult
     if (Status status = Method::project_velocity(system, state, w); !status) return fail(std::move(status));
     cursor = {cursor.sample + 1, 0};
     if (Status status = hooks.sample(cursor.sample, state, w); !status) return fail(std::move(status));
+  }
+  return {Outcome::finished, "", state.t};
+}
+
+/// The same with steps of the method's own choice: they run past the samples, which are interpolated; the last one ends
+/// at T.
+template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
+requires(Method::adaptive) RunResult
+    run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,
+                  typename Method::template Workspace<F>& w, Hooks& hooks) {
+  const auto fail = [&](Status status) { return RunResult{Outcome::failed, status.reason(), state.t}; };
+  if (cursor.sample == 0 && cursor.step == 0)
+    if (Status status = hooks.sample(0, state, w); !status) return fail(std::move(status));
+
+  State<F> between = state;
+  while (cursor.sample < times.n_samples) {
+    if (Status status = Method::step(field, times.end, state, w); !status) return fail(std::move(status));
+    ++w.counters.n_steps;
+    ++cursor.step;
+    while (cursor.sample < times.n_samples && times[cursor.sample + 1] <= state.t) {
+      const double t = times[cursor.sample + 1];
+      if (Status status = Method::interpolate(field, t, between, w); !status) return fail(std::move(status));
+      cursor = {cursor.sample + 1, 0};
+      if (Status status = hooks.sample(cursor.sample, between, w); !status) return fail(std::move(status));
+    }
+    if (!hooks.step_done(cursor, state, w)) return {Outcome::interrupted, "interrupted", state.t};
   }
   return {Outcome::finished, "", state.t};
 }

@@ -16,7 +16,7 @@ namespace pseudorigid::mechanics {
 
 template <class V>
 struct VectorSpace {  // dense Eigen vectors and matrices
-  static constexpr bool compensated = true;
+  static constexpr bool dense = true, compensated = true;
   static void add(double a, const V& x, V& y, V& c) {
     for (Eigen::Index i = 0; i < y.size(); ++i) {
       const double t = a * x.data()[i] + c.data()[i], y_old = y.data()[i];

@@ -7,23 +7,17 @@
 #include <string_view>
 #include <type_traits>
 
+#include "scene/catalogue.h"
 #include "scene/entry_kinds.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
 
-inline constexpr Choice<System, 1> system_kind{{{{"ball", System::ball}}}};
-inline constexpr Choice<Analysis, 1> analysis_kind{{{{"motion", Analysis::motion}}}};
+inline constexpr Choice<Analysis, 2> analysis_kind{
+    {{{"motion", Analysis::motion}, {"equilibrium", Analysis::equilibrium}}}};
 inline constexpr Choice<Law, 2> law_kind{{{
     {"neo-hookean", Law::neo_hookean},
     {"ciarlet-geymonat", Law::ciarlet_geymonat},
-}}};
-inline constexpr Choice<Method, 5> method_kind{{{
-    {"auto", Method::automatic},
-    {"rattle", Method::rattle},
-    {"rattle-4", Method::rattle4},
-    {"rattle-6", Method::rattle6},
-    {"rattle-8", Method::rattle8},
 }}};
 inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
@@ -52,13 +46,30 @@ inline constexpr Switches<Quantities, 6> quantities_kind{{{
                                                          }},
                                                          true};
 
-/// Where the defaults are looked up.
-inline const Scene default_scene;
+/// The systems by name, the ball first.
+inline Word system_kind(const Catalogue& catalogue) {
+  Word kind{{ball}};
+  for (const SystemDescription& system : catalogue.systems) kind.allowed.push_back(system.name);
+  return kind;
+}
 
-/// Path ("Section/Entry"), unit in words ("" for none) and documentation in full sentences.
-struct About {
-  std::string_view path, unit, documentation;
-};
+/// `auto` and the methods by name.
+inline Word method_kind(const Catalogue& catalogue) {
+  Word kind{{automatic}};
+  for (const NamedMethod& method : catalogue.methods) kind.allowed.push_back(method.name);
+  return kind;
+}
+
+inline const Catalogue& catalogue_of(const Scene& scene) {
+  return scene.catalogue ? *scene.catalogue : empty_catalogue;
+}
+
+/// The scene of defaults, in which the entries of a catalogue are looked up.
+inline Scene default_scene(const Catalogue& catalogue) {
+  Scene scene;
+  scene.catalogue = &catalogue;
+  return scene;
+}
 
 template <class S>
 concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
@@ -68,9 +79,14 @@ void visit_problem(S& scene, Visit& visit) {
   visit(scene.title, Text{}, About{"Title", "", "A line of text for the reader; it changes nothing."});
   visit(scene.models, models_kind,
         About{"Models", "", "Which models of the body to run; if both, they are compared automatically."});
-  visit(scene.system, system_kind, About{"System", "", "What moves: an elastic ball."});
+  visit(scene.system, system_kind(catalogue_of(scene)),
+        About{"System", "",
+              "What moves: an elastic ball, compared in two models, or one of the finite-dimensional systems of "
+              "mechanics, each with a subsection and a CSV file of its own."});
   visit(scene.analysis, analysis_kind,
-        About{"Analysis", "", "What to compute: the motion that follows from the initial state."});
+        About{"Analysis", "",
+              "What to compute: the motion that follows from the initial state, or the critical points of the "
+              "potential with their Morse indices and rates (equilibria.csv; not offered for the ball)."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -123,11 +139,13 @@ void visit_time(S& scene, Visit& visit) {
               "Upper bound of the time step (of the whole composed step for rattle-4, -6, -8); each interval between "
               "samples holds a whole number of steps. auto: found from Tolerance."});
   visit(
-      method, method_kind,
+      method, method_kind(catalogue_of(scene)),
       About{"Time/Method", "",
-            "Integrator: RATTLE (order 2) or its symmetric compositions of order 4, 6, 8. auto: chosen by Tolerance."});
+            "Integrator, as listed under Methods. auto: the cheapest that meets Tolerance over this length of time."});
   visit(tolerance, Number{1e-13, 1e-1},
-        About{"Time/Tolerance", "", "Bound of the time error of Q over the run (largest entry, over all samples)."});
+        About{"Time/Tolerance", "",
+              "Bound of the time error of Q over the run (largest entry, over all samples); of other systems: of their "
+              "configuration, in the system's own unit of length."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -166,6 +184,21 @@ void visit_output(S& scene, Visit& visit) {
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
 }
 
+/// The entries of the systems of the catalogue.
+template <SceneOrConst S, class Visit>
+void visit_systems(S& scene, Visit& visit) {
+  for (const SystemDescription& system : catalogue_of(scene).systems)
+    for (const SystemEntry& entry : system.entries) {
+      if constexpr (std::is_const_v<S>) {
+        const auto found = scene.system_values.find(entry.about.path);
+        visit(found != scene.system_values.end() ? found->second : entry.default_text, entry.kind, entry.about);
+      } else {
+        visit(scene.system_values.try_emplace(std::string(entry.about.path), entry.default_text).first->second,
+              entry.kind, entry.about);
+      }
+    }
+}
+
 /// Calls visit(member, kind, About) for every entry, in the order of a parameter file.
 template <SceneOrConst S, class Visit>
 void visit_entries(S& scene, Visit&& visit) {
@@ -173,9 +206,27 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_body(scene, visit);
   visit_material(scene, visit);
   visit_initial_state(scene, visit);
+  visit_systems(scene, visit);
   visit_time(scene, visit);
   visit_continuum(scene, visit);
   visit_output(scene, visit);
+}
+
+/// The system that an entry belongs to: "ball", the name of another one, or "" for an entry of every scene.
+inline std::string_view owner_of(const Catalogue& catalogue, std::string_view path) {
+  const std::string_view section = path.substr(0, path.find('/'));
+  for (const SystemDescription& system : catalogue.systems)
+    if (section == system.section) return system.name;
+  for (const std::string_view of_ball : {"Models", "Body", "Material", "Initial state", "Continuum"})
+    if (section == of_ball) return ball;
+  for (const std::string_view of_ball : {"Output/Quantities", "Output/Graphics", "Output/Frames"})
+    if (path == of_ball) return ball;
+  return "";
+}
+
+inline bool concerns(const Scene& scene, std::string_view path) {
+  const std::string_view owner = owner_of(catalogue_of(scene), path);
+  return owner.empty() || owner == scene.system;
 }
 
 }  // namespace pseudorigid::scene

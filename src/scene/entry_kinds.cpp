@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <span>
 
 #include "scene/wording.h"
 
@@ -66,11 +67,15 @@ std::string print_number(double value) {
   return {text.data(), end};
 }
 
+std::string print_row(std::span<const double> numbers) {
+  std::string text;
+  for (const double number : numbers) text.append(text.empty() ? "" : ", ").append(print_number(number));
+  return text;
+}
+
 std::string print_matrix(const Matrix3& matrix) {
   std::string text;
-  for (const auto& row : matrix)
-    text += fmt::format("{}{}, {}, {}", text.empty() ? "" : "; ", print_number(row[0]), print_number(row[1]),
-                        print_number(row[2]));
+  for (const auto& row : matrix) text.append(text.empty() ? "" : "; ").append(print_row(row));
   return text;
 }
 
@@ -119,23 +124,68 @@ Problem Text::read(std::string_view text, std::string& value) const {
   return std::nullopt;
 }
 
-Problem Matrix::read(std::string_view text, Matrix3& value) const {
+Problem Word::read(std::string_view text, std::string& value) const {
+  for (const std::string_view word : allowed)
+    if (word == text) return value = word, std::nullopt;
+  return unknown_word(text, allowed);
+}
+
+Problem Numbers::read(std::string_view text, std::vector<double>& value) const {
+  const auto entries = parts_of(text, ',');
+  if (entries.empty() || (n > 0 && entries.size() != n))
+    return fmt::format("{}, which has {} entr{}", got(text), entries.size(), entries.size() == 1 ? "y" : "ies");
+  std::vector<double> numbers(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (const Problem problem = number.read(entries[i], numbers[i]))
+      return fmt::format("{} as entry {}", *problem, i + 1);
+  value = std::move(numbers);
+  return std::nullopt;
+}
+
+std::string Numbers::print(const std::vector<double>& value) const { return print_row(value); }
+
+std::string Numbers::expected() const {
+  if (n == 0) return fmt::format("one or more numbers separated by \",\", each {}", number.expected());
+  return fmt::format("{} numbers separated by \",\", each {}", n, number.expected());
+}
+
+Problem Rows::read(std::string_view text, std::vector<double>& value) const {
   const auto rows = parts_of(text, ';');
-  if (rows.size() != 3)
-    return fmt::format("{}, which has {} row{}", got(text), rows.size(), rows.size() == 1 ? "" : "s");
-  Matrix3 matrix{};
-  for (std::size_t i = 0; i < 3; ++i) {
+  if (rows.empty() && !may_be_empty) return got(text);
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto entries = parts_of(rows[i], ',');
-    if (entries.size() != 3)
+    if (entries.size() != n_columns)
       return fmt::format("{}, where row {} has {} entr{}", got(text), i + 1, entries.size(),
                          entries.size() == 1 ? "y" : "ies");
-    for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < n_columns; ++j) {
       const auto number = finite_number(entries[j]);
       if (!number) return fmt::format("{} as entry ({},{})", got(entries[j]), i + 1, j + 1);
-      matrix[i][j] = *number;
+      numbers.push_back(*number);
     }
   }
-  value = matrix;
+  value = std::move(numbers);
+  return std::nullopt;
+}
+
+std::string Rows::print(const std::vector<double>& value) const {
+  std::string text;
+  for (std::size_t i = 0; i < value.size(); i += n_columns)
+    text += (i == 0 ? "" : "; ") + print_row(std::span(value).subspan(i, n_columns));
+  return text;
+}
+
+std::string Rows::expected() const {
+  return fmt::format("rows of {} finite numbers, rows separated by \";\" and entries by \",\"{}", n_columns,
+                     may_be_empty ? ", or nothing" : "");
+}
+
+Problem Matrix::read(std::string_view text, Matrix3& value) const {
+  std::vector<double> numbers;
+  const auto n_rows = parts_of(text, ';').size();
+  if (n_rows != 3) return fmt::format("{}, which has {} row{}", got(text), n_rows, n_rows == 1 ? "" : "s");
+  if (Problem problem = Rows{3}.read(text, numbers)) return problem;
+  for (std::size_t k = 0; k < 9; ++k) value[k / 3][k % 3] = numbers[k];
   return std::nullopt;
 }
 

@@ -12,6 +12,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,6 +32,9 @@ std::optional<double> finite_number(std::string_view text);
 
 /// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
 std::string print_number(double value);
+
+/// "1, 0.5, 2".
+std::string print_row(std::span<const double> numbers);
 
 /// "1, 0, 0; 0, 1, 0; 0, 0, 1".
 std::string print_matrix(const Matrix3& matrix);
@@ -101,6 +105,30 @@ struct Matrix {
   std::vector<std::string_view> words() const { return {}; }
 };
 
+/// Numbers separated by `,`: exactly n of them, or one or more.
+struct Numbers {
+  std::size_t n = 0;  ///< 0: one or more
+  Number number{};
+
+  static constexpr std::string_view type = "list of numbers";
+  Problem read(std::string_view text, std::vector<double>& value) const;
+  std::string print(const std::vector<double>& value) const;
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+/// Rows of n_columns numbers; rows separated by `;`, entries by `,`. The value holds the numbers row after row.
+struct Rows {
+  std::size_t n_columns;
+  bool may_be_empty = false;
+
+  static constexpr std::string_view type = "rows of numbers";
+  Problem read(std::string_view text, std::vector<double>& value) const;
+  std::string print(const std::vector<double>& value) const;
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {}; }
+};
+
 /// What to say of a word that is not among those allowed.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
@@ -139,6 +167,17 @@ struct Choice {
   }
   std::string expected() const { return one_of(words()); }
   std::vector<std::string_view> words() const { return words_of(table); }
+};
+
+/// One word out of a list that is known at run time.
+struct Word {
+  std::vector<std::string_view> allowed;
+
+  static constexpr std::string_view type = "choice";
+  Problem read(std::string_view text, std::string& value) const;
+  std::string print(const std::string& value) const { return value; }
+  std::string expected() const { return one_of(allowed); }
+  std::vector<std::string_view> words() const { return allowed; }
 };
 
 /// Splits at the separator and trims the parts; an empty text has no parts.

@@ -54,10 +54,23 @@ std::string list(const char* title, const std::vector<std::string>& lines) {
   return text;
 }
 
+void describe_system(const SystemDescription& system, const Scene& scene, Needs& needs) {
+  needs.needed.push_back(fmt::format("{}: {}", system.name, system.documentation));
+  needs.skipped.push_back("ball: another system moves; no mesh, no deal.II, MPI or PETSc");
+  sort_out(needs, scene.analysis == Analysis::equilibrium, "critical points of the potential (equilibria.csv)",
+           fmt::format("critical points: Analysis is motion ({}.csv)", system.file));
+  needs.skipped.push_back("graphics: offered for the ball");
+}
+
 }  // namespace
 
 Needs needs(const Scene& scene) {
   Needs needs;
+  if (const SystemDescription* system = catalogue_of(scene).system(scene.system)) {
+    needs.system = system;
+    describe_system(*system, scene, needs);
+    return needs;
+  }
   needs.reduced = scene.models.reduced;
   needs.continuum = scene.models.continuum;
   needs.constraint = scene.body.incompressible;
@@ -74,11 +87,15 @@ Needs needs(const Scene& scene) {
 
 std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
-  text += fmt::format(
-      "{} of {} {} of radius {}, density {}, shear modulus {}, until time {}\n", analysis_kind.print(scene.analysis),
-      scene.body.incompressible ? "an incompressible" : "a compressible", system_kind.print(scene.system),
-      print_number(scene.body.radius), print_number(scene.body.density), print_number(scene.material.shear_modulus),
-      print_number(scene.time.end));
+  if (needs.system)
+    text += fmt::format("{} of the {}, until time {}\n", analysis_kind.print(scene.analysis), scene.system,
+                        print_number(scene.time.end));
+  else
+    text += fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}, until time {}\n",
+                        analysis_kind.print(scene.analysis),
+                        scene.body.incompressible ? "an incompressible" : "a compressible",
+                        print_number(scene.body.radius), print_number(scene.body.density),
+                        print_number(scene.material.shear_modulus), print_number(scene.time.end));
   return text + list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
 }
 

@@ -4,12 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "scene/catalogue.h"
 #include "scene/scene.h"
 #include "scene/sector.h"
 
 namespace pseudorigid::scene {
 
 struct Needs {
+  const SystemDescription* system = nullptr;  ///< null for the ball
   bool reduced = false;
   bool continuum = false;                    ///< deal.II, MPI, PETSc, a mesh
   bool constraint = false;                   ///< det = 1 and its multiplier

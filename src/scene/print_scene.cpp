@@ -20,21 +20,24 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines, opening and closing subsections as the section of the entries changes.
+/// Writes `set` lines, opening and closing subsections as the section of the entries changes. What is muted is written
+/// as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }
 
-  void enter_section_of(const About& about) {
+  void enter_section_of(const About& about, bool muted = false) {
     const auto [section, entry] = split(about.path);
-    if (section == section_) return;
-    close_section();
-    section_ = section;
-    text_ += fmt::format("\nsubsection {}\n", section);
+    if (section != section_) {
+      close_section();
+      section_ = section;
+      text_ += fmt::format("\n{}subsection {}\n", muted ? "# " : "", section);
+    }
+    muted_ = muted;
   }
 
   void set(const About& about, const std::string& value, std::string_view remark = {}) {
-    std::string line = fmt::format("{}set {} = {}", indent(), split(about.path).entry, value);
+    std::string line = fmt::format("{}{}set {} = {}", muted_ ? "# " : "", indent(), split(about.path).entry, value);
     if (value.empty()) line.pop_back();
     // A comment also keeps a backslash that ends the value from continuing the line.
     if (!remark.empty() || value.ends_with('\\')) line += fmt::format("  # {}", remark);
@@ -50,12 +53,13 @@ class PrmWriter {
   std::string_view indent() const { return section_.empty() ? "" : "  "; }
 
   void close_section() {
-    if (!section_.empty()) text_ += "end\n";
+    if (!section_.empty()) text_ += muted_ ? "# end\n" : "end\n";
     section_ = {};
   }
 
   std::string text_;
   std::string_view section_;
+  bool muted_ = false;
 };
 
 /// Breaks a text at blanks into lines of readable length.
@@ -72,10 +76,10 @@ std::vector<std::string> wrapped(std::string_view text) {
 
 std::string in_unit(const About& about) { return about.unit.empty() ? "" : fmt::format(" [{}]", about.unit); }
 
-std::string as_prm() {
+std::string as_prm(const Scene& scene) {
   PrmWriter writer;
-  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
-    writer.enter_section_of(about);
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+    writer.enter_section_of(about, !concerns(scene, about.path));
     for (const std::string& line : wrapped(about.documentation)) writer.comment(line);
     writer.comment(fmt::format("Expected: {}{}", kind.expected(), in_unit(about)));
     writer.set(about, kind.print(member));
@@ -90,13 +94,32 @@ std::string cell(std::string_view text) {
   return escaped;
 }
 
-std::string as_markdown() {
+std::string methods_table(const Catalogue& catalogue) {
+  std::string text = "\n## Methods\n\n| Name | Method |\n|---|---|\n";
+  for (const NamedMethod& method : catalogue.methods)
+    text += fmt::format("| `{}` | {} |\n", method.name, cell(method.documentation));
+  return text;
+}
+
+std::string columns_tables(const Catalogue& catalogue) {
+  std::string text;
+  for (const SystemDescription& system : catalogue.systems) {
+    text +=
+        fmt::format("\n## Columns of {}.csv\n\n{} The first column is `time`.\n\n", system.file, system.documentation);
+    text += "| Column | Unit | Meaning |\n|---|---|---|\n";
+    for (const Column& column : system.columns)
+      text += fmt::format("| `{}` | {} | {} |\n", column.name, cell(column.unit), cell(column.documentation));
+  }
+  return text;
+}
+
+std::string as_markdown(const Scene& scene) {
   std::string text =
       "# Parameters\n\n"
       "Every entry of a parameter file; this page is printed by `pseudorigid parameters --format markdown`.\n"
       "Units are the scene's own: any consistent set of length, mass and time.\n";
   std::string_view open = "none yet";
-  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
     const auto [section, entry] = split(about.path);
     if (section != open) {
       text += fmt::format("\n## {}\n\n| Entry | Default | Expected | Unit | Meaning |\n|---|---|---|---|---|\n",
@@ -107,7 +130,7 @@ std::string as_markdown() {
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry, value.empty() ? "" : "`" + cell(value) + "`",
                         cell(kind.expected()), cell(about.unit), cell(about.documentation));
   });
-  return text;
+  return text + methods_table(catalogue_of(scene)) + columns_tables(catalogue_of(scene));
 }
 
 std::string json_text(std::string_view text) {
@@ -122,9 +145,9 @@ std::string json_list(const std::vector<std::string_view>& words) {
   return "[" + list + "]";
 }
 
-std::string as_json() {
+std::string as_json(const Scene& scene) {
   std::string text;
-  visit_entries(default_scene, [&](const auto& member, const auto& kind, const About& about) {
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
     text += fmt::format(
         "{}  {{\n    \"entry\": {},\n    \"type\": {},\n    \"default\": {},\n    \"expected\": {},\n"
         "    \"words\": {},\n    \"unit\": {},\n    \"documentation\": {}\n  }}",
@@ -139,20 +162,22 @@ std::string as_json() {
 std::string to_prm(const Scene& scene, const Origins& origins) {
   PrmWriter writer;
   visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+    if (!concerns(scene, about.path)) return;
     writer.enter_section_of(about);
     writer.set(about, kind.print(member), origins.is_override(std::string(about.path)) ? "from --set" : "");
   });
   return writer.finish();
 }
 
-std::string parameters(Format format) {
+std::string parameters(Format format, const Catalogue& catalogue) {
+  const Scene scene = default_scene(catalogue);
   switch (format) {
     case Format::prm:
-      return as_prm();
+      return as_prm(scene);
     case Format::markdown:
-      return as_markdown();
+      return as_markdown(scene);
     case Format::json:
-      return as_json();
+      return as_json(scene);
   }
   return {};
 }

@@ -8,13 +8,13 @@
 
 namespace pseudorigid::scene {
 
-/// All entries with their values, as a parameter file that reads back to the same scene, bit for bit. Entries that came
-/// from the command line are marked by a comment.
+/// All entries that concern the scene with their values, as a parameter file that reads back to the same scene, bit for
+/// bit. Entries that came from the command line are marked by a comment.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
 
 enum class Format { prm, markdown, json };
 
 /// Every entry with default, range, unit and documentation. The prm format is a parameter file of the defaults.
-std::string parameters(Format format);
+std::string parameters(Format format, const Catalogue& catalogue);
 
 }  // namespace pseudorigid::scene

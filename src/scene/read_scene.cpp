@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "scene/entries.h"
 #include "scene/prm_reader.h"
@@ -15,9 +16,9 @@ namespace {
 constexpr std::string_view override_origin = "--set";
 
 /// The paths of all entries, or (sections = true) of the subsections.
-std::vector<std::string_view> known_paths(bool sections) {
+std::vector<std::string_view> known_paths(const Scene& scene, bool sections) {
   std::vector<std::string_view> paths;
-  visit_entries(default_scene, [&](const auto&, const auto&, const About& about) {
+  visit_entries(scene, [&](const auto&, const auto&, const About& about) {
     const std::string_view section = about.path.substr(0, std::min(about.path.find('/'), about.path.size()));
     const std::string_view path = sections ? section : about.path;
     const bool counts = !sections || section != about.path;
@@ -26,8 +27,8 @@ std::vector<std::string_view> known_paths(bool sections) {
   return paths;
 }
 
-void check_subsection(const Statement& statement) {
-  static const std::vector<std::string_view> sections = known_paths(true);
+void check_subsection(const Statement& statement, const Scene& scene) {
+  const std::vector<std::string_view> sections = known_paths(scene, true);
   if (std::find(sections.begin(), sections.end(), statement.path) == sections.end())
     throw UserError(fmt::format("{}: unknown subsection {}{}", statement.where(), quote(statement.path),
                                 did_you_mean(statement.path, sections)));
@@ -42,10 +43,9 @@ void set_entry(const Statement& statement, ReadScene& read) {
       throw UserError(fmt::format("{}: {}: expected {}, {}", statement.where(), about.path, kind.expected(), *problem));
     read.origins.record(statement.path, statement.where());
   });
-  static const std::vector<std::string_view> entries = known_paths(false);
   if (!known)
     throw UserError(fmt::format("{}: unknown entry {}{}", statement.where(), quote(statement.path),
-                                did_you_mean(statement.path, entries)));
+                                did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
 /// A value must fit on one line of a parameter file, as used.prm records it.
@@ -83,13 +83,14 @@ std::string Origins::of(const std::string& path) const {
 
 bool Origins::is_override(const std::string& path) const { return of(path) == override_origin; }
 
-ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  ReadScene read{{}, Origins(file.string()), scene_name(file)};
+ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const Catalogue& catalogue) {
+  ReadScene read{default_scene(catalogue), Origins(file.string()), scene_name(file)};
   read_prm(file, [&](const Statement& statement) {
     if (statement.value)
       set_entry(statement, read);
     else
-      check_subsection(statement);
+      check_subsection(statement, read.scene);
   });
   for (const std::string& text : overrides) set_entry(override_statement(text), read);
   return read;

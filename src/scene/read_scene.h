@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/catalogue.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
@@ -23,6 +24,8 @@ class Origins {
   /// "scene.prm:12", "--set", or the file's name for an entry left at its default.
   std::string of(const std::string& path) const;
   bool is_override(const std::string& path) const;
+  /// The entries that got a value, by path.
+  const std::map<std::string, std::string>& all() const { return where_; }
 
  private:
   std::string file_ = "scene";
@@ -37,7 +40,8 @@ struct ReadScene {
 
 /// Reads the file, then the overrides ("Section/Entry=value"); the last setting of an entry wins. Throws UserError, one
 /// sentence that begins with file:line or --set, for what cannot be read, for unknown names and for values out of
-/// range.
-ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+/// range. The catalogue must outlive the scene.
+ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
+                     const Catalogue& catalogue);
 
 }  // namespace pseudorigid::scene

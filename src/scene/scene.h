@@ -3,8 +3,10 @@
 /// documentation) live in one place, scene/entries.h.
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace pseudorigid::scene {
 
@@ -12,10 +14,8 @@ namespace pseudorigid::scene {
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-enum class System { ball };
-enum class Analysis { motion };
+enum class Analysis { motion, equilibrium };
 enum class Law { neo_hookean, ciarlet_geymonat };
-enum class Method { automatic, rattle, rattle4, rattle6, rattle8 };
 enum class Mesh { builtin };
 enum class Graphics { none, vtu };
 
@@ -33,12 +33,18 @@ struct Quantities {
   bool nonaffine = true;   ///< continuum only: non-affine fractions, min_jacobian
 };
 
+struct Catalogue;
+
+/// The values of the entries `System` and `Time/Method` that stand for none of the catalogue.
+inline constexpr std::string_view ball = "ball", automatic = "auto";
+
 struct Scene {
+  const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
   std::string title;
   struct Models {
     bool reduced = true, continuum = true;
   } models;
-  System system = System::ball;
+  std::string system{ball};  ///< or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 
   struct Body {
@@ -55,8 +61,8 @@ struct Scene {
   } initial_state;
   struct Time {
     double end = 10;
-    std::optional<double> step;  ///< empty: auto
-    Method method = Method::automatic;
+    std::optional<double> step;     ///< empty: auto
+    std::string method{automatic};  ///< or the name of a method of the catalogue
     double tolerance = 1e-6;
   } time;
   struct Continuum {
@@ -71,6 +77,8 @@ struct Scene {
     Graphics graphics = Graphics::none;
     int frames = 20;
   } output;
+  /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
+  std::map<std::string, std::string, std::less<>> system_values;
 };
 
 }  // namespace pseudorigid::scene

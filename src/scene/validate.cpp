@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "scene/entries.h"
 #include "scene/entry_kinds.h"
 #include "scene/matrix3.h"
 #include "scene/sector.h"
@@ -36,8 +37,17 @@ class Validator {
   Validator(Scene& scene, const Origins& origins) : scene_(scene), origins_(origins) {}
 
   void run() {
-    check_problem();
+    check_ownership();
     check_time();
+    if (const SystemDescription* system = catalogue_of(scene_).system(scene_.system))
+      check_system(*system);
+    else
+      check_ball();
+  }
+
+ private:
+  void check_ball() {
+    check_problem();
     check_output();
     check_deformation();
     check_velocity();
@@ -48,9 +58,24 @@ class Validator {
     if (scene_.models.continuum) check_symmetry();
   }
 
- private:
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
     throw UserError(fmt::format("{}: {}: {}", origins_.of(path), path, sentence));
+  }
+
+  /// An entry of another system would be without effect; its author has something else in mind.
+  void check_ownership() const {
+    for (const auto& [path, where] : origins_.all())
+      if (!concerns(scene_, path))
+        refuse(path, fmt::format("it belongs to System = {}, and the System of this scene is {}",
+                                 owner_of(catalogue_of(scene_), path), scene_.system));
+  }
+
+  void check_system(const SystemDescription& system) {
+    scene_.models = {false, false};
+    if (scene_.analysis == Analysis::equilibrium && !system.has_equilibria)
+      refuse("Analysis", fmt::format("equilibrium is not offered for System = {}, which has no critical points to find",
+                                     system.name));
+    if (const auto refusal = system.refuses(scene_)) refuse(refusal->path, refusal->sentence);
   }
 
   double time_unit() const {  // r/c
@@ -59,11 +84,18 @@ class Validator {
 
   void check_problem() const {
     const auto& [radius, density, incompressible] = scene_.body;
+    if (scene_.analysis == Analysis::equilibrium)
+      refuse("Analysis", "equilibrium is offered for the other systems, not for the ball");
     if (!scene_.models.reduced && !scene_.models.continuum)
       refuse("Models", "expected at least one of reduced, continuum");
     if (scene_.models.continuum && !incompressible)
       refuse("Body/Incompressible",
              "the continuum is offered for incompressible bodies only; set Incompressible = true or Models = reduced");
+    for (const NamedMethod& method : catalogue_of(scene_).methods)
+      if (method.name == scene_.time.method && scene_.models.continuum && !method.for_continuum)
+        refuse("Time/Method", fmt::format("{} is offered for the reduced model and the other systems, not for the "
+                                          "continuum; set Models = reduced, or one of the rattle methods",
+                                          method.name));
     // Energies of the body scale with these; r^5 occurs in its moment of inertia.
     const double inertia = density * std::pow(radius, 5);
     const double stiffness = scene_.material.shear_modulus * std::pow(radius, 3);

@@ -53,8 +53,8 @@ RecordedRun<S> run(const S& system, mechanics::State<S> state, double end, long 
 }
 
 /// |(q, v) − (q', v')|_∞
-template <class S>
-double distance(mechanics::State<S> a, const mechanics::State<S>& b) {
+template <class Vector>
+double distance(mechanics::VectorState<Vector> a, const mechanics::VectorState<Vector>& b) {
   mechanics::axpy(-1.0, b.q, a.q);
   mechanics::axpy(-1.0, b.v, a.v);
   return std::max(mechanics::max_norm(a.q), mechanics::max_norm(a.v));

@@ -1,0 +1,150 @@
+#pragma once
+/// Method and step of one model's run: those of the scene, or those that its tolerance asks for.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "app/model_checkpoint.h"
+#include "app/run_context.h"
+#include "app/scene_to_model.h"
+#include "io/signals.h"
+#include "mechanics/largest_frequency.h"
+#include "mechanics/step_size.h"
+
+namespace pseudorigid::app {
+
+/// Calls visitor(Method{}) if the method of that id can be compiled for the system.
+template <class System, class Visitor>
+void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
+  mechanics::with_method(id, [&]<class Method>(Method method) {
+    if constexpr (mechanics::method_fits<Method, System>()) visitor(method);
+  });
+}
+
+template <class Model>
+class ModelStepping {
+  using System = typename Model::System;
+  using State = mechanics::State<System>;
+  using Status = mechanics::Status;
+
+ public:
+  ModelStepping(const Model& model, const RunContext& context, double end, double interval)
+      : model_(model), context_(context), end_(end), interval_(interval) {}
+
+  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
+  /// somebody is announced and noted in the statistics.
+  Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
+    const std::optional<mechanics::MethodId> method = method_of(context_.scene);
+    const double bound = step_bound();
+    if (method && std::isfinite(bound) && !is_adaptive(*method)) {
+      position.method = *method;
+      position.step = bound;
+      return {};
+    }
+    mechanics::StepRequest request{.end = end_ - state.t,
+                                   .window = model_.pilot_window(end_ - state.t),
+                                   .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
+                                   .step_bound = std::min(bound, interval_),
+                                   .method = method,
+                                   .give_up = io::interrupt_requested};
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (Status status = rattle_limit(state, 0.8, limit); !status) return status;
+      request.rattle_limit = std::min(limit, request.end);
+    }
+    State from_zero = state;
+    if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
+    const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
+                                               [&](const State& s) { return model_.configuration(s); });
+    // Nothing is begun with a step that an interrupted search has not found.
+    if (io::interrupt_requested()) return Status::failure("interrupted while looking for the step");
+    if (!choice.status) return fall_back(choice, request, position);
+    take(choice, position, statistics);
+    return {};
+  }
+
+  /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
+  void reconsider(const State& state, RunPosition& position) const {
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (!rattle_limit(state, 0.9, limit)) return;  // the step itself will meet the failure and report it
+      with_fitting_method<System>(position.method, [&]<class Method>(Method) {
+        if constexpr (!Method::adaptive) limit *= Method::stability_limit / mechanics::Rattle::stability_limit;
+      });
+      const double before = position.step;
+      while (position.step > limit) position.step /= 2;
+      if (position.step != before)
+        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", Model::name,
+                           position.step * context_.units.time, state.t * context_.units.time);
+    }
+  }
+
+  /// Whether the step may change along the motion: nobody has fixed it.
+  bool adapts(const RunPosition& position) const { return !context_.scene.time.step && !is_adaptive(position.method); }
+
+  static bool is_adaptive(mechanics::MethodId id) {
+    return mechanics::with_method(id, []<class Method>(Method) { return Method::adaptive; });
+  }
+
+ private:
+  static constexpr int n_lanczos = 24;
+
+  double step_bound() const {
+    return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
+  }
+
+  Status rattle_limit(const State& state, double safety, double& limit) const {
+    auto workspace = model_.system().make_workspace();
+    const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos);
+    if (!frequency.status) return frequency.status;
+    limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety);
+    return {};
+  }
+
+  /// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
+  Status fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request,
+                   RunPosition& position) const {
+    if constexpr (!mechanics::ConstrainedSystem<System>) {
+      position.method = mechanics::id_of<mechanics::DormandPrince8>;
+      position.step = request.step_bound;
+      position.local_tolerance = request.tolerance;
+    } else {
+      position.method = request.method.value_or(mechanics::id_of<mechanics::Rattle>);
+      position.local_tolerance = request.tolerance;
+      with_fitting_method<System>(position.method, [&]<class Method>(Method) {
+        position.step = request.step_bound;
+        if constexpr (!Method::adaptive)
+          position.step = std::min(
+              position.step, 0.5 * request.rattle_limit * Method::stability_limit / mechanics::Rattle::stability_limit);
+      });
+    }
+    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {}, {:.4g}", Model::name,
+                       choice.status.reason(), mechanics::method_name(position.method),
+                       is_adaptive(position.method) ? "this tolerance a step" : "half the stable step",
+                       is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
+    return {};
+  }
+
+  void take(const mechanics::StepChoice& choice, RunPosition& position, io::Manifest::Model& statistics) const {
+    position.method = choice.method;
+    position.step = choice.step;
+    position.local_tolerance = choice.local_tolerance;
+    statistics.counters["pilot_forces"] += static_cast<double>(choice.n_force);
+    statistics.counters["estimated_time_error"] = choice.error;
+    if (is_adaptive(choice.method))
+      context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", Model::name,
+                         mechanics::method_name(choice.method), choice.local_tolerance, choice.error);
+    else
+      context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", Model::name,
+                         mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
+    context_.log->debug("{}: {}", Model::name, choice.why);
+  }
+
+  const Model& model_;
+  const RunContext& context_;
+  double end_, interval_;
+};
+
+}  // namespace pseudorigid::app

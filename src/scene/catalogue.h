@@ -1,0 +1,104 @@
+#pragma once
+/// What other layers bring into a parameter file: the names of the methods, and the systems other than the ball with
+/// their entries and columns. The program hands the catalogue to read_scene (app/catalogue.h); the scene layer itself
+/// knows only the ball.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scene/entry_kinds.h"
+
+namespace pseudorigid::scene {
+
+/// Path ("Section/Entry"), unit in words ("" for none) and documentation in full sentences.
+struct About {
+  std::string_view path, unit, documentation;
+};
+
+/// A kind of values (entry_kinds.h) that a text can have, whatever the type of the value: the text itself, in its
+/// canonical form, is what the scene keeps.
+class AnyKind {
+ public:
+  /// The kind, for members of type Value.
+  template <class Value, class Kind>
+  static AnyKind of(const Kind& kind) {
+    AnyKind any;
+    any.type = kind.type;
+    any.expected_ = kind.expected();
+    any.words_ = kind.words();
+    any.read_ = [kind](std::string_view text, std::string& canonical) -> Problem {
+      Value value{};
+      if (Problem problem = kind.read(text, value)) return problem;
+      canonical = kind.print(value);
+      return std::nullopt;
+    };
+    return any;
+  }
+
+  std::string_view type;
+  Problem read(std::string_view text, std::string& canonical) const { return read_(text, canonical); }
+  std::string print(const std::string& canonical) const { return canonical; }
+  std::string expected() const { return expected_; }
+  std::vector<std::string_view> words() const { return words_; }
+
+ private:
+  std::function<Problem(std::string_view, std::string&)> read_;
+  std::string expected_;
+  std::vector<std::string_view> words_;
+};
+
+struct SystemEntry {
+  About about;
+  AnyKind kind;
+  std::string default_text;
+};
+
+/// A column of a system's CSV file; `time` comes first in every file and is not listed.
+struct Column {
+  std::string name;
+  std::string_view unit, documentation;
+};
+
+struct Scene;
+
+/// Why a scene cannot be run: the entry at fault, and a sentence about it.
+struct Refusal {
+  std::string path, sentence;
+};
+
+struct SystemDescription {
+  std::string_view name;           ///< the value of the entry System
+  std::string_view file;           ///< name of its CSV file, without ".csv"
+  std::string_view section;        ///< its subsection
+  std::string_view documentation;  ///< a sentence for people
+  std::vector<SystemEntry> entries;
+  std::vector<Column> columns;
+  bool has_equilibria = false;  ///< Analysis = equilibrium is offered
+  /// What is wrong with a scene of this system, if anything, beyond each entry's own range.
+  std::function<std::optional<Refusal>(const Scene&)> refuses;
+};
+
+struct NamedMethod {
+  std::string_view name, documentation;
+  bool for_continuum = true;  ///< can integrate the finite-element ball
+};
+
+struct Catalogue {
+  std::vector<NamedMethod> methods;
+  std::vector<SystemDescription> systems;
+
+  /// Null for the ball.
+  const SystemDescription* system(std::string_view name) const {
+    for (const SystemDescription& system : systems)
+      if (system.name == name) return &system;
+    return nullptr;
+  }
+};
+
+inline const Catalogue empty_catalogue;
+
+}  // namespace pseudorigid::scene

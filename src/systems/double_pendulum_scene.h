@@ -1,0 +1,138 @@
+#pragma once
+/// The planar double pendulum in parameter files, in multiplier form (double_pendulum.h) or in Lagrange form
+/// (double_pendulum_chart.h): the same motion, computed in two ways. The reactions of the rods are, with λ_k the
+/// multipliers, the tensions  T_k = −λ_k / l_k.
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "mechanics/chart_field.h"
+#include "mechanics/chart_landscape.h"
+#include "mechanics/constrained_landscape.h"
+#include "scene/entry_kinds.h"
+#include "systems/double_pendulum.h"
+#include "systems/double_pendulum_chart.h"
+#include "systems/system_scene.h"
+
+namespace pseudorigid::systems {
+
+struct DoublePendulumScene {
+  static constexpr std::string_view name = "double pendulum", file = "double_pendulum", section = "Double pendulum";
+  static constexpr std::string_view documentation =
+      "Planar double pendulum (two heavy points on massless rods), y pointing down, angles from the downward vertical.";
+  static constexpr bool has_equilibria = true;
+
+  enum class Form { multiplier, lagrange };
+  static constexpr scene::Choice<Form, 2> form_kind{{{{"multiplier", Form::multiplier}, {"lagrange", Form::lagrange}}}};
+
+  Form form = Form::multiplier;
+  double m1 = 1, m2 = 1, l1 = 1, l2 = 1, gravity = 9.81;
+  std::vector<double> angles{0.5, 0.3}, rates{0, 0};
+
+  template <class Self, class Visit>
+  static void visit(Self& s, Visit&& visit) {
+    visit(s.form, form_kind,
+          About{"Double pendulum/Form", "",
+                "multiplier: positions with two constraints and their reactions. lagrange: angles, a chart with the "
+                "metric of the kinetic energy."});
+    visit(s.m1, scene::positive, About{"Double pendulum/First mass", "mass", "Mass of the upper point."});
+    visit(s.m2, scene::positive, About{"Double pendulum/Second mass", "mass", "Mass of the lower point."});
+    visit(s.l1, scene::positive, About{"Double pendulum/First length", "length", "Length of the upper rod."});
+    visit(s.l2, scene::positive, About{"Double pendulum/Second length", "length", "Length of the lower rod."});
+    visit(s.gravity, scene::Number{.low = 0},
+          About{"Double pendulum/Gravity", "length/time^2", "Acceleration of gravity."});
+    visit(s.angles, scene::Numbers{2},
+          About{"Double pendulum/Angles", "", "Initial angles of the rods from the downward vertical, in radians."});
+    visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
+  }
+
+  /// Without gravity the motion itself sets the time.
+  Scales scales() const {
+    const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
+    return {l1, m1, gravity > 0 ? std::sqrt(l1 / gravity) : rate > 0 ? 1 / rate : 1};
+  }
+  std::optional<Refusal> refuses() const { return {}; }
+
+  std::vector<Column> columns() const {
+    return {{"theta", "", "angle of the upper rod from the downward vertical, radians"},
+            {"phi", "", "angle of the lower rod"},
+            {"theta_dot", "1/time", "rate of theta"},
+            {"phi_dot", "1/time", "rate of phi"},
+            {"x1", "length", "position of the upper point, horizontal"},
+            {"y1", "length", "position of the upper point, downwards"},
+            {"x2", "length", "position of the lower point, horizontal"},
+            {"y2", "length", "position of the lower point, downwards"},
+            {"kinetic", "mass*length^2/time^2", "kinetic energy"},
+            {"potential", "mass*length^2/time^2", "potential energy"},
+            {"energy", "mass*length^2/time^2", "their sum"},
+            {"tension1", "mass*length/time^2", "force along the upper rod, positive where it pulls"},
+            {"tension2", "mass*length/time^2", "force along the lower rod"}};
+  }
+
+  DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
+
+  /// The values of the columns, from positions in multiplier form.
+  struct Observer {
+    DoublePendulum pendulum;
+    Eigen::Vector2d last_angles;  ///< along the path: full turns are counted
+
+    mechanics::Status append(const mechanics::State<DoublePendulum>& state, std::vector<double>& row) {
+      Eigen::Vector2d angles, rates, lambda = Eigen::Vector2d::Zero();
+      pendulum.to_angles(state.q, state.v, angles, rates);
+      DoublePendulum::Workspace workspace;
+      if (auto status = mechanics::multiplier_of_motion(pendulum, state, workspace, lambda); !status) return status;
+      for (int i = 0; i < 2; ++i) angles[i] = last_angles[i] + std::remainder(angles[i] - last_angles[i], 2 * EIGEN_PI);
+      last_angles = angles;
+      const auto& p = pendulum.parameters();
+      const double K = pendulum.kinetic_energy(state.v), U = pendulum.potential_energy(state.q);
+      row.insert(row.end(), {angles[0], angles[1], rates[0], rates[1]});
+      row.insert(row.end(), state.q.begin(), state.q.end());
+      row.insert(row.end(), {K, U, K + U, -lambda[0] / p.l1, -lambda[1] / p.l2});
+      return {};
+    }
+  };
+
+  struct MultiplierModel {
+    using System = DoublePendulum;
+    System system;
+    mechanics::State<System> initial;
+    Observer observer;
+
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+      return observer.append(state, row);
+    }
+    auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }
+    std::vector<Column> coordinates() const {
+      return {{"x1", "length", ""}, {"y1", "length", ""}, {"x2", "length", ""}, {"y2", "length", ""}};
+    }
+  };
+
+  struct LagrangeModel {
+    using System = mechanics::ChartField<DoublePendulumChart>;
+    System system;
+    mechanics::State<System> initial;
+    Observer observer;
+
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+      mechanics::State<DoublePendulum> points{state.t, {}, {}};
+      observer.pendulum.from_angles(state.q, state.v, points.q, points.v);
+      return observer.append(points, row);
+    }
+    auto landscape() const { return mechanics::ChartLandscape<DoublePendulumChart>(system.chart()); }
+    std::vector<Column> coordinates() const { return {{"theta", "", ""}, {"phi", "", ""}}; }
+  };
+
+  template <class Run>
+  auto with_model(Run&& run) const {
+    const Eigen::Vector2d at(angles[0], angles[1]), rate(rates[0], rates[1]);
+    const Observer observer{DoublePendulum(parameters()), at};
+    if (form == Form::lagrange)
+      return run(
+          LagrangeModel{mechanics::ChartField(DoublePendulumChart{m1, m2, l1, l2, gravity}), {0, at, rate}, observer});
+    MultiplierModel model{observer.pendulum, {}, observer};
+    observer.pendulum.from_angles(at, rate, model.initial.q, model.initial.v);
+    return run(std::move(model));
+  }
+};
+
+}  // namespace pseudorigid::systems

@@ -1,0 +1,109 @@
+#pragma once
+/// What a system brings into a parameter file: its subsection with entries, the columns of its CSV file, its units, and
+/// the model that moves. A system is one header with such a struct, and one line in systems/table.h.
+///
+///   struct PendulumScene {
+///     static constexpr std::string_view name, file, section, documentation;
+///     static constexpr bool has_equilibria;
+///     double length = 1; …                                              // entries with their defaults
+///     template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // one call an entry
+///     Scales scales() const;                                            // units in which everything is of order 1
+///     std::optional<Refusal> refuses() const;                           // in the user's units
+///     std::vector<Column> columns() const;                              // after `time`
+///     template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
+///   };
+///
+/// Units are words ("mass*length^2/time"). Entries are divided by theirs before a model is made, and columns multiplied
+/// by theirs on the way to the file, so a system never sees the user's units.
+///
+///   struct Model {
+///     System system;  State<System> initial;
+///     Status row(state, workspace, std::vector<double>& row);           // appends the columns' values
+///     double rate(state) const;                                         // optional, default |v|/(1 + |q|)
+///     auto landscape() const;                                           // of V, for Analysis = equilibrium
+///     std::vector<Column> coordinates() const;                          // names of q there
+///   };
+
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "scene/catalogue.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::systems {
+
+using scene::About;
+using scene::Column;
+using scene::Refusal;
+
+/// Units of length, mass and time, in the user's.
+struct Scales {
+  double length = 1, mass = 1, time = 1;
+
+  /// The unit of a quantity of this dimension: words `length`, `mass`, `time` with whole powers, joined by `*` and `/`.
+  /// Anything else (radians, nothing) is dimensionless.
+  double operator()(std::string_view dimension) const {
+    double unit = 1;
+    bool divide = false;
+    for (std::size_t i = 0; i < dimension.size();) {
+      const std::size_t end = std::min(dimension.find_first_of("*/", i), dimension.size());
+      unit *= std::pow(factor(dimension.substr(i, end - i)), divide ? -1 : 1);
+      divide = end < dimension.size() && dimension[end] == '/';
+      i = end + 1;
+    }
+    return unit;
+  }
+
+ private:
+  double factor(std::string_view word) const {
+    const std::size_t caret = word.find('^');
+    const int power = caret == std::string_view::npos ? 1 : std::atoi(std::string(word.substr(caret + 1)).c_str());
+    const std::string_view base = word.substr(0, caret);
+    const double unit = base == "length" ? length : base == "mass" ? mass : base == "time" ? time : 1.0;
+    return std::pow(unit, power);
+  }
+};
+
+namespace detail {
+
+inline void divide(double& value, double unit) { value /= unit; }
+inline void divide(std::vector<double>& values, double unit) {
+  for (double& value : values) value /= unit;
+}
+inline void divide(scene::Matrix3& matrix, double unit) {
+  for (auto& row : matrix)
+    for (double& value : row) value /= unit;
+}
+template <class Word>
+requires(std::is_enum_v<Word> || std::is_integral_v<Word> ||
+         std::is_same_v<Word, std::string>) void divide(Word&, double) {}  // words have no unit
+
+}  // namespace detail
+
+/// The system's scene out of a read one.
+template <class SystemScene>
+SystemScene system_scene(const scene::Scene& scene) {
+  SystemScene system;
+  SystemScene::visit(system, [&](auto& member, const auto& kind, const About& about) {
+    const auto value = scene.system_values.find(about.path);
+    if (value != scene.system_values.end()) (void)kind.read(value->second, member);  // read_scene has checked it
+  });
+  return system;
+}
+
+/// The same in its own scales. An entry with columns of several units (Rows) has the unit "" and is scaled by the
+/// scene's own `rescale(scales)`, if it offers one.
+template <class SystemScene>
+SystemScene in_scales(SystemScene system, const Scales& scales) {
+  SystemScene::visit(
+      system, [&](auto& member, const auto&, const About& about) { detail::divide(member, scales(about.unit)); });
+  if constexpr (requires { system.rescale(scales); }) system.rescale(scales);
+  return system;
+}
+
+}  // namespace pseudorigid::systems

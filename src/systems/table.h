@@ -1,0 +1,18 @@
+#pragma once
+/// The systems of the program besides the ball. A new one is its header and one line here.
+
+#include <tuple>
+
+#include "systems/double_pendulum_scene.h"
+
+namespace pseudorigid::systems {
+
+using SystemTable = std::tuple<DoublePendulumScene>;
+
+/// Calls visitor(SystemScene{}) for each of them.
+template <class Visitor>
+void for_each_system(Visitor&& visitor) {
+  std::apply([&](const auto&... system) { (visitor(system), ...); }, SystemTable{});
+}
+
+}  // namespace pseudorigid::systems
