@@ -6,6 +6,7 @@
 /// until |r| ≤ tolerance (or round-off).
 
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "mechanics/constrained_system.h"
@@ -13,22 +14,43 @@
 
 namespace pseudorigid::mechanics::detail {
 
+/// A single constraint is a number: its reactions are multiples of one direction, and its Gram matrix is G(q₁) times
+/// it.
+template <class S>
+inline constexpr bool single_constraint = std::is_same_v<typename S::Multiplier, double>;
+
 template <ConstrainedSystem S>
 struct ConstraintTemporaries {
   explicit ConstraintTemporaries(const S& system)
-      : reaction(system.make_vector()), residual(system.make_multiplier()), delta(system.make_multiplier()) {}
+      : zero(system.make_vector()),
+        reaction(system.make_vector()),
+        direction(single_constraint<S> ? system.make_vector() : typename S::Vector{}),
+        residual(system.make_multiplier()),
+        delta(system.make_multiplier()) {}
 
-  typename S::Vector reaction;  // M⁻¹G(q₀)ᵀ δ
+  typename S::Vector zero;                 // a product with 0 would keep a NaN of a failed trial
+  typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
+  bool direction_known = false;  // from a first reaction at q₀ to the end of the iteration
 };
 
 /// w.reaction = M⁻¹G(q₀)ᵀ λ.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
                   ConstraintTemporaries<S>& w) {
-  scale(0.0, w.reaction);
-  system.add_reaction(q0, lambda, w.reaction);
-  system.apply_inverse_mass(w.reaction, w.reaction);
+  if constexpr (single_constraint<S>) {
+    if (!w.direction_known) {
+      w.direction = w.zero;
+      system.add_reaction(q0, 1.0, w.direction);
+      system.apply_inverse_mass(w.direction, w.direction);
+      w.direction_known = true;
+    }
+    w.reaction = lambda * w.direction;
+  } else {
+    w.reaction = w.zero;
+    system.add_reaction(q0, lambda, w.reaction);
+    system.apply_inverse_mass(w.reaction, w.reaction);
+  }
 }
 
 /// w.delta and w.reaction from w.residual.
@@ -36,8 +58,14 @@ template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
   scale(-1.0, w.residual);
-  if (SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta); !report.status)
-    return std::move(report.status);
+  if constexpr (single_constraint<S>) {
+    set_reaction(system, q0, 1.0, w);
+    system.constraint_rate(q1, w.direction, w.delta);
+    w.delta = w.residual / w.delta;
+  } else {
+    if (SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta); !report.status)
+      return std::move(report.status);
+  }
   set_reaction(system, q0, w.delta, w);
   return {};
 }
@@ -48,6 +76,10 @@ Status meet_constraint(const S& system, const char* what, const typename S::Vect
                        typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w, Evaluate&& evaluate,
                        Apply&& apply) {
   ConvergenceMonitor monitor{system.constraint_tolerance()};
+  const struct Forget {
+    bool& known;
+    ~Forget() { known = false; }
+  } forget_direction{w.direction_known};
   for (;;) {
     if (Status status = evaluate(); !status) return status;
     const double norm = max_norm(w.residual);

@@ -82,6 +82,7 @@ class ExplicitMultiplier {
     constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
     constexpr double needed_fall = 0.5;  // round-off is reached when the residual stops falling
     system_.constraint_curvature(q, v, w.curvature);
+    w.constraint.direction_known = false;
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
       system_.constraint_rate(q, a, w.constraint.residual);

@@ -150,7 +150,8 @@ struct SymmetricMultistep {
     w.starter.acceleration_known = false;
     w.starter.h = 0;
     w.starter.q_rounding = w.q_rounding;
-    scale(0.0, w.starter.v_rounding);
+    w.starter.v_rounding = system.make_vector();
+    w.multipliers.fill(system.make_multiplier());
     return {};
   }
 
@@ -236,12 +237,14 @@ struct SymmetricMultistep {
   template <class S>
   static void extrapolate_multiplier(Workspace<S>& w) {
     constexpr double weights[5][4]{{}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}};
-    scale(0.0, w.multiplier);
-    for (int i = 0; i < w.n_multipliers; ++i) axpy(weights[w.n_multipliers][i], w.multipliers[i], w.multiplier);
+    w.multiplier = w.multipliers[0];
+    if (w.n_multipliers == 0) return;
+    scale(weights[w.n_multipliers][0], w.multiplier);
+    for (int i = 1; i < w.n_multipliers; ++i) axpy(weights[w.n_multipliers][i], w.multipliers[i], w.multiplier);
   }
   template <class S>
   static void record_multiplier(Workspace<S>& w) {
-    std::rotate(w.multipliers.begin(), w.multipliers.end() - 1, w.multipliers.end());
+    for (int i = 3; i > 0; --i) w.multipliers[i] = w.multipliers[i - 1];
     w.multipliers[0] = w.multiplier;
     w.n_multipliers = std::min(w.n_multipliers + 1, 4);
   }
