@@ -4,33 +4,38 @@
 /// and with the velocity constraint). With X = (q, p), p = M v, Hamilton's function H = K(p) + V(q), the constraints
 /// g(q) = 0 and their rates γ(X) = G(q) M⁻¹p = 0, a step of size h is
 ///
-///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,
-///   ∇̄F = ∇F(X_m) + θ P,   θ = (ΔF − ∇F(X_m)·ΔX)/|P|²,   X_m = (X₀ + X₁)/2,
+///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
+///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
+///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
-/// where P is ΔX = (Δq, Δv) without its part along the orbit of the system's symmetries at X_m (orbit_complement.h),
-/// taken as a covector, and P·ΔX = |P|². In (q, v):
+/// where Π takes away what lies along the orbit of the system's symmetries at X_m (orbit_complement.h; covectors and
+/// vectors alike, in (q, v)). In (q, v), with ∇F = (−A, M v + B):
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
-///   Δv = h M⁻¹(A − θ P_q),   Δq = h [v_m + M⁻¹(B + θ P_v)],   θ = (ΔV + A·Δq − B·Δv)/|P|².
+///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
 /// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. Both ends satisfy g = 0 and γ = 0: ΔH = 0. (K is quadratic, so that
-///   its gradient at X_m is a discrete gradient already. Δg and Δγ are set to zero in ΔF: what round-off leaves of them
-///   does not touch the energy.)
+///   its gradient at X_m is a discrete gradient already.)
 /// - A momentum J is bilinear in (q, p): ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m), and 𝒥∇J(X_m) is tangent to the orbit, on
-///   which the invariants H, g, γ are constant and to which P is orthogonal: ΔJ = 0.
-/// - The step is symmetric, and of order 2: θ = O(h), μ = O(h²).
+///   which the invariants H, g, γ are constant and to which C is orthogonal: ΔJ = 0.
+/// - The step is symmetric, and of order 2: C = O(h²), μ = O(h²).
+/// - D matters near relative equilibria (motions along the orbit, P = 0). X_m lies inside the arc of the motion, where
+///   ∇F differs from that on the arc by O(h²); θP alone would have to make up for it, and has no limit as P → 0. The
+///   two points of D are P/2 away from the ends, on one orbit (Cayley transform) if one group of turns or shifts acts,
+///   or the two of a body about one common axis; θP is then O(h|P|). Near a steady motion with two different axes θP
+///   stays O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
-/// by what exceeds ν, and what is left of the energy error is carried to the next step: it stays within ν and does not
-/// add up. On relative equilibria (motions along the orbit) P vanishes. H is critical there among the states of the
-/// same momenta, so that at |P| ≤ ε^{1/2}|ΔX| the energy is right to round-off; θ is left out.
+/// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
+/// up. On relative equilibria H is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right
+/// to round-off without θ, which is left out.
 ///
 /// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
 ///
 ///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
 ///
-/// until the increments are round-off; the last iterations hold θ, which would pass on the noise of V. An oscillation
-/// of frequency ω is contracted by (hω/2)² each time.
+/// until the increments are round-off; the last iterations hold C, which would pass on the noise of V and of small
+/// components. An oscillation of frequency ω is contracted by (hω/2)² each time.
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +44,7 @@
 #include <utility>
 
 #include "mechanics/conservative_system.h"
+#include "mechanics/fixed_point_monitor.h"
 #include "mechanics/orbit_complement.h"
 #include "mechanics/rattle.h"
 #include "mechanics/second_order_field.h"
@@ -55,22 +61,22 @@ struct EnergyMomentumWorkspace {
       : system(system.make_workspace()),
         dq(system.make_vector()),
         dv(dq),
-        acceleration(dq),
+        dq_before(dq),
+        dv_before(dq),
         q_middle(dq),
         v_middle(dq),
         q_end(dq),
+        v_end(dq),
         q_side(dq),
-        C_q(dq),
-        C_v(dq),
         v_side(dq),
         force(dq),
-        v_end(dq),
         A(dq),
         B(dq),
+        C_q(dq),
+        C_v(dq),
         P_q(dq),
         P_v(dq),
-        dq_before(dq),
-        dv_before(dq),
+        acceleration(dq),
         q_rounding(make_rounding(system)),
         v_rounding(q_rounding),
         lambda(system.make_multiplier()),
@@ -81,14 +87,13 @@ struct EnergyMomentumWorkspace {
         orbit(system) {}
 
   typename S::Workspace system;
-  Vector dq, dv, acceleration;  // Δq, Δv; Δv/h of the last step
-  Vector q_side, v_side, force, C_q, C_v;
-  Vector q_middle, v_middle, q_end, v_end;  // X_m, X₁
-  Vector A, B, P_q, P_v;                    // as above
-  Vector dq_before, dv_before;              // of the iteration before
-  Vector q_rounding, v_rounding;            // what rounding has kept back from q and v
-  Multiplier lambda, mu, residual, delta;
-  MultiplierHistory<S> history;  // of λ, at the middle of the steps
+  Vector dq, dv, dq_before, dv_before;                      // Δq, Δv; of the iteration before
+  Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
+  Vector force, A, B, C_q, C_v, P_q, P_v;                   // as above
+  Vector acceleration;                                      // Δv/h of the last step
+  Vector q_rounding, v_rounding;                            // what rounding has kept back from q and v
+  Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
+  MultiplierHistory<S> history;                             // of λ, at the middle of the steps
   OrbitComplement<S> orbit;
   double V_start = 0, theta = 0;  // V(q₀), θ
   int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
@@ -121,33 +126,6 @@ template <class Multiplier>
 double pairing(const Multiplier& lambda, const Multiplier& r) {
   return dot(lambda, r);
 }
-
-/// Decides on the increments of a fixed-point iteration. Near round-off they jitter instead of falling.
-struct FixedPointMonitor {
-  static constexpr int max_iterations = 150;
-  double previous = HUGE_VAL, least = HUGE_VAL;
-  int iteration = 0, n_since_least = 0;
-
-  /// Whether increments have come below a limit and are no longer falling.
-  bool stalled(double increment, double limit) {
-    n_since_least = increment < least ? 0 : n_since_least + 1;
-    least = std::min(least, increment);
-    return n_since_least >= 3 && increment <= limit;
-  }
-  void start_again() {
-    previous = least = HUGE_VAL;
-    n_since_least = 0;
-  }
-
-  ConvergenceMonitor::Verdict judge(double increment, double round_off) {
-    using Verdict = ConvergenceMonitor::Verdict;
-    if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // A NaN compares false everywhere and is stuck at once; increments below a thousandth of the unit may jitter.
-    if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
-    previous = increment;
-    return Verdict::go_on;
-  }
-};
 
 }  // namespace detail
 
@@ -196,6 +174,7 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
+      // C at first goes along; θ is held when noise stops the increments, C when they are small or stop once more.
       if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-12 * step)) {
         w.hold = increment <= 1e-12 * step ? 2 : w.hold + 1;
         monitor.start_again();

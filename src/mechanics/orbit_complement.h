@@ -59,8 +59,8 @@ class OrbitComplement {
   struct Direction {
     Vector q, v;
   };
-  /// What is left of a vector in the span of the others, relative to its length: their round-off with a reserve.
-  static constexpr double dependent = 1e-7;
+  /// Remainder that is neglected: 10⁻¹² of the change of a step, and directions are known to ε/10⁻⁶.
+  static constexpr double dependent = 1e-6;
 
   static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }
 
