@@ -21,6 +21,7 @@
 #include "systems/body_loads.h"
 #include "systems/body_symmetries.h"
 #include "systems/mass_distribution.h"
+#include "systems/small_elimination.h"
 
 namespace pseudorigid::systems {
 
@@ -101,10 +102,8 @@ class RigidBody {
   mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace&,
                                     Multiplier& lambda) const {
     const Eigen::Matrix3d B = rotation(q1).transpose() * rotation(q0);
-    Eigen::Matrix<double, 6, 6> S;
-    for (int k = 0; k < 6; ++k) S.col(k) = sym2(B * symmetric(Multiplier::Unit(k)) * E0_inverse_);
-    lambda = S.partialPivLu().solve(r);
-    if (lambda.allFinite()) return {};
+    lambda = r;
+    if (solve_by_elimination(gram(B), lambda)) return {};
     return {mechanics::Status::failure("the body has turned by a right angle within one step; use a smaller step")};
   }
   double constraint_tolerance() const { return 6e-16; }
@@ -166,6 +165,27 @@ class RigidBody {
   const Parameters& parameters() const { return p_; }
 
  private:
+  using Gram = Eigen::Matrix<double, 6, 6>;
+  static constexpr int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
+
+  /// S, of which a column is sym₂ of B(e_i e_jᵀ + e_j e_iᵀ)E₀⁻¹, the products of columns of B with rows of E₀⁻¹.
+  Gram gram(const Eigen::Matrix3d& B) const {
+    Gram S;
+#pragma GCC unroll 8
+    for (int c = 0; c < 6; ++c) {
+      const auto [i, j] = pair[c];
+#pragma GCC unroll 8
+      for (int r = 0; r < 6; ++r) {
+        const auto [k, l] = pair[r];
+        double Y = B(k, i) * E0_inverse_(j, l);
+        if (i != j) Y += B(k, j) * E0_inverse_(i, l);
+        if (k != l) Y += B(l, i) * E0_inverse_(j, k);
+        if (i != j && k != l) Y += B(l, j) * E0_inverse_(i, k);
+        S(r, c) = Y;
+      }
+    }
+    return S;
+  }
   static Eigen::Matrix3d symmetric(const Multiplier& l) {
     return (Eigen::Matrix3d() << l(0), l(5), l(4), l(5), l(1), l(3), l(4), l(3), l(2)).finished();
   }

@@ -1,0 +1,33 @@
+#pragma once
+/// Gauss's elimination without pivoting for a small dense system, S x = r, unrolled by the compiler. It is stable for
+/// matrices close to a symmetric positive definite one, such as G(q₁)M⁻¹G(q₀)ᵀ for q₁ close to q₀.
+
+#include <Eigen/Core>
+#include <cmath>
+
+namespace pseudorigid::systems {
+
+/// x, which comes in as r; false if the result is not finite.
+template <int n>
+bool solve_by_elimination(Eigen::Matrix<double, n, n> S, Eigen::Matrix<double, n, 1>& x) {
+#pragma GCC unroll 8
+  for (int k = 0; k < n; ++k) {
+    S(k, k) = 1 / S(k, k);
+#pragma GCC unroll 8
+    for (int i = k + 1; i < n; ++i) {
+      const double factor = S(i, k) * S(k, k);
+#pragma GCC unroll 8
+      for (int j = k + 1; j < n; ++j) S(i, j) -= factor * S(k, j);
+      x(i) -= factor * x(k);
+    }
+  }
+#pragma GCC unroll 8
+  for (int k = n - 1; k >= 0; --k) {
+#pragma GCC unroll 8
+    for (int j = k + 1; j < n; ++j) x(k) -= S(k, j) * x(j);
+    x(k) *= S(k, k);
+  }
+  return std::isfinite(x.squaredNorm());
+}
+
+}  // namespace pseudorigid::systems
