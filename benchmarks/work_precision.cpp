@@ -16,6 +16,8 @@
 
 #include "mechanics/composition.h"
 #include "mechanics/dormand_prince_8.h"
+#include "mechanics/energy_momentum.h"
+#include "mechanics/symmetric_multistep.h"
 #include "own_methods.h"
 #include "rivals.h"
 
@@ -94,7 +96,8 @@ class JobList {
 };
 
 const std::vector<double> steps_of_order_2{40, 160, 640}, steps_of_order_4{8, 16, 32, 64, 128, 256},
-    steps_of_order_6{4, 6, 8, 12, 16, 24, 32, 48, 64}, steps_of_order_8{4, 6, 8, 12, 16, 20, 24, 32, 40};
+    steps_of_order_6{4, 6, 8, 12, 16, 24, 32, 48, 64}, steps_of_order_8{4, 6, 8, 12, 16, 20, 24, 32, 40},
+    steps_of_multistep{20, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80, 96, 112, 128, 160, 192, 256};
 
 template <class System>
 void add_constrained(JobList& list, const Form<System>& form) {
@@ -102,6 +105,10 @@ void add_constrained(JobList& list, const Form<System>& form) {
   list.add_own<mechanics::Rattle4>(form, steps_of_order_4);
   list.add_own<mechanics::Rattle6>(form, steps_of_order_6);
   list.add_own<mechanics::Rattle8>(form, steps_of_order_8);
+  list.add_own<mechanics::Symmetric8>(form, steps_of_multistep);
+  list.add_own<mechanics::Symmetric12>(form, steps_of_multistep);
+  if constexpr (mechanics::EnergyMomentum::fits<System>)
+    list.add_own<mechanics::EnergyMomentum>(form, steps_of_order_2);
 }
 
 template <class System>

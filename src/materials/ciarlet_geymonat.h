@@ -34,7 +34,7 @@ struct CiarletGeymonat {
 
   /// First Piola–Kirchhoff stress P = ∂W/∂F.
   template <class T>
-  Tensor<T> stress(const Tensor<T>& F) const {
+  [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
     const T J = determinant(F, cof);
     const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;

@@ -15,6 +15,7 @@
 #include <type_traits>
 
 #include "materials/eigen_tensor.h"
+#include "materials/scalar.h"
 #include "mechanics/body_observables.h"
 #include "mechanics/conservative_system.h"
 
