@@ -79,7 +79,8 @@ struct PendulumFactory {
 };
 using PendulumCases =
     ::testing::Types<OrderCase<PendulumFactory, mechanics::Rattle>, OrderCase<PendulumFactory, mechanics::Rattle4>,
-                     OrderCase<PendulumFactory, mechanics::Rattle6>, OrderCase<PendulumFactory, mechanics::Rattle8>>;
+                     OrderCase<PendulumFactory, mechanics::Rattle6>, OrderCase<PendulumFactory, mechanics::Rattle8>,
+                     OrderCase<PendulumFactory, mechanics::EnergyMomentum>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(DoublePendulum, MethodOrder, PendulumCases);
 
 }  // namespace pseudorigid::testing

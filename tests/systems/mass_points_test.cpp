@@ -126,7 +126,8 @@ struct PointsFactory {
 };
 using PointsCases =
     ::testing::Types<OrderCase<PointsFactory, mechanics::Rattle>, OrderCase<PointsFactory, mechanics::Rattle4>,
-                     OrderCase<PointsFactory, mechanics::Rattle6>, OrderCase<PointsFactory, mechanics::Rattle8>>;
+                     OrderCase<PointsFactory, mechanics::Rattle6>, OrderCase<PointsFactory, mechanics::Rattle8>,
+                     OrderCase<PointsFactory, mechanics::EnergyMomentum>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(MassPoints, MethodOrder, PointsCases);
 
 }  // namespace pseudorigid::testing
