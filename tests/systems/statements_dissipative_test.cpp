@@ -1,0 +1,248 @@
+/// The statements of Oliva, Geometric Mechanics, 5.8, on dissipative systems. The equations and the critical points of
+/// 5.8.8 are in torus_test.cpp.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "mechanics/chart_landscape.h"
+#include "mechanics/constrained_landscape.h"
+#include "mechanics/critical_points.h"
+#include "mechanics/sphere_particle.h"
+#include "mechanics/unstable_manifold.h"
+#include "support/integrate.h"
+#include "support/surface_curves.h"
+#include "systems/torus.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using mechanics::ChartField;
+using mechanics::ChartLandscape;
+using mechanics::CriticalPoints;
+using systems::Torus;
+
+constexpr double pi = std::numbers::pi;
+using TorusState = mechanics::State<ChartField<Torus>>;
+
+CriticalPoints critical_points(const Torus& torus) {
+  CriticalPoints found;
+  EXPECT_TRUE(mechanics::find_critical_points(ChartLandscape(torus), {}, found));
+  EXPECT_EQ(found.points.size(), 4u);
+  return found;
+}
+
+/// The torus with a drag that depends on the place and is of third degree in the velocity, D(v) = −(c(q) + |v|²) v.
+struct CubicDrag : Torus {
+  Vector2d dissipation(const Vector2d& q, const Vector2d& v) const {
+    return -(0.3 + 0.2 * std::cos(q[0]) + v.dot(metric(q) * v)) * v;
+  }
+};
+
+/// 5.8: dE_m/dt = ⟨D(q̇), q̇⟩ < 0 along the motions of a dissipative system.
+TEST(Statement_5_8, PowerOfTheDissipation) {
+  const auto check = [](const auto& torus) {
+    const ChartField field(torus);
+    auto work = field.make_workspace();
+    for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 50)) {
+      Vector2d a, D;
+      ASSERT_TRUE(field.acceleration(0, q, v, work, a));
+      ASSERT_TRUE(field.covariant_acceleration(q, v, a, D));
+      const auto g = torus.metric(q);
+      const double dE = v.dot(g * D) + mechanics::potential_differential(torus, q).dot(v);
+      const double power = v.dot(g * torus.dissipation(q, v));
+      EXPECT_LT(power, 0);
+      EXPECT_NEAR(dE, power, 1e-13 * (1 + g.norm()));
+    }
+  };
+  check(Torus{{3, 1}, 1.3, 0.4, 0.2});
+  check(CubicDrag{});
+}
+
+/// 5.8, in the large: the energy lost along a motion is the work ∫⟨D(v), v⟩dt, by Simpson's rule; and it falls.
+TEST(Statement_5_8, EnergyFallsByTheWorkOfTheDissipation) {
+  const Torus torus{{3, 1}, 1.3, 0.4, 0};
+  const ChartField field(torus);
+  constexpr int n = 2000;
+  constexpr double end = 10, h = end / n;
+  const auto states = integrate_samples(field, TorusState{0, {0.5, 0.3}, {0.4, 0.2}}, end, n);
+  ASSERT_EQ(states.size(), n + 1u);
+  double work = 0, before = HUGE_VAL;
+  for (int k = 0; k <= n; ++k) {
+    const auto& s = states[static_cast<std::size_t>(k)];
+    const double weight = k == 0 || k == n ? 1 : k % 2 == 1 ? 4 : 2;
+    work += weight * h / 3 * s.v.dot(torus.metric(s.q) * torus.dissipation(s.q, s.v));
+    EXPECT_LT(field.energy(s.q, s.v), before);
+    before = field.energy(s.q, s.v);
+  }
+  const double lost = before - field.energy(states[0].q, states[0].v);
+  EXPECT_LT(lost, -1);
+  EXPECT_NEAR(work, lost, 1e-9);  // Simpson: h⁴/180 times the fourth derivative of the power
+}
+
+/// Proposition 5.8.3: singular points of a strongly dissipative system are hyperbolic and dim Wᵘ is the Morse index;
+/// for any linear dissipation, also one that is not symmetric. The roots of z² + Dz + H = 0 are counted.
+TEST(Statement_5_8_3, UnstableDimensionIsTheMorseIndex) {
+  std::mt19937_64 generator(5);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    const MatrixXd A = MatrixXd::NullaryExpr(2, 2, [&] { return unit(generator); });
+    const MatrixXd turn = Eigen::Matrix2d{{0, 1}, {-1, 0}};
+    const MatrixXd C = A * A.transpose() + 0.05 * MatrixXd::Identity(2, 2) + 3 * unit(generator) * turn;  // ⟨Cv, v⟩ > 0
+    CriticalPoints found;
+    const Torus torus{{3, 1}, 1, 0.01, 0.4 * unit(generator)};
+    ASSERT_TRUE(mechanics::find_critical_points(ChartLandscape(torus),
+                                                {.added_damping = [&](const VectorXd&) { return C; }}, found));
+    ASSERT_EQ(found.points.size(), 4u);
+    for (const auto& p : found.points) {
+      EXPECT_TRUE(p.obeys_5_8_3());
+      EXPECT_LE(p.n_unstable, 2);  // (iv): dim Wᵘ ≤ dim Q ≤ dim Wˢ
+      EXPECT_GE(p.n_stable, 2);
+    }
+  }
+}
+
+/// 5.8.3 with constraints, and where it needs dissipation: a pumping "drag" moves the roots to the right.
+TEST(Statement_5_8_3, HoldsWithConstraintsAndOnlyForDissipation) {
+  SphereParticle particle;
+  particle.C = Matrix3d{{0.5, 0.2, 0}, {0.2, 0.3, 0.1}, {0, 0.1, 0.4}};
+  CriticalPoints found;
+  const auto find = [&] {
+    ASSERT_TRUE(mechanics::find_critical_points(mechanics::ConstrainedLandscape(particle), {.radius = 3}, found));
+    ASSERT_EQ(found.points.size(), 2u);
+  };
+  find();
+  for (const auto& p : found.points) EXPECT_TRUE(p.obeys_5_8_3());
+  particle.C = -particle.C;
+  find();
+  EXPECT_EQ(found.points[0].morse_index, 0);
+  EXPECT_EQ(found.points[0].n_unstable, 4);
+  EXPECT_FALSE(found.points[0].obeys_5_8_3());
+}
+
+/// 5.8.3: the rates are those of the field itself: near the upper saddle the unstable motion grows like e^{zt}.
+TEST(Statement_5_8_3, RatesAreThoseOfTheMotion) {
+  const Torus torus{{3, 1}, 1, 1, 0};
+  const auto found = critical_points(torus);
+  const auto& saddle = found.points[2];
+  const double z = (-1 + std::sqrt(1 + 4 * 0.5)) / 2;  // z² + cz + H = 0, H = −g/2
+  const ChartField field(torus);
+  constexpr double epsilon = 1e-5;
+  const TorusState start{0, saddle.q + epsilon * Vector2d(0, 1), epsilon * z * Vector2d(0, 1)};
+  const TorusState end = integrate(field, start, 5);
+  EXPECT_NEAR(std::log((end.q - saddle.q).norm() / epsilon) / 5, z, 5e-9);  // O(ε²) and (error of the steps)/ε
+}
+
+/// 5.8.8: w = π is invariant.
+TEST(Statement_5_8_8, TheInnerCircleIsInvariant) {
+  const ChartField field(Torus{{3, 1}, 1, 1, 0});
+  auto work = field.make_workspace();
+  for (int k = 0; k < 20; ++k) {
+    Vector2d a;
+    ASSERT_TRUE(field.acceleration(0, {pi, 0.3 * k}, {0, 0.2 * k - 1}, work, a));
+    EXPECT_NEAR(a[0], 0, 1e-14);  // sin of the rounded π is 1.2e-16, times (3 + cos w) u̇²
+  }
+  const ChartField tilted(Torus{{3, 1}, 1, 1, 0.1});
+  Vector2d a;
+  ASSERT_TRUE(tilted.acceleration(0, {pi, 0.3}, {0, 0.2}, work, a));
+  EXPECT_GT(std::abs(a[0]), 0.05);
+}
+
+/// The branch of the upper saddle's unstable manifold, followed towards the lower saddle.
+struct Connection {
+  double miss, distance_to_sink;
+};
+Connection follow(double tilt, double epsilon) {
+  const Torus torus{{3, 1}, 1, 1, tilt};
+  const auto found = critical_points(torus);
+  const ChartLandscape landscape(torus);
+  const ChartField field(torus);
+  mechanics::BranchOutcome<ChartField<Torus>> outcome;
+  const auto status = mechanics::follow_unstable_branch(field, found.points[2], found.points[1], landscape.periods(),
+                                                        {.epsilon = epsilon, .end_time = 200}, outcome);
+  EXPECT_TRUE(status) << status.reason();
+  return {outcome.nearest,
+          mechanics::phase_distance(outcome.end.q, outcome.end.v, found.points[0].q, landscape.periods())};
+}
+
+/// 5.8.8: the unstable manifold (dimension 1) of the upper saddle lies in the stable manifold of the lower one: both
+/// branches come to within 10⁻⁶ of it. They do not come nearer, since there round-off η = 10⁻¹⁶ across the circle grows
+/// like e^{z₊t} while the distance falls like e^{−t/2}: at best η^{0.5/(0.5+0.618)} = 7·10⁻⁸.
+TEST(Statement_5_8_8, TheInnerCircleConnectsTheSaddles) {
+  for (const double epsilon : {1e-6, -1e-6}) EXPECT_LT(follow(0, epsilon).miss, 1e-6);
+}
+
+/// 5.8.6: transversality is generic: any tilt breaks the connection. The branch misses the other saddle by a distance
+/// that grows with the tilt, and goes to the sink.
+TEST(Statement_5_8_6, TiltingBreaksTheConnection) {
+  for (const double side : {1.0, -1.0}) {
+    double before = 1e-6;  // more than the connection's own distance
+    for (const double tilt : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
+      const Connection broken = follow(tilt, side * 1e-6);
+      EXPECT_GT(broken.miss, 1.2 * before) << "tilt " << tilt;
+      EXPECT_LT(broken.distance_to_sink, 1e-6);
+      before = broken.miss;
+    }
+    EXPECT_GT(follow(0.01, side * 1e-6).miss, 0.3);
+    EXPECT_GT(follow(0.1, side * 1e-6).miss, 1);
+  }
+}
+
+/// To first order in the tilt α the branch leaves the circle w = π in proportion to α: where it passes u = 2.5, the
+/// splitting doubles with the tilt.
+TEST(Statement_5_8_6, SplittingIsOfFirstOrderInTheTilt) {
+  const auto splitting = [](double tilt) {
+    const Torus torus{{3, 1}, 1, 1, tilt};
+    const auto found = critical_points(torus);
+    const ChartField field(torus);
+    const auto& saddle = found.points[2];
+    const double z = (-1 + std::sqrt(1 - 4 * saddle.hessian_eigenvalues[0])) / 2;
+    TorusState state{0, saddle.q + 1e-6 * Vector2d(0, 1), 1e-6 * z * Vector2d(0, 1)};
+    mechanics::DormandPrince8Workspace<ChartField<Torus>> w(field, 1e-13);
+    while (state.q[1] < 2.5 && state.t < 100) {
+      const auto status = mechanics::DormandPrince8::step(field, 100, state, w);
+      if (!status) break;
+    }
+    double early = w.t_start, late = state.t;  // the passage by bisection of the dense output
+    for (int k = 0; k < 60; ++k) {
+      const double middle = 0.5 * (early + late);
+      EXPECT_TRUE(mechanics::DormandPrince8::interpolate(field, middle, state, w));
+      (state.q[1] < 2.5 ? early : late) = middle;
+    }
+    return std::abs(std::remainder(state.q[0] - pi, 2 * pi));
+  };
+  EXPECT_LT(splitting(0), 1e-8);
+  EXPECT_GT(splitting(1e-4), 1e-4);
+  EXPECT_NEAR(splitting(2e-4) / splitting(1e-4), 2, 1e-2);
+}
+
+/// Example 5.8.9: with D(v) = −c(q)v on a compact Q, μ = max c and k = |min V|, backwards in time
+/// E_m(t) + k ≤ (E_m(0) + k) e^{−2μt}, t < 0: motions do not escape in finite time.
+TEST(Statement_5_8_9, EnergyIsBoundedBackwards) {
+  const Torus torus{{3, 1}, 1, 0.7, 0.2};
+  const ChartField field(torus);
+  const double k = std::abs(critical_points(torus).points[0].V), mu = torus.c;
+  double tightest = 0;
+  for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 10)) {
+    const TorusState start{0, q, v};
+    const double E0 = field.energy(q, v) + k;
+    for (const double t : {-0.5, -1.0, -2.0, -3.0}) {
+      const TorusState past = integrate(field, start, t, 1e-12);
+      const double E = field.energy(past.q, past.v) + k, bound = E0 * std::exp(-2 * mu * t);
+      EXPECT_GT(E, E0);
+      EXPECT_LE(E, bound);
+      tightest = std::max(tightest, std::log(E / E0) / (-2 * mu * t));
+    }
+  }
+  EXPECT_GT(tightest, 0.5);  // a bound with half the rate would fail: the statement is not empty
+}
+
+}  // namespace
+}  // namespace pseudorigid::testing
