@@ -9,6 +9,7 @@
 #include "app/model_run.h"
 #include "app/run_models.h"
 #include "app/system_model.h"
+#include "mechanics/second_order_field.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {
@@ -21,7 +22,9 @@ ModelOutcome run_system_scene(const RunContext& of_program) {
   context.units = {scales.length, scales.mass, scales.time};
   return systems::in_scales(in_user_units, scales).with_model([&]<class Model>(Model model) {
     if constexpr (SystemScene::has_equilibria)
-      if (context.scene.analysis == scene::Analysis::equilibrium) return run_equilibria(model, scales, context);
+      if (context.scene.analysis == scene::Analysis::equilibrium)
+        return run_equilibria(mechanics::AnyLandscape(model.landscape()), mechanics::dissipative(model.system),
+                              model.coordinates(), scales, context);
     SystemModel<SystemScene, Model> system(in_user_units, std::move(model), scales);
     return ModelRun(system, context).run();
   });

@@ -7,6 +7,7 @@
 #include "mechanics/central_difference.h"
 #include "mechanics/conservative_system.h"
 #include "mechanics/landscape.h"
+#include "mechanics/second_order_field.h"
 
 namespace pseudorigid::mechanics {
 
