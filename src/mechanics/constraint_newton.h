@@ -31,7 +31,7 @@ struct ConstraintTemporaries {
   typename S::Vector zero;                 // a product with 0 would keep a NaN of a failed trial
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
-  bool direction_known = false;  // from a first reaction at q₀ to the end of the iteration
+  bool direction_known = false;  // to be cleared where q₀ has changed
 };
 
 /// w.reaction = M⁻¹G(q₀)ᵀ λ.
@@ -76,10 +76,6 @@ Status meet_constraint(const S& system, const char* what, const typename S::Vect
                        typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w, Evaluate&& evaluate,
                        Apply&& apply) {
   ConvergenceMonitor monitor{system.constraint_tolerance()};
-  const struct Forget {
-    bool& known;
-    ~Forget() { known = false; }
-  } forget_direction{w.direction_known};
   for (;;) {
     if (Status status = evaluate(); !status) return status;
     const double norm = max_norm(w.residual);

@@ -62,6 +62,7 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
+      c.direction_known = false;  // the velocity may use it too: the position's correction changes it by round-off
       const auto evaluate_position = [&] { return system_.constraint(q, c.residual); };
       const auto evaluate_rate = [&] {
         system_.constraint_rate(q, v, c.residual);

@@ -16,6 +16,10 @@
 ///
 /// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does. A changed step starts
 /// anew.
+///
+/// Energy and momenta are kept up to bounded oscillations of size h^order. Round-off of the constraint, ε, makes one of
+/// ε/h² in the multipliers, which the history carries on with the weights β̂ (up to 5 for order 8, 62 for order 12) and
+/// which grows with the square root of the number of steps: order 8 is the one for long runs.
 
 #include <algorithm>
 #include <array>
@@ -128,6 +132,7 @@ struct SymmetricMultistep {
       axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     if constexpr (unconstrained<S>) return {};
     ++w.counters.n_projections;
+    w.constraint.direction_known = false;
     const auto evaluate = [&] {
       system.constraint_rate(state.q, state.v, w.constraint.residual);
       return Status();
@@ -189,6 +194,7 @@ struct SymmetricMultistep {
     a = w.acceleration;
     if constexpr (!unconstrained<S>) {
       w.q_start = state.q;
+      w.constraint.direction_known = false;
       extrapolate_multiplier<S>(w);
       detail::set_reaction(system, w.q_start, w.multiplier, w.constraint);
       axpy(1.0, w.constraint.reaction, a);
