@@ -91,11 +91,22 @@ class BadInput(ProgramTest):
         self.refused_entries({"Models": ""}, "Models", "at least one of reduced, continuum")
 
     def test_what_the_design_names_but_is_not_offered(self):
-        self.refused_entries({"Analysis": "modes"}, "Analysis", "expected motion")
-        self.refused_entries({"System": "double pendulum"}, "System", "expected ball")
+        self.refused_entries({"Analysis": "modes"}, "Analysis", "expected motion or equilibrium")
+        self.refused_entries({"Analysis": "equilibrium"}, "Analysis", "not for the ball")
         self.refused_lines("subsection Body\n  set Radius", "subsection Gravity\n  set Constant", "scene.prm:2:", "Gravity")
 
     # Values.
+
+    def test_entries_of_another_system(self):
+        self.refused_entries({"Double pendulum/Gravity": "1"}, "Double pendulum/Gravity: it belongs to System = double")
+        self.scene("set System = double pendulum\nsubsection Body\n  set Radius = 2\nend\n")
+        self.refused("run", "scene.prm", fragments=("scene.prm:3:", "Body/Radius: it belongs to System = ball"))
+
+    def test_methods_that_do_not_fit(self):
+        self.refused_entries({"Time/Method": "energy-momentum"}, "Time/Method", "not for the continuum")
+        self.scene("set System = double pendulum\nsubsection Double pendulum\n  set Form = lagrange\nend\n"
+                   "subsection Time\n  set Method = rattle-4\nend\n")
+        self.refused("run", "scene.prm", fragments=("scene.prm:6: Time/Method: rattle-4 cannot integrate", "explicit-8"))
 
     def test_not_a_number(self):
         self.refused_lines("Radius = 1", "Radius = one", "scene.prm:3:", "Body/Radius: expected a number > 0", '"one"')

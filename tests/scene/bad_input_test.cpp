@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"method",
                  entry("Time", "Method = rattle4"),
                  {},
-                 "scene.prm:2: Time/Method: expected one of auto, rattle, rattle-4, rattle-6, rattle-8, got "
+                 "scene.prm:2: Time/Method: expected one of auto, rattle, rattle-4, explicit-8, got "
                  "\"rattle4\"; did you mean \"rattle-4\"?"},
         BadInput{
             "symmetry", entry("Continuum", "Symmetry = quarter"), {}, "scene.prm:2: Continuum/Symmetry: expected one"},
@@ -118,7 +118,10 @@ INSTANTIATE_TEST_SUITE_P(
                  entry("Output", "Graphics = vtk"),
                  {},
                  "scene.prm:2: Output/Graphics: expected none or vtu, got \"vtk\"; did you mean \"vtu\"?"},
-        BadInput{"system", "set System = double pendulum", {}, "scene.prm:1: System: expected ball, got \"double pend"},
+        BadInput{"system",
+                 "set System = triple pendulum",
+                 {},
+                 "scene.prm:1: System: expected ball or top, got \"triple pend"},
         BadInput{
             "model",
             "set Models = reduced, continum",

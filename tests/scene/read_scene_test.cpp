@@ -66,7 +66,7 @@ TEST_F(ReadSceneTest, ReadsEveryEntry) {
   EXPECT_EQ(scene.initial_state.velocity, (Matrix3{{{0, 0, 0}, {0, 0, -1e-3}, {0, 0, 0}}}));
   EXPECT_EQ(scene.time.end, 3);
   EXPECT_EQ(scene.time.step, 0.25);
-  EXPECT_EQ(scene.time.method, Method::rattle4);
+  EXPECT_EQ(scene.time.method, "rattle-4");
   EXPECT_EQ(scene.time.tolerance, 1e-13);
   EXPECT_EQ(scene.continuum.degree, 2);
   EXPECT_EQ(scene.continuum.refinements, 4);
@@ -90,9 +90,9 @@ TEST_F(ReadSceneTest, AnEmptyFileGivesTheDefaults) {
 }
 
 TEST_F(ReadSceneTest, NameIsTheFileNameWithoutPrm) {
-  EXPECT_EQ(read_scene(write("a.b.prm", "")).name, "a.b");
-  EXPECT_EQ(read_scene(write("plain", "")).name, "plain");
-  EXPECT_EQ(read_scene(write("v1.5", "")).name, "v1.5");
+  EXPECT_EQ(read_scene(write("a.b.prm", ""), {}, test::test_catalogue()).name, "a.b");
+  EXPECT_EQ(read_scene(write("plain", ""), {}, test::test_catalogue()).name, "plain");
+  EXPECT_EQ(read_scene(write("v1.5", ""), {}, test::test_catalogue()).name, "v1.5");
 }
 
 TEST_F(ReadSceneTest, TheLastSettingWins) {

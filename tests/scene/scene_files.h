@@ -13,6 +13,27 @@
 
 namespace pseudorigid::scene::test {
 
+/// A catalogue with names of methods and one small system.
+inline const Catalogue& test_catalogue() {
+  static const Catalogue catalogue{
+      .methods = {{"rattle", "order 2"}, {"rattle-4", "order 4"}, {"explicit-8", "order 8", false}},
+      .systems = {
+          {.name = "top",
+           .file = "top",
+           .section = "Top",
+           .documentation = "A top.",
+           .entries = {{{"Top/Spin", "1/time", "Its spin."}, AnyKind::of<double>(positive), "2"},
+                       {{"Top/Axis", "", "Its axis."}, AnyKind::of<std::vector<double>>(Numbers{3}), "0, 0, 1"}},
+           .columns = {{"phi", "", "Angle."}},
+           .has_equilibria = false,
+           .refuses = [](const Scene& scene) -> std::optional<Refusal> {
+             const auto spin = scene.system_values.find("Top/Spin");
+             if (spin == scene.system_values.end() || spin->second != "13") return {};
+             return Refusal{"Top/Spin", "this top does not spin at 13"};
+           }}}};
+  return catalogue;
+}
+
 class SceneFiles : public testing::Test {
  protected:
   void SetUp() override {
@@ -33,7 +54,7 @@ class SceneFiles : public testing::Test {
   }
 
   ReadScene read(const std::string& text, const std::vector<std::string>& overrides = {}) const {
-    return read_scene(write("scene.prm", text), overrides);
+    return read_scene(write("scene.prm", text), overrides, test_catalogue());
   }
 
   /// What `action` complains about, with the test's folder taken out; "" if it succeeds.

@@ -1,0 +1,64 @@
+/// The program's own catalogue of methods and systems, and the reference page made from it.
+
+#include "app/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "scene/entries.h"
+#include "scene/print_scene.h"
+
+namespace pseudorigid::app {
+namespace {
+
+TEST(Catalogue, EveryDefaultIsAllowedAndEverythingIsDocumented) {
+  scene::Scene scene = scene::default_scene(program_catalogue());
+  std::set<std::string_view> paths;
+  scene::visit_entries(scene, [&](auto& member, const auto& kind, const scene::About& about) {
+    EXPECT_TRUE(paths.insert(about.path).second) << about.path << " occurs twice";
+    EXPECT_EQ(kind.read(kind.print(member), member), std::nullopt) << about.path;
+    EXPECT_FALSE(kind.expected().empty()) << about.path;
+    EXPECT_TRUE(about.documentation.ends_with(".")) << about.path;
+  });
+  for (const scene::NamedMethod& method : program_catalogue().methods) EXPECT_FALSE(method.documentation.empty());
+}
+
+TEST(Catalogue, EverySystemHasItsOwnNamesAndDocumentedColumns) {
+  std::set<std::string_view> names{scene::ball}, files{"reduced", "continuum", "comparison", "equilibria", "modes"};
+  for (const scene::SystemDescription& system : program_catalogue().systems) {
+    EXPECT_TRUE(names.insert(system.name).second) << system.name;
+    EXPECT_TRUE(files.insert(system.file).second) << system.file;
+    EXPECT_TRUE(system.documentation.ends_with(".")) << system.name;
+    std::set<std::string> columns{"time"};
+    for (const scene::Column& column : system.columns) {
+      EXPECT_TRUE(columns.insert(column.name).second) << system.name << ": " << column.name << " occurs twice";
+      EXPECT_FALSE(column.documentation.empty()) << system.name << ": " << column.name;
+    }
+    for (const scene::SystemEntry& entry : system.entries)
+      EXPECT_TRUE(entry.about.path.starts_with(std::string(system.section) + "/")) << entry.about.path;
+  }
+}
+
+/// Each system's scene of defaults can be run with Method = auto.
+TEST(Catalogue, TheDefaultsOfEverySystemAreAScene) {
+  for (const scene::SystemDescription& system : program_catalogue().systems) {
+    scene::Scene scene = scene::default_scene(program_catalogue());
+    scene.system = system.name;
+    const auto refusal = system.refuses(scene);
+    EXPECT_FALSE(refusal) << refusal->path << ": " << refusal->sentence;
+  }
+}
+
+TEST(Catalogue, TheCommittedPageOfParametersIsUpToDate) {
+  std::ifstream file(PARAMETERS_PAGE);
+  std::stringstream page;
+  page << file.rdbuf();
+  EXPECT_EQ(page.str(), scene::parameters(scene::Format::markdown, program_catalogue()))
+      << "write the page anew: pseudorigid parameters --format markdown > docs/parameters.md";
+}
+
+}  // namespace
+}  // namespace pseudorigid::app
