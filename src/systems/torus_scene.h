@@ -1,0 +1,97 @@
+#pragma once
+/// The heavy particle on a rough torus (torus.h; Oliva, Geometric Mechanics, 5.8.8) in parameter files: unit mass, with
+/// ẅ, ü from the metric r² dw² + (R + r cos w)² du², V = g ⟨q, up⟩ and the damping D(v) = −c v, so that
+///
+///   dE/dt = ⟨D(v), v⟩ = −c |v|².
+///
+/// The four critical points have Morse indices 0, 1, 1, 2 for every tilt.
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/chart_field.h"
+#include "mechanics/chart_landscape.h"
+#include "scene/entry_kinds.h"
+#include "systems/system_scene.h"
+#include "systems/torus.h"
+
+namespace pseudorigid::systems {
+
+struct TorusScene {
+  static constexpr std::string_view name = "torus", file = "torus", section = "Torus";
+  static constexpr std::string_view documentation =
+      "A heavy particle of unit mass on a rough torus about the horizontal x axis, with friction in proportion to its "
+      "velocity: a strongly dissipative system with one sink, two saddles and one source.";
+  static constexpr bool has_equilibria = true;
+
+  double R = 3, r = 1, gravity = 1, damping = 1, tilt = 0;
+  std::vector<double> angles{0.1, 0.2}, rates{0, 0};
+
+  template <class Self, class Visit>
+  static void visit(Self& s, Visit&& visit) {
+    visit(s.R, scene::positive, About{"Torus/Radius", "length", "Distance R from the axis to the middle of the tube."});
+    visit(s.r, scene::positive, About{"Torus/Tube radius", "length", "Radius r of the tube, less than Radius."});
+    visit(s.gravity, scene::Number{.low = 0}, About{"Torus/Gravity", "length/time^2", "Acceleration of gravity."});
+    visit(s.damping, scene::Number{.low = 0},
+          About{"Torus/Damping", "1/time", "Friction c: the force on the particle is -c times its velocity."});
+    visit(s.tilt, scene::Number{},
+          About{"Torus/Tilt", "",
+                "Angle in radians by which the vertical leans out of the plane of the ring, towards the axis; upright "
+                "(0), the two saddles are joined by an orbit."});
+    visit(s.angles, scene::Numbers{2},
+          About{"Torus/Angles", "",
+                "Initial angles w, u in radians: w around the tube, 0 outside; u around the axis, 0 at the top."});
+    visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
+  }
+
+  /// Without gravity the motion itself sets the time.
+  Scales scales() const {
+    const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
+    return {r, 1, gravity > 0 ? std::sqrt(r / gravity) : rate > 0 ? 1 / rate : 1};
+  }
+
+  std::optional<Refusal> refuses() const {
+    if (r < R) return {};
+    return Refusal{"Torus/Tube radius", "expected a tube thinner than Torus/Radius; otherwise the torus meets itself"};
+  }
+
+  std::vector<Column> columns() const {
+    return {{"w", "", "angle around the tube, radians, 0 outside; full turns are counted"},
+            {"u", "", "angle around the axis, 0 at the top; full turns are counted"},
+            {"w_dot", "1/time", "rate of w"},
+            {"u_dot", "1/time", "rate of u"},
+            {"x", "length", "position along the axis of the torus"},
+            {"y", "length", "position across"},
+            {"z", "length", "position in the plane of the ring, upwards; vertical without Tilt"},
+            {"kinetic", "length^2/time^2", "kinetic energy by unit mass"},
+            {"potential", "length^2/time^2", "potential energy by unit mass"},
+            {"energy", "length^2/time^2", "their sum"},
+            {"dissipated_power", "length^2/time^3", "rate at which friction takes energy away, by unit mass"}};
+  }
+
+  struct Model {
+    using System = mechanics::ChartField<Torus>;
+    System system;
+    mechanics::State<System> initial;
+
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
+      const Torus& torus = system.chart();
+      const Eigen::Vector3d x = torus.embedding(state.q);
+      const double K = mechanics::kinetic_energy(torus, state.q, state.v), V = torus.potential(state.q);
+      const Eigen::Vector2d D = torus.dissipation(state.q, state.v);
+      row.insert(row.end(), {state.q[0], state.q[1], state.v[0], state.v[1], x[0], x[1], x[2], K, V, K + V,
+                             -D.dot(mechanics::apply_mass(torus, state.q, state.v))});
+      return {};
+    }
+    auto landscape() const { return mechanics::ChartLandscape<Torus>(system.chart()); }
+    std::vector<Column> coordinates() const { return {{"w", "", ""}, {"u", "", ""}}; }
+  };
+
+  template <class Run>
+  auto with_model(Run&& run) const {
+    return run(Model{mechanics::ChartField(Torus{{R, r}, gravity, damping, tilt}),
+                     {0, Eigen::Vector2d(angles.data()), Eigen::Vector2d(rates.data())}});
+  }
+};
+
+}  // namespace pseudorigid::systems
