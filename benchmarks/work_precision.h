@@ -37,6 +37,10 @@ struct Job {
   std::function<Result()> run;
 };
 
+std::vector<Job> sl3_jobs();
+std::vector<Job> rigid_body_jobs();
+std::vector<Job> double_pendulum_jobs();
+
 /// Rows of a reference: the coordinates at the samples.
 using Reference = std::vector<Eigen::VectorXd>;
 
