@@ -1,0 +1,345 @@
+#pragma once
+/// The rigid body in parameter files: constrained, as matrices of GL⁺(3) with six constraints (rigid_body.h), or by
+/// Euler's equation on quaternions (euler_top.h): the same motion, computed in two ways. With a fixed point that is the
+/// origin of the body and of space; without one the origin of the body is the centre of mass, of which Euler's form
+/// knows  x = x₀ + v₀t + ½gt².  The scales are the mass, the length L = √(tr E₀/m) and the time 1/ω,
+///
+///   ω² = the largest of |Ω|², |g||G|/L², k/m;  if all are zero, of |g|/L and |v|²/L².
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+#include "mechanics/constrained_landscape.h"
+#include "scene/entry_kinds.h"
+#include "systems/euler_angles.h"
+#include "systems/euler_top.h"
+#include "systems/mass_distribution.h"
+#include "systems/rigid_body.h"
+#include "systems/system_scene.h"
+
+namespace pseudorigid::systems {
+
+/// What the columns of a rigid body are made of.
+struct BodyMotion {
+  Eigen::Matrix3d R;
+  Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; centre of mass
+};
+
+class BodyObserver {
+ public:
+  /// With a fixed point A is about that, and the centre of mass has no kinetic energy of its own.
+  BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
+      : A_(A), loads_(loads), fixed_point_(fixed_point) {}
+
+  static std::vector<Column> columns() {
+    std::vector<Column> columns;
+    for (int i = 1; i <= 3; ++i)
+      for (int j = 1; j <= 3; ++j)
+        columns.push_back({fmt::format("R{}{}", i, j), "", "rotation: the body point X is at R X, plus x if free"});
+    const auto add = [&](const char* letter, std::string_view unit, std::string_view documentation) {
+      for (int i = 1; i <= 3; ++i) columns.push_back({fmt::format("{}{}", letter, i), unit, documentation});
+    };
+    const std::string_view energy = "mass*length^2/time^2", momentum = "mass*length^2/time";
+    add("Omega", "1/time", "angular velocity in the body");
+    add("omega", "1/time", "angular velocity in space, R Omega");
+    columns.insert(columns.end(),
+                   {{"phi", "", "Euler angle of R = Rz(phi) Rx(theta) Rz(psi), radians: precession; turns are counted"},
+                    {"theta", "", "Euler angle: nutation, 0 to pi"},
+                    {"psi", "", "Euler angle: spin; it stays where theta is 0 or pi, and phi has all of the turn"},
+                    {"kinetic", energy, "kinetic energy"},
+                    {"potential", energy, "potential energy of weight and springs"},
+                    {"energy", energy, "their sum"}});
+    add("J", momentum, "angular momentum in space, about its origin");
+    add("J_body", momentum, "angular momentum in the body, A Omega, about its origin");
+    add("x", "length", "centre of mass in space");
+    add("v", "length/time", "its velocity");
+    return columns;
+  }
+
+  void append(const BodyMotion& motion, std::vector<double>& row) {
+    const auto& [R, Omega, x, velocity] = motion;
+    const Eigen::Vector3d P = A_ * Omega, omega = R * Omega;
+    Eigen::Vector3d p = R * P;
+    double K = 0.5 * Omega.dot(P);
+    if (!fixed_point_) {
+      p += loads_.mass * x.cross(velocity);
+      K += 0.5 * loads_.mass * velocity.squaredNorm();
+    }
+    const Eigen::Vector3d origin = fixed_point_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : x;
+    const double V =
+        loads_.potential_energy([&](const Eigen::Vector3d& xi) { return Eigen::Vector3d(R * xi + origin); });
+    const EulerAngles a = angles(R);
+    for (int i = 0; i < 3; ++i) row.insert(row.end(), {R(i, 0), R(i, 1), R(i, 2)});
+    for (const Eigen::Vector3d& w : {Omega, omega}) row.insert(row.end(), w.begin(), w.end());
+    row.insert(row.end(), {a.phi, a.theta, a.psi, K, V, K + V});
+    for (const Eigen::Vector3d& w : {p, P, x, velocity}) row.insert(row.end(), w.begin(), w.end());
+  }
+
+ private:
+  /// At sin θ = 0 only φ ± ψ is defined: ψ is left as it was.
+  EulerAngles angles(const Eigen::Matrix3d& R) {
+    EulerAngles next;
+    if (!path_.next(R, next)) {
+      const bool upright = R(2, 2) > 0;
+      const double turn = std::atan2(R(1, 0), R(0, 0)) + (upright ? -last_.psi : last_.psi);
+      next = {last_.phi + std::remainder(turn - last_.phi, 2 * std::numbers::pi), upright ? 0 : std::numbers::pi,
+              last_.psi};
+    }
+    return last_ = next;
+  }
+
+  Eigen::Matrix3d A_;
+  BodyLoads loads_;
+  bool fixed_point_;
+  EulerAnglePath path_;
+  EulerAngles last_;
+};
+
+/// The landscape of a body on SO(3). GᵀG is zero along SO(3) and makes the mass regular where a flat body's is not.
+struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
+  using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
+  void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
+    ConstrainedLandscape::mass(q, M);
+    Eigen::MatrixXd G;
+    constraint_gradient(q, G);
+    M += G.transpose() * G;
+  }
+};
+
+struct RigidBodyScene {
+  static constexpr std::string_view name = "rigid body", file = "rigid_body", section = "Rigid body";
+  static constexpr std::string_view documentation =
+      "Rigid body with a fixed point or free, with weight and springs to points of space.";
+  static constexpr bool has_equilibria = true;
+
+  enum class Form { constrained, euler };
+  static constexpr scene::Choice<Form, 2> form_kind{{{{"constrained", Form::constrained}, {"euler", Form::euler}}}};
+
+  Form form = Form::constrained;
+  bool fixed_point = true;
+  double mass = 1;
+  std::vector<double> center{0, 0, 0};
+  scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of radius 1
+  std::vector<double> gravity{0, 0, 0}, springs;
+  scene::Matrix3 rotation = scene::identity3;
+  std::vector<double> angular_velocity{0, 0, 1}, position{0, 0, 0}, velocity{0, 0, 0};
+
+  template <class Self, class Visit>
+  static void visit(Self& s, Visit&& visit) {
+    visit(s.form, form_kind,
+          About{"Rigid body/Form", "",
+                "constrained: 3x3 matrices with the six constraints of a rotation. euler: Euler's equation for "
+                "quaternions; flat bodies too, springs only with a fixed point."});
+    visit(s.fixed_point, scene::Boolean{},
+          About{"Rigid body/Fixed point", "",
+                "true: the origin of the body stays at the origin of space. false: free; the origin of the body is its "
+                "centre of mass."});
+    visit(s.mass, scene::positive, About{"Rigid body/Mass", "mass", "Mass of the body."});
+    visit(s.center, scene::Numbers{3},
+          About{"Rigid body/Center", "length", "Centre of mass in the body, from the fixed point."});
+    visit(s.inertia, scene::Matrix{},
+          About{"Rigid body/Inertia", "mass*length^2",
+                "Inertia operator in the body about its origin; on its diagonal the moments of inertia."});
+    visit(s.gravity, scene::Numbers{3},
+          About{"Rigid body/Gravity", "length/time^2", "Acceleration of gravity in space."});
+    visit(s.springs, scene::Rows{8, true},
+          About{"Rigid body/Springs", "",
+                "One row a spring: point of the body (3 numbers, length), point of space (3), stiffness "
+                "(mass/time^2), rest length."});
+    visit(s.rotation, scene::Matrix{},
+          About{"Rigid body/Rotation", "",
+                "Initial rotation R, orthogonal to 1e-8; columns are the axes of the body in space."});
+    visit(s.angular_velocity, scene::Numbers{3},
+          About{"Rigid body/Angular velocity", "1/time", "Initial angular velocity in the body."});
+    visit(s.position, scene::Numbers{3},
+          About{"Rigid body/Position", "length", "Initial place of the centre of mass of a free body."});
+    visit(s.velocity, scene::Numbers{3},
+          About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
+  }
+  void rescale(const Scales& scales) {
+    for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
+      for (std::size_t j : {0, 1, 2, 3, 4, 5, 7}) springs[k + j] /= scales("length");
+      springs[k + 6] /= scales("mass/time^2");
+    }
+  }
+
+  Scales scales() const {
+    const double L = std::sqrt(second_moment(matrix(inertia)).trace() / mass), g = vector(gravity).norm();
+    double omega_2 = std::max(vector(angular_velocity).squaredNorm(), g * vector(center).norm() / (L * L));
+    for (const BodySpring& spring : loads().springs) omega_2 = std::max(omega_2, spring.law.stiffness / mass);
+    if (omega_2 == 0) omega_2 = std::max(g / L, vector(velocity).squaredNorm() / (L * L));
+    return {L, mass, omega_2 > 0 ? 1 / std::sqrt(omega_2) : 1};
+  }
+
+  std::optional<Refusal> refuses() const {
+    if (auto refusal = refuses_inertia()) return refusal;
+    const Eigen::Matrix3d R = matrix(rotation);
+    if (const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(); !(off <= 1e-8))
+      return Refusal{"Rigid body/Rotation",
+                     fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {:.2g}", off)};
+    if (R.determinant() < 0)
+      return Refusal{"Rigid body/Rotation", "expected a rotation, det R = 1, got a reflection, det R = -1"};
+    return fixed_point ? refuses_place() : refuses_free();
+  }
+
+  std::vector<Column> columns() const { return BodyObserver::columns(); }
+
+  template <bool has_fixed_point>
+  struct ConstrainedModel {
+    using System = RigidBody<has_fixed_point>;
+    System system;
+    mechanics::State<System> initial;
+    BodyObserver observer;
+
+    mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
+                          std::vector<double>& row) {
+      const Eigen::Vector3d& G = system.parameters().loads.center;  // zero without fixed point
+      observer.append({System::rotation(state.q), System::body_angular_velocity(state.q, state.v),
+                       System::place(state.q, G), System::place(state.v, G)},
+                      row);
+      return {};
+    }
+    auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }
+    std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
+  };
+
+  struct EulerModel {
+    using System = EulerTop<LoadTorque>;
+    System system;
+    mechanics::State<System> initial;
+    BodyObserver observer;
+    FixedPointBody turns;  ///< for the landscape: of the turns about the centre of mass, if the body is free
+    bool fixed_point;
+    Eigen::Vector3d x, velocity;  ///< of a free body at t = 0
+
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+      const BodyLoads& loads = system.parameters().torque.loads;
+      const Eigen::Matrix3d R = System::rotation(state.q);
+      const Eigen::Vector3d Omega = System::body_angular_velocity(state.q, state.v);
+      BodyMotion motion{R, Omega, R * loads.center, R * Omega.cross(loads.center)};
+      if (!fixed_point) {
+        motion.x = x + state.t * (velocity + 0.5 * state.t * loads.gravity);
+        motion.velocity = velocity + state.t * loads.gravity;
+      }
+      observer.append(motion, row);
+      return {};
+    }
+    auto landscape() const { return RotationLandscape(turns); }
+    std::vector<Column> coordinates() const { return body_coordinates(true); }
+  };
+
+  template <class Run>
+  auto with_model(Run&& run) const {
+    const Eigen::Matrix3d A = matrix(inertia), R = nearest_rotation();
+    const Eigen::Vector3d Omega = vector(angular_velocity), x = vector(position), v = vector(velocity);
+    const BodyObserver observer(A, loads(), fixed_point);
+    const FixedPointBody body({second_moment(A), loads()});
+    using Top = EulerTop<LoadTorque>;
+    if (form == Form::euler)
+      return run(EulerModel{Top({A, {loads()}}), Top::turning(R, Omega), observer, body, fixed_point, x, v});
+    if (fixed_point) return run(ConstrainedModel<true>{body, turning(R, Omega), observer});
+    return run(ConstrainedModel<false>{FreeBody({second_moment(A), loads()}), turning(R, Omega, x, v), observer});
+  }
+
+ private:
+  static constexpr std::size_t n_spring_columns = 8;
+  static constexpr const char* inertia_path = "Rigid body/Inertia";
+
+  static Eigen::Vector3d vector(const std::vector<double>& x) { return {x[0], x[1], x[2]}; }
+  static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
+    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
+  }
+  /// One step of Newton's iteration for RᵀR = Id, from 1e-8 to round-off.
+  Eigen::Matrix3d nearest_rotation() const {
+    const Eigen::Matrix3d R = matrix(rotation);
+    return R + 0.5 * R * (Eigen::Matrix3d::Identity() - R.transpose() * R);
+  }
+  BodyLoads loads() const {
+    BodyLoads loads{.mass = mass, .center = vector(center), .gravity = vector(gravity)};
+    for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
+      const double* s = &springs[k];
+      loads.springs.push_back({{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7]}});
+    }
+    return loads;
+  }
+  /// The entries of q in memory, column after column.
+  static std::vector<Column> body_coordinates(bool has_fixed_point) {
+    std::vector<Column> columns;
+    for (int j = 1; j <= 3; ++j)
+      for (int i = 1; i <= 3; ++i) columns.push_back({fmt::format("R{}{}", i, j), "", ""});
+    for (int i = 1; i <= 3 && !has_fixed_point; ++i) columns.push_back({fmt::format("x{}", i), "length", ""});
+    return columns;
+  }
+
+  /// What no body has, and what the form cannot have.
+  std::optional<Refusal> refuses_inertia() const {
+    constexpr double round_off = 1e-12;
+    const Eigen::Matrix3d A = matrix(inertia);
+    const double size = A.cwiseAbs().maxCoeff();
+    if ((A - A.transpose()).cwiseAbs().maxCoeff() > round_off * size)
+      return Refusal{inertia_path, "expected a symmetric matrix, got one that is not"};
+    const Eigen::Vector3d I = eigenvalues(A);
+    const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g}", I(0), I(1), I(2));
+    if (!(I(0) > round_off * size))
+      return Refusal{inertia_path, "expected positive principal moments of inertia, got " + moments};
+    if (I(0) + I(1) < (1 - round_off) * I(2))
+      return Refusal{inertia_path,
+                     "expected principal moments of which none exceeds the sum of the two others, got " + moments};
+    const Eigen::Vector3d G = vector(center);
+    const Eigen::Matrix3d E0 = second_moment(A);
+    if (const double least = eigenvalues(E0 - mass * G * G.transpose())(0); least < -round_off * size)
+      return Refusal{inertia_path,
+                     fmt::format("expected at least the inertia that the mass has at Center, got a second moment about "
+                                 "Center of {:.6g}",
+                                 least)};
+    if (form == Form::constrained)
+      if (auto status = FixedPointBody::accepts({E0, loads()}); !status) return Refusal{inertia_path, status.reason()};
+    return {};
+  }
+  static Eigen::Vector3d eigenvalues(const Eigen::Matrix3d& A) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(A, Eigen::EigenvaluesOnly).eigenvalues();
+  }
+
+  std::optional<Refusal> refuses_place() const {
+    for (const auto& [path, x] : {std::pair("Rigid body/Position", &position), {"Rigid body/Velocity", &velocity}})
+      if (!vector(*x).isZero(0))
+        return Refusal{path, fmt::format("expected 0, 0, 0 where Fixed point = true, got {}", scene::print_row(*x))};
+    return refuses_springs(Eigen::Vector3d::Zero());
+  }
+  std::optional<Refusal> refuses_free() const {
+    if (!vector(center).isZero(0))
+      return Refusal{
+          "Rigid body/Center",
+          fmt::format("expected 0, 0, 0 where Fixed point = false, which makes the centre of mass the origin "
+                      "of the body, got {}",
+                      scene::print_row(center))};
+    if (form == Form::euler && !springs.empty())
+      return Refusal{"Rigid body/Springs",
+                     "expected none where Form = euler and Fixed point = false; the constrained "
+                     "form has them"};
+    return refuses_springs(vector(position));
+  }
+  /// The body's origin is at x.
+  std::optional<Refusal> refuses_springs(const Eigen::Vector3d& x) const {
+    std::size_t row = 0;
+    for (const BodySpring& spring : loads().springs) {
+      ++row;
+      const auto& [k, l] = spring.law;
+      if (k < 0 || l < 0)
+        return Refusal{"Rigid body/Springs",
+                       fmt::format("expected stiffness and rest length >= 0, got {} and {} in row "
+                                   "{}",
+                                   scene::print_number(k), scene::print_number(l), row)};
+      if (l > 0 && (matrix(rotation) * spring.xi + x - spring.anchor).isZero(0))
+        return Refusal{
+            "Rigid body/Springs",
+            fmt::format("expected two different ends of a spring with a rest length, got one place in row {}", row)};
+    }
+    return {};
+  }
+};
+
+}  // namespace pseudorigid::systems
