@@ -56,7 +56,7 @@ scene::SystemDescription describe() {
 scene::Catalogue make_catalogue() {
   scene::Catalogue catalogue;
   mechanics::for_each_method([&]<class Method>(Method) {
-    catalogue.methods.push_back({Method::name, Method::documentation, Method::symplectic});
+    catalogue.methods.push_back({Method::name, Method::documentation, mechanics::takes_any_vector<Method>});
   });
   systems::for_each_system(
       [&]<class SystemScene>(const SystemScene&) { catalogue.systems.push_back(describe<SystemScene>()); });

@@ -4,6 +4,9 @@
 ///
 /// Why this library: its scalar is one type for all n variables, so a metric is an ordinary matrix of it. Boost.Math's
 /// autodiff gives each variable a type of its own; with one pass a variable it was measured at twice the time.
+///
+/// Arithmetic on these numbers gives expressions that refer to their operands: a function must declare the number
+/// itself as its return type (T, not auto).
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>
@@ -21,7 +24,10 @@ using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<T, n, 1>>;
 template <class T, int n>
 Coordinates<Dual<T, n>, n> independent(const Coordinates<T, n>& q) {
   Coordinates<Dual<T, n>, n> x;
-  for (int k = 0; k < n; ++k) x[k] = Dual<T, n>(q[k], n, k);
+  for (int k = 0; k < n; ++k) {
+    x[k].value() = q[k];
+    for (int j = 0; j < n; ++j) x[k].derivatives()[j] = T(j == k ? 1.0 : 0.0);
+  }
   return x;
 }
 

@@ -30,15 +30,17 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// Whether a method can be compiled for a system. Adaptive methods want dense vectors in memory.
+/// The methods that ask no more of a vector than VectorSpace offers; the others want dense vectors of Eigen.
+template <class Method>
+inline constexpr bool takes_any_vector = Method::symplectic;
+
+/// Whether a method can be compiled for a system.
 template <class Method, class S>
 consteval bool method_fits() {
-  if constexpr (!Method::adaptive)
-    return Method::template fits<S>;
-  else if constexpr (!VectorSpace<typename S::Vector>::dense)
+  if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
     return false;
   else
-    return Method::template fits<FieldOf<S>>;
+    return Method::template fits<FormFor<Method, S>>;
 }
 
 }  // namespace pseudorigid::mechanics

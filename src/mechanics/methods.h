@@ -26,11 +26,13 @@
 #include "mechanics/dormand_prince_8.h"
 #include "mechanics/energy_momentum.h"
 #include "mechanics/rattle.h"
+#include "mechanics/symmetric_multistep.h"
 
 namespace pseudorigid::mechanics {
 
 /// By rising order within each family.
-using MethodTable = std::tuple<Rattle, Rattle4, Rattle6, Rattle8, EnergyMomentum, DormandPrince8>;
+using MethodTable =
+    std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
 
 /// Place of a method in the table.
 enum class MethodId : std::size_t {};

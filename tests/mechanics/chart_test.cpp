@@ -30,7 +30,8 @@ struct DrivenPlane {
 
 TEST(AutomaticDifferentiation, SecondOrderJetOfAFunction) {
   const Vector2d q(0.7, -1.2);
-  const auto jet = mechanics::second_order_jet<2>([](const auto& x) { return sin(x[0]) * exp(x[1] * x[0]); }, q);
+  const auto jet = mechanics::second_order_jet<2>(
+      [](const auto& x) -> std::decay_t<decltype(x[0])> { return sin(x[0]) * exp(x[1] * x[0]); }, q);
   const double s = std::sin(0.7), c = std::cos(0.7), e = std::exp(0.7 * -1.2), x = 0.7, y = -1.2;
   constexpr double eps = 1e-15;  // a few roundings of numbers below 1
   EXPECT_NEAR(jet.value, s * e, eps);

@@ -57,7 +57,9 @@ struct Plane {
 
 TEST(CriticalPoints, OfADoubleWell) {
   // U = (x² − 1)²/4 + 2y²: minima (±1, 0), H = diag(2, 4/4); a saddle at 0, H = diag(−1, 1).
-  const auto u = [](const auto& x, const auto& y) { return (x * x - 1.0) * (x * x - 1.0) * 0.25 + 2.0 * y * y; };
+  const auto u = [](const auto& x, const auto& y) -> std::decay_t<decltype(x)> {
+    return (x * x - 1.0) * (x * x - 1.0) * 0.25 + 2.0 * y * y;
+  };
   const auto found = find(ChartLandscape(Plane<decltype(u)>{u}), {.radius = 3});
   ASSERT_EQ(found.points.size(), 3u);
   EXPECT_GT(found.n_converged, 150);
@@ -82,7 +84,7 @@ TEST(CriticalPoints, OfADoubleWell) {
 }
 
 TEST(CriticalPoints, ADegenerateOneHasNullity) {
-  const auto u = [](const auto& x, const auto& y) { return x * x * x * x + 0.5 * y * y; };
+  const auto u = [](const auto& x, const auto& y) -> std::decay_t<decltype(x)> { return x * x * x * x + 0.5 * y * y; };
   const auto found = find(ChartLandscape(Plane<decltype(u)>{u}));
   ASSERT_EQ(found.points.size(), 1u);
   EXPECT_EQ(found.points[0].nullity, 1);
@@ -91,7 +93,7 @@ TEST(CriticalPoints, ADegenerateOneHasNullity) {
 }
 
 TEST(CriticalPoints, OfAPotentialWithoutAny) {
-  const auto u = [](const auto& x, const auto& y) { return x + 0.1 * sin(y); };
+  const auto u = [](const auto& x, const auto& y) -> std::decay_t<decltype(x)> { return x + 0.1 * sin(y); };
   const auto found = find(ChartLandscape(Plane<decltype(u)>{u}));
   EXPECT_TRUE(found.points.empty());
   EXPECT_EQ(found.n_converged, 0);
@@ -100,7 +102,8 @@ TEST(CriticalPoints, OfAPotentialWithoutAny) {
 
 /// A critical circle is counted once, with the nullity of the symmetry.
 TEST(CriticalPoints, AnOrbitOfSymmetriesIsOnePoint) {
-  const auto u = [](const auto& x, const auto& y) {  // symmetric under the turns of (x, 2y), isometries
+  const auto u = [](const auto& x,
+                    const auto& y) -> std::decay_t<decltype(x)> {  // symmetric under the turns of (x, 2y), isometries
     return (x * x + 4.0 * y * y - 1.0) * (x * x + 4.0 * y * y - 1.0);
   };
   const auto found = find(ChartLandscape(Plane<decltype(u)>{u}), {.radius = 2});
