@@ -3,8 +3,10 @@
 ///
 ///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,  Ȧ, Ä, d/dt(AΛ* − Ω*A)
 ///
-/// by differences of order 8. The axes must stay apart: there the decomposition is smooth.
+/// by differences of order 8. Axes that cross keep the decomposition smooth only if each is followed through the
+/// crossing; in rising order it is smooth where they stay apart.
 
+#include <algorithm>
 #include <vector>
 
 #include "reduced/bodies.h"
@@ -16,11 +18,15 @@ struct BipolarPath {
   double h;                         // between samples
   std::vector<Matrix3d> T, A, S{};  // at the samples
 
-  /// The rows of T are eigenvectors of QQᵀ in the order of the axes, with the signs that the sample before has.
-  BipolarPath(const std::vector<Matrix3d>& Q, double spacing) : h(spacing) {
+  enum class Order { rising, continued };
+
+  /// The rows of T are eigenvectors of QQᵀ, with the signs that the sample before has; in the order of the axes, or
+  /// each the one nearest to that of the sample before.
+  BipolarPath(const std::vector<Matrix3d>& Q, double spacing, Order order = Order::rising) : h(spacing) {
     for (const Matrix3d& q : Q) {
       const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(q * q.transpose());
       Matrix3d t = solver.eigenvectors().transpose();
+      if (order == Order::continued && !T.empty()) t = nearest_order(t, T.back()) * t;
       for (int i = 0; i < 3; ++i)
         if (T.empty() ? i == 2 && t.determinant() < 0 : t.row(i).dot(T.back().row(i)) < 0) t.row(i) *= -1;
       const Vector3d axes = (t * q).rowwise().norm();
@@ -34,7 +40,7 @@ struct BipolarPath {
   /// Least difference of two semi-axes at sample k.
   double least_gap(int k) const {
     const auto a = A[k].diagonal();
-    return std::min(a[1] - a[0], a[2] - a[1]);
+    return std::min({std::abs(a[1] - a[0]), std::abs(a[2] - a[1]), std::abs(a[0] - a[2])});
   }
 
   Matrix3d rate(const std::vector<Matrix3d>& X, int k) const {
@@ -60,6 +66,18 @@ struct BipolarPath {
     const Matrix3d u = velocity(k, term);
     return A_second_rate(k) - Omega(k) * u + u * Lambda(k) +
            first_difference([&](int j) -> Matrix3d { return A_Lambda(k + j, term) - Omega(k + j) * A[k + j]; }, h);
+  }
+
+ private:
+  /// The permutation of rows that brings each where its largest overlap with a row before is.
+  static Matrix3d nearest_order(const Matrix3d& rows, const Matrix3d& rows_before) {
+    Matrix3d permutation = Matrix3d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      int nearest = 0;
+      (rows * rows_before.row(i).transpose()).cwiseAbs().maxCoeff(&nearest);
+      permutation(i, nearest) = 1;
+    }
+    return permutation;
   }
 };
 
