@@ -97,16 +97,4 @@ TYPED_TEST(Determinant, DoesNotDriftInAHundredThousandSteps) {
   }
 }
 
-TEST(GeneralInertia, KeepsAngularMomentumButNotCirculation) {
-  // PHYSICS section 0: Z is conserved only if E₀ ∝ Id.
-  reduced::ReferenceBody reference = reduced::ReferenceBody::unit_ball();
-  reference.E0 *= diagonal(1.5, 1, 0.7);
-  const Sl3 body(Law{1, 0}, reference);
-  const auto start = benchmark_state<Sl3>();
-  const auto before = observed(body, start), after = observed(body, state_at(body, start, 5, 200));
-  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 5e-14);
-  EXPECT_GT((after.circulation - before.circulation).norm(), 1e-2);
-  EXPECT_NEAR(after.energy(), before.energy(), 1e-11);
-}
-
 }  // namespace pseudorigid::testing

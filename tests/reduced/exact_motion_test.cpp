@@ -54,16 +54,6 @@ TEST(Multiplier, OfAGeneralReferenceBody) {  // PHYSICS section 0, physical V
   }
 }
 
-TEST(Observables, OfARigidSpin) {  // PHYSICS section 1: J = Z = 2m̄ω at Q = Id
-  const Sl3 body = neo_hookean_sl3();
-  const Vector3d omega(0.3, -0.7, 1.1);
-  const auto o = observed(body, moving<Sl3>(Matrix3d::Identity(), hat(omega)));
-  const double m_bar = 4 * std::numbers::pi / 15;
-  EXPECT_LT((o.angular_momentum - 2 * m_bar * omega).norm(), 1e-15);
-  EXPECT_LT((o.circulation - 2 * m_bar * omega).norm(), 1e-15);
-  EXPECT_NEAR(o.kinetic, m_bar * omega.squaredNorm(), 1e-15);  // ½ω·2m̄ω
-}
-
 TEST(Observables, SemiAxesFallAndBelongToTheState) {
   const auto o = observed(neo_hookean_sl3(), moving<Sl3>(rotation_z(0.4) * diagonal(0.5, 1.25, 1.6), Matrix3d::Zero()));
   EXPECT_LT((o.semi_axes - Vector3d(1.6, 1.25, 0.5)).norm(), 1e-15);
@@ -95,18 +85,6 @@ TEST(ExactMotion, TriaxialEllipsoidOfTypeS) {
   const auto r = run<mechanics::Rattle8>(body, moving<Sl3>(A, Qdot), end, 200, 8);
   ASSERT_TRUE(r.finished());
   for (const auto& s : r.states) EXPECT_LT((s.q - exact(s.t)).norm(), 1e-9);
-}
-
-TEST(ExactMotion, TransposedMotionIsAMotion) {  // Dedekind's duality (PHYSICS section 1)
-  const Sl3 body = neo_hookean_sl3();
-  const auto start = benchmark_state<Sl3>();
-  const auto dual = moving<Sl3>(start.q.transpose(), start.v.transpose());
-  const auto a = run<mechanics::Rattle6>(body, start, 20, 20, 10), b = run<mechanics::Rattle6>(body, dual, 20, 20, 10);
-  for (std::size_t k = 0; k < a.states.size(); ++k) {
-    EXPECT_LT((a.states[k].q.transpose() - b.states[k].q).norm(), 1e-12);
-    const auto o = observed(body, a.states[k]), dual_o = observed(body, b.states[k]);
-    EXPECT_LT((o.angular_momentum + dual_o.circulation).norm(), 1e-13);
-  }
 }
 
 TEST(ExactMotion, StressOfTheBallAtRestVanishes) {
