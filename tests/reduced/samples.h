@@ -1,8 +1,9 @@
 #pragma once
 /// Samples for the statements of 5.7: matrices, states and reference bodies, the same for the same generator; integrals
-/// over the reference ball; derivatives of functions of Q.
+/// over the reference ball; derivatives of functions of Q; the invariants.
 
 #include <Eigen/Dense>
+#include <array>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
@@ -89,6 +90,14 @@ Matrix3d derivative(const Function& phi, const Matrix3d& Q) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) D(i, j) = differential(phi, Q, Vector3d::Unit(i) * Vector3d::Unit(j).transpose());
   return D;
+}
+
+/// I, II, III of a symmetric matrix C, complex or not.
+template <class Matrix>
+auto invariants(const Matrix& C) {
+  using T = typename Matrix::Scalar;
+  const T trace = C.trace();
+  return std::array<T, 3>{trace, 0.5 * (trace * trace - (C * C).trace()), C.determinant()};
 }
 
 /// V(Q) per m̄ of the program's law, Vol W(Q)/m̄, of a complex matrix.

@@ -78,8 +78,8 @@ TEST(Statement_Momenta, AreConservedOnSl3AndOnGl3) {
     ASSERT_GT(std::min(before.angular_momentum.norm(), before.circulation.norm()), 0.5);
     ASSERT_GT((before.angular_momentum - before.circulation).norm(), 0.1) << "two different vectors";
     const auto d = departures(body, motion(body, start));
-    EXPECT_LT(d.angular_momentum, 1e-11) << "the method's error at its tolerance 1e-13";
-    EXPECT_LT(d.circulation, 1e-11);
+    EXPECT_LT(d.angular_momentum, 1e-12) << "the method's error at its tolerance 1e-13 (seen 1e-13)";
+    EXPECT_LT(d.circulation, 1e-12);
   };
   expect_both_conserved(neo_hookean_sl3(), benchmark_state<Sl3>());
   expect_both_conserved(neo_hookean_gl3(), benchmark_state<Gl3>());
@@ -90,7 +90,7 @@ TEST(Statement_Momenta, AreConservedOnSl3AndOnGl3) {
 TEST(Statement_Momenta, CirculationIsNotConservedForATriaxialReferenceBody) {
   const auto expect_J_alone = [](const auto& body, const auto& start) {
     const auto d = departures(body, motion(body, start));
-    EXPECT_LT(d.angular_momentum, 1e-11);
+    EXPECT_LT(d.angular_momentum, 1e-12);
     EXPECT_GT(d.circulation, 1e-2);
   };
   expect_J_alone(Sl3(Law{1, 0}, triaxial_inertia()), benchmark_state<Sl3>());
@@ -144,12 +144,12 @@ double distance_from_rigid_body(const Law& law) {
   return largest;
 }
 
-/// A body that stays in its place would be as far: the rigid motion is not slow.
-TEST(Statement_5_7_RigidLimit, TheRigidBodyIsNotAtRest) {
+/// The limit says something: the rigid motion is no uniform turning.
+TEST(Statement_5_7_RigidLimit, TheRigidBodyDoesNotTurnUniformly) {
   const systems::EulerTop<> top({systems::inertia_operator(triaxial_inertia().E0), {}});
   const auto end = integrate(top, systems::EulerTop<>::turning(Matrix3d::Identity(), {0.8, -0.5, 1.2}), 3);
   const Vector3d Omega = systems::EulerTop<>::body_angular_velocity(end.q, end.v);
-  EXPECT_GT((Omega - Vector3d(0.8, -0.5, 1.2)).norm(), 0.1) << "Euler's equation turns Ω in the body";
+  EXPECT_GT((Omega - Vector3d(0.8, -0.5, 1.2)).norm(), 0.1) << "Ω moves in the body";
 }
 
 /// μ → ∞: Q_t converges to the rotation of Euler's equation AΩ̇ = AΩ × Ω with A = tr(E₀)Id − E₀ (5.6.9, 5.6.16), with

@@ -53,7 +53,9 @@ TEST(Statement_5_7_2, SecondMomentOfTheBall) {
     const Matrix3d E0 = rho * integral_over_ball(r, [](const Vector3d& X) -> Matrix3d { return X * X.transpose(); });
     const double m_bar = 4 * std::numbers::pi / 15 * rho * std::pow(r, 5);
     EXPECT_LT((E0 - m_bar * Matrix3d::Identity()).norm(), 1e-14 * m_bar);
-    if (r == 1 && rho == 1) EXPECT_LT((E0 - neo_hookean_sl3().E0()).norm(), 1e-15);
+    if (r == 1 && rho == 1) {
+      EXPECT_LT((E0 - neo_hookean_sl3().E0()).norm(), 1e-15);
+    }
   }
   EXPECT_NEAR(neo_hookean_sl3().m_bar(), 4 * std::numbers::pi / 15, 1e-16);
   const double volume = integral_over_ball(1, [](const Vector3d&) { return 1.0; });
@@ -71,7 +73,9 @@ TEST(Statement_5_7_3, KineticEnergy) {
     const double K =
         0.5 * S.determinant() * integral_over_ball(1, [&](const Vector3d& Y) { return (Qdot * S * Y).squaredNorm(); });
     EXPECT_NEAR(Gl3(Law{1, 1}, reference).kinetic_energy(Qdot), K, round_off * K);
-    if (i == 0) EXPECT_NEAR(0.5 * neo_hookean_sl3().m_bar() * Qdot.squaredNorm(), K, round_off * K);  // (5.117)
+    if (i == 0) {
+      EXPECT_NEAR(0.5 * neo_hookean_sl3().m_bar() * Qdot.squaredNorm(), K, round_off * K);  // (5.117)
+    }
   }
 }
 
@@ -172,7 +176,7 @@ TEST(Statement_5_7_8, II_MatrixOfPartialDerivatives) {
   for (int i = 0; i < 50; ++i) {
     const Matrix3d Q = random_deformation(generator), B = random_matrix(generator);
     Gl3::Workspace w;
-    Matrix3d f;
+    Matrix3d f = Matrix3d::Zero();
     ASSERT_TRUE(body.force(0, Q, Matrix3d::Zero(), w, f));
     const Matrix3d dV = derivative(V, Q);
     EXPECT_LT((f / body.m_bar() + dV).norm(), round_off * dV.norm());
@@ -221,14 +225,6 @@ TEST(Statement_5_7_8, IV_FailsForAPotentialThatDependsOnTheTurns) {
   EXPECT_GT(g.norm(), 0.1);
 }
 
-/// I, II, III of a symmetric matrix C, complex or not.
-template <class Matrix>
-auto invariants(const Matrix& C) {
-  using T = typename Matrix::Scalar;
-  const T trace = C.trace();
-  return std::array<T, 3>{trace, 0.5 * (trace * trace - (C * C).trace()), C.determinant()};
-}
-
 /// 5.7.11: "∂I/∂Q = 2Q, ∂II/∂Q = 2[Id tr C − C]Q, ∂III/∂Q = 2 det C Q⁻ᵀ" with C = QQᵀ (not QᵀQ, in ∂II).
 TEST(Statement_5_7_11, DerivativesOfTheInvariants) {
   std::mt19937 generator(5711);
@@ -254,7 +250,7 @@ TEST(Statement_5_7_10, GradientByTheInvariants) {
     const double III = C.determinant();
     const Matrix3d W_Q = 0.5 * 2 * Q + (0.25 * (1 - 1 / III) - 0.5 / III) * 2 * III * Q.inverse().transpose();
     Gl3::Workspace w;
-    Matrix3d f;
+    Matrix3d f = Matrix3d::Zero();
     ASSERT_TRUE(body.force(0, Q, Matrix3d::Zero(), w, f));
     EXPECT_LT((f / reduced::ReferenceBody::unit_ball().volume + W_Q).norm(), round_off * (1 + W_Q.norm()));
   }
