@@ -96,7 +96,9 @@ class ConstrainedLandscape {
   /// The entries of a vector or a multiplier of the system, and back.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
-    return Eigen::Map<const Vector>(values.data(), static_cast<Eigen::Index>(values.size()));
+    Vector entries(static_cast<Eigen::Index>(values.size()));
+    std::copy(values.begin(), values.end(), entries.begin());
+    return entries;
   }
   static auto filled(auto x, const Vector& entries) {
     std::copy(entries.begin(), entries.end(), local_values(x).begin());

@@ -61,7 +61,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   if constexpr (single_constraint<S>) {
     set_reaction(system, q0, 1.0, w);
     system.constraint_rate(q1, w.direction, w.delta);
-    w.delta = w.residual / w.delta;
+    w.delta = w.residual * (1 / w.delta);  // the quotient does not wait for the residual
   } else {
     if (SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta); !report.status)
       return std::move(report.status);

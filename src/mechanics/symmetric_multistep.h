@@ -96,7 +96,12 @@ struct SymmetricMultistep {
   template <class S>
   using Workspace = SymmetricMultistepWorkspace<S, order>;
   template <class S>
-  static constexpr bool fits = ConstrainedSystem<S>&& DormandPrince8::fits<ExplicitMultiplier<S>>;
+  static constexpr bool fits = [] {
+    if constexpr (ConstrainedSystem<S>)
+      return DormandPrince8::fits<ExplicitMultiplier<S>>;
+    else
+      return false;
+  }();
 
   template <ConstrainedSystem S>
   static Status accepts(const S& system) {
@@ -188,8 +193,9 @@ struct SymmetricMultistep {
   }
 
   /// d_{n+1}, q_{n+1} with a_n from the extrapolated multiplier, and then from the one that makes g(q_{n+1}) = 0.
+  /// Flattened: calls kept the temporaries of small systems in memory, a sixth of the step of an SL(3) body.
   template <class S>
-  static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
+  [[gnu::flatten]] static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     auto& a = w.a[w.newest];
     a = w.acceleration;
     if constexpr (!unconstrained<S>) {

@@ -38,7 +38,7 @@ template <class Body>
 Matrix3d acceleration_by_multiplier(const Body& body, const State<Body>& s) {
   typename Body::Workspace w;
   auto lambda = body.make_multiplier();
-  Matrix3d a;
+  Matrix3d a = Matrix3d::Zero();
   EXPECT_TRUE(body.force(0, s.q, s.v, w, a));
   if constexpr (Body::n_constraints == 1) {
     EXPECT_TRUE(mechanics::multiplier_of_motion(body, s, w, lambda));
@@ -56,7 +56,7 @@ void expect_equal_accelerations(const reduced::ReferenceBody& reference, Law law
   for (int i = 0; i < 1000; ++i) {
     const auto s = random_state<Body>(generator);
     const Matrix3d expected = acceleration_by_multiplier(body, s);
-    Matrix3d a;
+    Matrix3d a = Matrix3d::Zero();
     ASSERT_TRUE(body.acceleration(0, s.q, s.v, w, a));
     // Both sums cancel terms of the size |∂V||Q⁻¹|²|Q|² ≲ κ 27² at worst; 1e-15 of that.
     ASSERT_LT((a - expected).norm(), 1e-15 * 5 * 27 * 27) << "state " << i;
@@ -95,7 +95,7 @@ TEST(RightHandSide, IsThePrintedFormula) {
     const Matrix3d dV = reference.volume * (s.q - inverse.transpose());
     const double lambda =
         ((L * L).trace() + (inverse * dV * E0_inverse).trace()) / (inverse * inverse.transpose() * E0_inverse).trace();
-    Matrix3d a;
+    Matrix3d a = Matrix3d::Zero();
     ASSERT_TRUE(body.acceleration(0, s.q, s.v, w, a));
     EXPECT_LT((a - (lambda * inverse.transpose() - dV) * E0_inverse).norm(), 1e-13 * a.norm());
   }
@@ -108,7 +108,7 @@ TEST(RightHandSide, IsTangentToSecondOrder) {
   std::mt19937 generator(2);
   for (int i = 0; i < 100; ++i) {
     const auto s = random_state<Sl3>(generator);
-    Matrix3d a;
+    Matrix3d a = Matrix3d::Zero();
     ASSERT_TRUE(body.acceleration(0, s.q, s.v, w, a));
     double second = 0, curvature = 0;
     body.constraint_rate(s.q, a, second);
@@ -141,7 +141,7 @@ TEST(RightHandSide, FailsWhereTheBodyIsTurnedInsideOutOrNotFinite) {
 TEST(RightHandSide, FailsAtAVelocityThatIsNotFinite) {
   const Sl3 body = neo_hookean_sl3();
   Sl3::Workspace w;
-  Matrix3d a;
+  Matrix3d a = Matrix3d::Zero();
   EXPECT_FALSE(
       body.acceleration(0, Matrix3d::Identity(), diagonal(std::numeric_limits<double>::quiet_NaN(), 0, 0), w, a));
 }

@@ -147,7 +147,7 @@ TEST(Jacobi, GeodesicFieldIsThatOfTheConformalMetric) {
   auto w = field.make_workspace();
   auto w_conformal = conformal.make_workspace();
   for (const auto& [q, v, ignored] : random_jets({-3, -3}, {3, 3}, 50)) {
-    Vector3d a;
+    Vector3d a = field.make_vector();
     Vector2d a_conformal;
     const Vector3d x(q[0], q[1], 0), dx(v[0], v[1], 0);
     ASSERT_TRUE(field.acceleration(0, x, dx, w, a));
