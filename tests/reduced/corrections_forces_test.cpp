@@ -11,18 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "reduced/loaded_body.h"
 #include "reduced/samples.h"
 #include "reduced/self_gravity.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {
 namespace {
-
-/// W = 0: the multiplier is the only force.
-Sl3 fluid(double r = 1, double rho = 1) {
-  const double volume = 4 * std::numbers::pi / 3 * std::pow(r, 3), m_bar = rho * volume * r * r / 5;
-  return {Law{0, 0}, {m_bar * Matrix3d::Identity(), volume}};
-}
 
 /// Remark 5.7.12, right: λ = 2p_c/(ρr²). The pressure p = p_c(1 − |X|²/r²) with that p_c is the reaction, λm̄ = ∫p dV
 /// (virtual work), and moves every point of the fluid, ρẍ = −Q⁻ᵀ∂p/∂X. The printed 2p_c/ρ does so for r = 1 only.
@@ -59,28 +54,9 @@ TEST(Correction_11, PrintedPressureIsThatOfAUnitBall) {
   }
 }
 
-/// The neo-Hookean body with the force D(Q, Q̇) per m̄ besides. On SL(3) only its tangential part D − (D:N)N moves the
-/// body, with N = Q⁻ᵀ/|Q⁻¹|.
-struct DampedBody {
-  using Vector = Sl3::Vector;
-  using Workspace = Sl3::Workspace;
-  Sl3 body = neo_hookean_sl3();
-  Matrix3d (*D)(const Matrix3d& Q, const Matrix3d& Qdot);
-
-  mechanics::Status acceleration(double t, const Vector& Q, const Vector& Qdot, Workspace& w, Vector& a) const {
-    auto status = body.acceleration(t, Q, Qdot, w, a);
-    if (!status) return status;
-    const Matrix3d N = Q.inverse().transpose().normalized(), d = D(Q, Qdot);
-    a += d - mechanics::dot(d, N) * N;
-    return status;
-  }
-  Vector make_vector() const { return Vector::Zero(); }
-  Workspace make_workspace() const { return {}; }
-  bool velocity_dependent() const { return true; }
-  bool dissipative() const { return true; }
-};
-std::vector<mechanics::VectorState<Matrix3d>> damped_motion(decltype(DampedBody::D) D, const State<Sl3>& start) {
-  return integrate_samples(DampedBody{.D = D}, start, 3, 30);
+template <class Dissipation>
+std::vector<mechanics::VectorState<Matrix3d>> damped_motion(const Dissipation& D, const State<Sl3>& start) {
+  return integrate_samples(LoadedBody(neo_hookean_sl3(), &D), start, 3, 30);
 }
 
 constexpr double c = 0.3, eta = 0.06;
