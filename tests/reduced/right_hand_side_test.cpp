@@ -6,7 +6,7 @@
 #include <random>
 
 #include "mechanics/second_order_field.h"
-#include "reduced/bodies.h"
+#include "reduced/samples.h"
 
 namespace pseudorigid::testing {
 
@@ -63,13 +63,6 @@ void expect_equal_accelerations(const reduced::ReferenceBody& reference, Law law
   }
 }
 
-reduced::ReferenceBody general_inertia() {
-  auto reference = reduced::ReferenceBody::unit_ball();
-  const Matrix3d turn = rotation_z(0.7) * Eigen::AngleAxisd(0.4, Vector3d::UnitX()).toRotationMatrix();
-  reference.E0 = turn * (reference.E0 * diagonal(1.5, 1, 0.7)) * turn.transpose();
-  return reference;
-}
-
 TEST(RightHandSide, IsTheMultiplierFormOnSl3) {
   expect_equal_accelerations<Sl3>(reduced::ReferenceBody::unit_ball(), Law{1, 0});
 }
@@ -80,13 +73,13 @@ TEST(RightHandSide, IsTheMultiplierFormOnGl3) {
   expect_equal_accelerations<Gl3>(reduced::ReferenceBody::unit_ball(), Law{1, 1});
 }
 TEST(RightHandSide, IsTheMultiplierFormWithGeneralInertia) {
-  expect_equal_accelerations<Sl3>(general_inertia(), Law{1, 0});
-  expect_equal_accelerations<Gl3>(general_inertia(), Law{1, 1});
+  expect_equal_accelerations<Sl3>(triaxial_inertia(), Law{1, 0});
+  expect_equal_accelerations<Gl3>(triaxial_inertia(), Law{1, 1});
 }
 
 /// PHYSICS section 0: λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹∂V E₀⁻¹)]/tr(Q⁻¹Q⁻ᵀE₀⁻¹), term by term with Eigen's inverse.
 TEST(RightHandSide, IsThePrintedFormula) {
-  for (const auto& reference : {reduced::ReferenceBody::unit_ball(), general_inertia()}) {
+  for (const auto& reference : {reduced::ReferenceBody::unit_ball(), triaxial_inertia()}) {
     const Sl3 body(Law{1, 0}, reference);
     Sl3::Workspace w;
     std::mt19937 generator(1);
@@ -135,7 +128,7 @@ void expect_failures(const Body& body) {
 TEST(RightHandSide, FailsWhereTheBodyIsTurnedInsideOutOrNotFinite) {
   expect_failures(neo_hookean_sl3());
   expect_failures(neo_hookean_gl3());
-  expect_failures(Sl3(Law{1, 0}, general_inertia()));
+  expect_failures(Sl3(Law{1, 0}, triaxial_inertia()));
 }
 
 TEST(RightHandSide, FailsAtAVelocityThatIsNotFinite) {
