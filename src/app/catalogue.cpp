@@ -1,65 +1,40 @@
 #include "app/catalogue.h"
 
-#include <fmt/format.h>
-
-#include "mechanics/field_of.h"
-#include "mechanics/methods.h"
+#include "app/scene_to_model.h"
+#include "app/system_description.h"
+#include "reduced/pseudo_rigid_body.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {
 namespace {
 
-using scene::Refusal;
+template <class Law, bool incompressible>
+using Body = reduced::PseudoRigidBody<Law, incompressible>;
 
-/// Whether the method asked for can run this model, and if not why.
-template <class Model>
-std::optional<Refusal> refuses_method(const scene::Scene& scene, const Model& model) {
-  const auto id = mechanics::find_method(scene.time.method);
-  std::optional<Refusal> refusal;
-  if (!id) return refusal;
-  mechanics::with_method(*id, [&]<class Method>(Method) {
-    if constexpr (!mechanics::method_fits<Method, typename Model::System>())
-      refusal = {"Time/Method",
-                 fmt::format("{} cannot integrate this form of the system; explicit-8 can", Method::name)};
-    else if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(model.system)); !status)
-      refusal = {"Time/Method", status.reason()};
-  });
-  return refusal;
+/// The pseudo-rigid body with the method asked for.
+std::optional<scene::Refusal> refuses_ball(const scene::Scene& scene) {
+  const auto ball = reduced::ReferenceBody::unit_ball();
+  return std::visit(
+      [&]<class Law>(const Law& law) {
+        return scene.body.incompressible ? refuses_method(scene, Body<Law, true>(law, ball))
+                                         : refuses_method(scene, Body<Law, false>(law, ball));
+      },
+      internal_law(scene));
 }
 
-template <class SystemScene>
-std::optional<Refusal> refuses(const scene::Scene& scene) {
-  const auto system = systems::system_scene<SystemScene>(scene);
-  if (auto refusal = system.refuses()) return refusal;
-  return systems::in_scales(system, system.scales()).with_model([&](const auto& model) {
-    return refuses_method(scene, model);
-  });
-}
-
-template <class SystemScene>
-scene::SystemDescription describe() {
-  scene::SystemDescription description{.name = SystemScene::name,
-                                       .file = SystemScene::file,
-                                       .section = SystemScene::section,
-                                       .documentation = SystemScene::documentation,
-                                       .entries = {},
-                                       .columns = SystemScene{}.columns(),
-                                       .has_equilibria = SystemScene::has_equilibria,
-                                       .refuses = refuses<SystemScene>};
-  const SystemScene defaults;
-  SystemScene::visit(defaults, [&]<class Value>(const Value& member, const auto& kind, const scene::About& about) {
-    description.entries.push_back({about, scene::AnyKind::of<Value>(kind), kind.print(member)});
-  });
-  return description;
-}
+/// The finite-element ball has the form of the incompressible body, with vectors of its own.
+using IncompressibleBody = Body<std::variant_alternative_t<0, materials::AnyLaw>, true>;
+template <class Method>
+constexpr bool for_continuum =
+    mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, IncompressibleBody>();
 
 scene::Catalogue make_catalogue() {
-  scene::Catalogue catalogue;
+  scene::Catalogue catalogue{.methods = {}, .systems = {}, .refuses_ball = refuses_ball};
   mechanics::for_each_method([&]<class Method>(Method) {
-    catalogue.methods.push_back({Method::name, Method::documentation, mechanics::takes_any_vector<Method>});
+    catalogue.methods.push_back({Method::name, Method::documentation, for_continuum<Method>});
   });
   systems::for_each_system(
-      [&]<class SystemScene>(const SystemScene&) { catalogue.systems.push_back(describe<SystemScene>()); });
+      [&]<class SystemScene>(const SystemScene&) { catalogue.systems.push_back(describe_system<SystemScene>()); });
   return catalogue;
 }
 

@@ -46,8 +46,9 @@ void compare_models(const RunContext& context, bool quiet) {
 bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const RunContext& context,
                io::ManifestFile& manifest, std::string& message, bool& interrupted) {
   ModelOutcome outcome = run(context);
-  context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, outcome.statistics.counters["steps"],
-                    context.resume ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
+  if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // an equilibrium has none
+    context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
+                      context.resume ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
   manifest.content().models[name] = std::move(outcome.statistics);
   interrupted = outcome.state == ModelOutcome::State::interrupted;
   message = std::move(outcome.message);

@@ -9,6 +9,7 @@
 /// hyperbolic, and its unstable manifold has the dimension of the Morse index (5.8.3).
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/landscape.h"
@@ -33,6 +34,8 @@ namespace detail {
 
 /// Eigenvalues count as zero below this part of the largest: Hessians by differences are good to about 1e-12.
 inline constexpr double zero_curvature = 1e-8;
+/// And below this, the round-off of terms of order 1 that cancel: no force at all leaves 1e-170 behind.
+inline constexpr double round_off_curvature = 1e-14;
 /// A zero of H splits into rates of the size of the square root of its error where there is no damping.
 inline constexpr double zero_rate = 1e-6;
 
@@ -81,7 +84,8 @@ Status describe_critical_point(const L& landscape, const Eigen::VectorXd& q, con
   p.lambda = lambda;
   p.V = landscape.potential(q);
   p.hessian_eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H, Eigen::EigenvaluesOnly).eigenvalues();
-  const double zero = detail::zero_curvature * p.hessian_eigenvalues.cwiseAbs().maxCoeff();
+  const double largest = p.hessian_eigenvalues.size() > 0 ? p.hessian_eigenvalues.cwiseAbs().maxCoeff() : 0;
+  const double zero = std::max(detail::zero_curvature * largest, detail::round_off_curvature);
   p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
   p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
   detail::linearise(H, D, T, p);

@@ -90,6 +90,8 @@ struct NamedMethod {
 struct Catalogue {
   std::vector<NamedMethod> methods;
   std::vector<SystemDescription> systems;
+  /// Why a method cannot run the ball of a scene, if it cannot.
+  std::function<std::optional<Refusal>(const Scene&)> refuses_ball{};
 
   /// Null for the ball.
   const SystemDescription* system(std::string_view name) const {

@@ -105,6 +105,8 @@ class Validator {
           fmt::format("with radius {}, density {} and shear modulus {} the body's inertia, stiffness or time scale is "
                       "not a representable number; choose units nearer to the size of the body",
                       print_number(radius), print_number(density), print_number(scene_.material.shear_modulus)));
+    if (const auto& refuses = catalogue_of(scene_).refuses_ball)
+      if (const auto refusal = refuses(scene_)) refuse(refusal->path, refusal->sentence);
   }
 
   void check_time() const {

@@ -161,7 +161,8 @@ Result run_method(const Start<S>& start, double rattle_limit, double part) {
   return result;
 }
 
-/// The start of a seed: system, state, method, step. Nothing comes out of a method that refuses the system.
+/// The start of a seed: system, state, method, step. Nothing comes out of a method that does not fit or refuses the
+/// system.
 template <class Make>
 Result result_of(std::uint64_t seed, const Make& make) {
   Random random(seed);
@@ -181,8 +182,9 @@ Result result_of(std::uint64_t seed, const Make& make) {
   const double rate = mechanics::max_norm(start.state.v) / (1 + mechanics::max_norm(start.state.q));
   const double limit = std::min(10.0, mechanics::rattle_step_limit(frequency.omega, rate, 1));
   mechanics::with_method(place, [&]<class Method>(Method) {
-    if (Method::accepts(mechanics::form_for<Method>(start.system)).ok())
-      result = run_method<Method>(start, limit, part);
+    if constexpr (mechanics::method_fits<Method, S>())
+      if (Method::accepts(mechanics::form_for<Method>(start.system)).ok())
+        result = run_method<Method>(start, limit, part);
   });
   return result;
 }

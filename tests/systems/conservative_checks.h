@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/energy_momentum.h"
 
 namespace pseudorigid::testing {
 
@@ -66,7 +66,7 @@ void expect_constraint_derivatives_agree(const S& system, const typename S::Vect
   };
   system.constraint_rate(q, v, rate);
   EXPECT_LT(mechanics::max_norm(decltype(g)(derivative(g_at) - rate)), difference_tolerance);
-  EXPECT_NEAR(mechanics::dot(reaction_at(0), v), lambda.dot(rate), 1e-13);
+  EXPECT_NEAR(mechanics::dot(reaction_at(0), v), mechanics::detail::pairing(lambda, rate), 1e-13);
   system.constraint_curvature(q, v, curvature);
   EXPECT_LT(mechanics::max_norm(decltype(g)(derivative(rate_at) - curvature)), difference_tolerance);
   auto reaction_rate = system.make_vector();
