@@ -5,14 +5,34 @@
 ///
 /// until |r| ≤ tolerance (or round-off).
 
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "mechanics/constrained_system.h"
-#include "mechanics/rattle.h"
 
 namespace pseudorigid::mechanics::detail {
+
+inline constexpr int max_constraint_iterations = 30;
+
+/// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
+/// counts as zero if it is within a factor 1000 of the tolerance.
+struct ConvergenceMonitor {
+  double tolerance, previous = HUGE_VAL;
+  int iteration = 0;
+  enum class Verdict { done, go_on, stuck };
+
+  Verdict judge(double residual) {
+    if (residual <= tolerance) return Verdict::done;
+    const bool falling = residual < 0.5 * previous;
+    if (!falling && residual <= 1000 * tolerance) return Verdict::done;
+    // One rise is forgiven (a first Newton step from far away); a NaN compares false everywhere and is stuck at once.
+    if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
+    previous = residual;
+    return Verdict::go_on;
+  }
+};
 
 /// A single constraint is a number: its reactions are multiples of one direction, and its Gram matrix is G(q₁) times
 /// it.
@@ -22,16 +42,15 @@ inline constexpr bool single_constraint = std::is_same_v<typename S::Multiplier,
 template <ConstrainedSystem S>
 struct ConstraintTemporaries {
   explicit ConstraintTemporaries(const S& system)
-      : zero(system.make_vector()),
-        reaction(system.make_vector()),
+      : reaction(system.make_vector()),
         direction(single_constraint<S> ? system.make_vector() : typename S::Vector{}),
         residual(system.make_multiplier()),
         delta(system.make_multiplier()) {}
 
-  typename S::Vector zero;                 // a product with 0 would keep a NaN of a failed trial
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
   bool direction_known = false;  // to be cleared where q₀ has changed
+  long n_gram_iterations = 0;
 };
 
 /// w.reaction = M⁻¹G(q₀)ᵀ λ.
@@ -40,14 +59,14 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
                   ConstraintTemporaries<S>& w) {
   if constexpr (single_constraint<S>) {
     if (!w.direction_known) {
-      w.direction = w.zero;
+      scale(0.0, w.direction);
       system.add_reaction(q0, 1.0, w.direction);
       system.apply_inverse_mass(w.direction, w.direction);
       w.direction_known = true;
     }
     w.reaction = lambda * w.direction;
   } else {
-    w.reaction = w.zero;
+    scale(0.0, w.reaction);
     system.add_reaction(q0, lambda, w.reaction);
     system.apply_inverse_mass(w.reaction, w.reaction);
   }
@@ -63,8 +82,9 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
     system.constraint_rate(q1, w.direction, w.delta);
     w.delta = w.residual * (1 / w.delta);  // the quotient does not wait for the residual
   } else {
-    if (SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta); !report.status)
-      return std::move(report.status);
+    SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta);
+    w.n_gram_iterations += report.iterations;
+    if (!report.status) return std::move(report.status);
   }
   set_reaction(system, q0, w.delta, w);
   return {};
@@ -83,7 +103,7 @@ Status meet_constraint(const S& system, const char* what, const typename S::Vect
     if (verdict == ConvergenceMonitor::Verdict::done) return {};
     if (verdict == ConvergenceMonitor::Verdict::stuck)
       return Status::failure(std::string("the ") + what + " iteration of the constraint does not converge (residual " +
-                             std::to_string(norm) + ")");
+                             std::to_string(norm) + "); use a smaller step");
     if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
     apply();
   }

@@ -11,7 +11,7 @@
 ///
 /// With Λ = (sum of the half steps) λ_n, the position solve is Newton's iteration
 ///
-///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q)/h,   v ← v + M⁻¹G(q_n)ᵀδ,   q ← q + h M⁻¹G(q_n)ᵀδ,
+///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,
 ///
 /// started from the multiplier extrapolated along the motion and driven until |g| ≤ tolerance (or round-off).
 ///
@@ -28,6 +28,7 @@
 #include <utility>
 
 #include "mechanics/constrained_system.h"
+#include "mechanics/constraint_newton.h"
 #include "mechanics/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -79,20 +80,19 @@ struct RattleWorkspace {
       : system(system.make_workspace()),
         acceleration(system.make_vector()),
         q_start(system.make_vector()),
-        reaction(system.make_vector()),
         v_half(velocity_dependent(system) ? system.make_vector() : typename S::Vector{}),
         q_rounding(make_rounding(system)),
         v_rounding(make_rounding(system)),
-        residual(system.make_multiplier()),
-        delta(system.make_multiplier()),
+        constraint(system),
         impulse(system.make_multiplier()),
         history{system.make_multiplier(), system.make_multiplier()} {}
 
   typename S::Workspace system;
-  typename S::Vector acceleration, q_start, reaction;  // M⁻¹f at the state; q_n; M⁻¹Gᵀδ
-  typename S::Vector v_half;                           // v_{n+1/2}, for forces that depend on the velocity
-  typename S::Vector q_rounding, v_rounding;           // what rounding has kept back from q and v
-  typename S::Multiplier residual, delta, impulse;     // g or Gv; δ; Λ
+  typename S::Vector acceleration, q_start;   // M⁻¹f at the state; q_n
+  typename S::Vector v_half;                  // v_{n+1/2}, for forces that depend on the velocity
+  typename S::Vector q_rounding, v_rounding;  // what rounding has kept back from q and v
+  detail::ConstraintTemporaries<S> constraint;
+  typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
   double pending_weight = 0;  // half steps since the last projection, whose reaction is still to come
   bool acceleration_known = false;
@@ -113,36 +113,6 @@ struct RattleWorkspace {
     }
   }
 };
-
-namespace detail {
-
-inline constexpr int max_constraint_iterations = 30;
-
-/// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
-/// counts as zero if it is within a factor 1000 of the tolerance.
-struct ConvergenceMonitor {
-  double tolerance, previous = HUGE_VAL;
-  int iteration = 0;
-  enum class Verdict { done, go_on, stuck };
-
-  Verdict judge(double residual) {
-    if (residual <= tolerance) return Verdict::done;
-    const bool falling = residual < 0.5 * previous;
-    if (!falling && residual <= 1000 * tolerance) return Verdict::done;
-    // One rise is forgiven (a first Newton step from far away); a NaN compares false everywhere and is stuck at once.
-    if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
-    previous = residual;
-    return Verdict::go_on;
-  }
-};
-
-inline std::string constraint_stuck(const char* what, double residual, double h) {
-  return std::string("the ") + what + " iteration of the constraint does not converge (residual " +
-         std::to_string(residual) + " at a substep of " + std::to_string(h) +
-         " internal time units); use a smaller step";
-}
-
-}  // namespace detail
 
 struct Rattle {
   static constexpr const char* name = "rattle";
@@ -185,19 +155,17 @@ struct Rattle {
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
-      detail::ConvergenceMonitor monitor{system.constraint_tolerance()};
-      for (;;) {
-        system.constraint_rate(state.q, state.v, w.residual);
-        const double residual = max_norm(w.residual);
-        const auto verdict = monitor.judge(residual);
-        if (verdict == detail::ConvergenceMonitor::Verdict::done) break;
-        if (verdict == detail::ConvergenceMonitor::Verdict::stuck)
-          return Status::failure(detail::constraint_stuck("velocity", residual, 0));
-        scale(-1.0, w.residual);
-        if (Status status = react(system, state.q, state.q, w); !status) return status;
-        add(1.0, w.reaction, state.v, w.v_rounding);
+      w.constraint.direction_known = false;
+      const auto evaluate = [&] {
+        system.constraint_rate(state.q, state.v, w.constraint.residual);
+        return Status();
+      };
+      const auto apply = [&] {
+        add(1.0, w.constraint.reaction, state.v, w.v_rounding);
         if (velocity_dependent(system)) w.acceleration_known = false;
-      }
+      };
+      if (Status status = meet_constraint(system, "velocity", state.q, state.q, w, evaluate, apply); !status)
+        return status;
       w.pending_weight = 0;
       ++w.counters.n_projections;
     }
@@ -242,23 +210,13 @@ struct Rattle {
                            std::to_string(h) + " internal time units; use a smaller step");
   }
 
-  /// δ from G(q)M⁻¹G(q₀)ᵀ δ = residual, and reaction = M⁻¹G(q₀)ᵀ δ.
   template <ConstrainedSystem S>
-  static Status react(const S& system, const typename S::Vector& q, const typename S::Vector& q0,
-                      RattleWorkspace<S>& w) {
-    SolveReport report = system.solve_gram(q, q0, w.residual, w.system, w.delta);
-    w.counters.n_gram_iterations += report.iterations;
-    if (!report.status) return std::move(report.status);
-    set_reaction(system, q0, w.delta, w);
-    return {};
-  }
-
-  template <ConstrainedSystem S>
-  static void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
-                           RattleWorkspace<S>& w) {
-    scale(0.0, w.reaction);
-    system.add_reaction(q0, lambda, w.reaction);
-    system.apply_inverse_mass(w.reaction, w.reaction);
+  static Status meet_constraint(const S& system, const char* what, const typename S::Vector& q1,
+                                const typename S::Vector& q0, RattleWorkspace<S>& w, const auto& evaluate,
+                                const auto& apply) {
+    Status status = detail::meet_constraint(system, what, q1, q0, w.system, w.constraint, evaluate, apply);
+    w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+    return status;
   }
 
   /// q ← q + h v with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0.
@@ -272,25 +230,19 @@ struct Rattle {
       const double weight = w.pending_weight + h / 2;
       w.history.guess(state.t, w.impulse);
       scale(weight, w.impulse);
-      set_reaction(system, w.q_start, w.impulse, w);
-      add(1.0, w.reaction, state.v, w.v_rounding);
+      w.constraint.direction_known = false;
+      detail::set_reaction(system, w.q_start, w.impulse, w.constraint);
+      add(1.0, w.constraint.reaction, state.v, w.v_rounding);
       add(h, state.v, state.q, w.q_rounding);
-
-      detail::ConvergenceMonitor monitor{system.constraint_tolerance()};
-      for (;;) {
-        if (Status status = system.constraint(state.q, w.residual); !status) return status;
-        const double residual = max_norm(w.residual);
-        const auto verdict = monitor.judge(residual);
-        if (verdict == detail::ConvergenceMonitor::Verdict::done) break;
-        if (verdict == detail::ConvergenceMonitor::Verdict::stuck)
-          return Status::failure(detail::constraint_stuck("position", residual, h));
-        scale(-1 / h, w.residual);
-        if (Status status = react(system, state.q, w.q_start, w); !status) return status;
-        axpy(1.0, w.delta, w.impulse);
-        add(1.0, w.reaction, state.v, w.v_rounding);
-        add(h, w.reaction, state.q, w.q_rounding);
+      const auto evaluate = [&] { return system.constraint(state.q, w.constraint.residual); };
+      const auto apply = [&] {
+        axpy(1 / h, w.constraint.delta, w.impulse);
+        add(1 / h, w.constraint.reaction, state.v, w.v_rounding);
+        add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         ++w.counters.n_position_iterations;
-      }
+      };
+      if (Status status = meet_constraint(system, "position", state.q, w.q_start, w, evaluate, apply); !status)
+        return status;
       record_multiplier(state.t, weight, h, w);
       return {};
     }

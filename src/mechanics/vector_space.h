@@ -26,7 +26,12 @@ struct VectorSpace {  // dense Eigen vectors and matrices
     }
   }
   static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
-  static void scale(double a, V& x) { x *= a; }
+  static void scale(double a, V& x) {
+    if (a == 0)
+      x.setZero();  // clears what is not finite as well
+    else
+      x *= a;
+  }
   static double max_norm(const V& x) { return x.size() == 0 ? 0.0 : x.template lpNorm<Eigen::Infinity>(); }
   static double dot(const V& x, const V& y) { return x.cwiseProduct(y).sum(); }
   static std::span<double> local_values(V& x) { return {x.data(), static_cast<std::size_t>(x.size())}; }
