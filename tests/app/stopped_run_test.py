@@ -1,11 +1,9 @@
 """Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
-import random
 import resource
-import signal
-import time
 import unittest
 
-from program_test import CONTINUUM_COLUMNS, DONE, ProgramTest, STOPPED, largest_difference, overrides
+from program_test import CONTINUUM_COLUMNS, DONE, STOPPED, largest_difference, overrides
+from stopped_run import StoppedRunTest
 
 # About a second each; a step that is given needs no pilot runs.
 LONG_REDUCED = {
@@ -22,35 +20,7 @@ LONG_CONTINUUM = {
 PICTURES = {"Output/Graphics": "vtu", "Output/Frames": 21}
 
 
-class StoppedRun(ProgramTest):
-    def csv(self, folder, model):
-        return self.scratch / folder / f"{model}.csv"
-
-    def has_rows(self, folder, model, n=1):
-        path = self.csv(folder, model)
-        return path.exists() and path.read_bytes().count(b"\n") > n
-
-    def resume(self, *arguments, folder):
-        """Goes on, or begins anew where the first run did not live to write a checkpoint."""
-        has_checkpoint = any(name.startswith("checkpoint") and name.endswith(".bin") for name in self.files(folder))
-        return self.run_program("run", "scene.prm", "--output", folder, *(["--resume"] if has_checkpoint else []), *arguments)
-
-    def assert_finished_like(self, folder, expected, tolerance=0.0):
-        """The CSV files, pictures and collections of the folder are those of the uninterrupted run."""
-        results = [name for name in self.files(expected) if name.endswith((".csv", ".pvd", ".vtu"))]
-        self.assertTrue(results)
-        self.assertEqual(self.files(folder), self.files(expected))
-        for name in results:
-            with self.subTest(name):
-                if tolerance == 0.0 or name.endswith(".pvd"):
-                    self.assertEqual(self.bytes(folder, name), self.bytes(expected, name))
-                elif name.endswith(".csv"):
-                    difference = largest_difference(self.table(expected, name), self.table(folder, name))
-                    print(f"{name}: largest difference {difference:.1e}")
-                    # The comparison divides differences by amplitudes, or by each other.
-                    self.assertLess(difference, 100 * tolerance if name == "comparison.csv" else tolerance)
-        self.assertEqual(self.json(folder, "manifest.json")["state"], "done")
-
+class StoppedRun(StoppedRunTest):
     # Elements that invert.
 
     def check_stopped_by_inversion(self, result):
@@ -107,42 +77,11 @@ class StoppedRun(ProgramTest):
 
     # Ctrl-C.
 
-    def start(self, folder, *arguments):
-        """A process that has opened its log, and so listens to signals."""
-        log = self.scratch / folder / "log.txt"
-        size_before = log.stat().st_size if log.exists() else 0
-        process = self.start_program("run", "scene.prm", "--output", folder, *arguments)
-        self.wait_until(lambda: process.poll() is not None or (log.exists() and log.stat().st_size not in (0, size_before)),
-                        "the log grows")
-        return process
-
-    def interrupt(self, model, folder, *arguments):
-        process = self.start(folder, *arguments)
-        self.wait_until(lambda: self.has_rows(folder, model, 0) or process.poll() is not None, "the motion begins")
-        process.send_signal(signal.SIGINT)
-        return process.wait()
-
-    def check_interrupted(self, folder):
-        manifest = self.json(folder, "manifest.json")
-        self.assertEqual((manifest["state"], manifest["exit_code"]), ("interrupted", STOPPED))
-        self.assertRegex(manifest["message"], r"interrupted at t = [0-9.e-]+")
-
     def test_control_c_reduced(self):
-        self.scene(LONG_REDUCED)
-        self.run_done("run", "scene.prm", "--output", "whole")
-        self.assertEqual(self.interrupt("reduced", "parts"), STOPPED)
-        self.check_interrupted("parts")
-        self.assertLess(len(self.table("parts/reduced.csv")), 2001)
-        self.assert_exit(self.resume(folder="parts"), DONE)
-        self.assert_finished_like("parts", "whole")
+        self.check_control_c(LONG_REDUCED, "reduced")
 
     def test_control_c_continuum(self):
-        self.scene({**LONG_CONTINUUM, **PICTURES})
-        self.run_done("run", "scene.prm", "--output", "whole")
-        self.assertEqual(self.interrupt("continuum", "parts"), STOPPED)
-        self.check_interrupted("parts")
-        self.assert_exit(self.resume(folder="parts"), DONE)
-        self.assert_finished_like("parts", "whole", 1e-11)
+        self.check_control_c({**LONG_CONTINUUM, **PICTURES}, "continuum", 1e-11)
 
     def test_control_c_in_the_first_of_two_models(self):
         self.scene({**LONG_REDUCED, "Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2,
@@ -223,39 +162,6 @@ class StoppedRun(ProgramTest):
                 self.assertIn(f"error: cannot write '{name}/{name}': Is a directory", refused.stderr)
 
     # SIGKILL.
-
-    def kill(self, folder, seconds, *arguments, stand_still=False):
-        """Kills a run after a while; standing still for more than five seconds makes the next step write a checkpoint."""
-        process = self.start_program("run", "scene.prm", "--output", folder, *arguments)
-        time.sleep(seconds)
-        if stand_still:
-            process.send_signal(signal.SIGSTOP)
-            time.sleep(5.1)
-            process.send_signal(signal.SIGCONT)
-            time.sleep(0.15)
-        process.kill()
-        return process.wait()
-
-    def check_kills(self, scene, model, tolerance, n_kills):
-        """Ends by SIGKILL at random moments; a SIGTERM in between leaves checkpoints in the middle of the motion."""
-        seed = random.randrange(10**6)
-        print(f"seed {seed}")
-        moments = random.Random(seed)
-        self.scene(scene)
-        start = time.monotonic()
-        self.run_done("run", "scene.prm", "--output", "whole")
-        duration = time.monotonic() - start
-        for i in range(n_kills):
-            arguments = ["--resume"] if (self.scratch / f"parts/checkpoint-{model}.bin").exists() else []
-            if i % 3 == 1:
-                process = self.start("parts", *arguments)
-                time.sleep(moments.uniform(0, 0.2) * duration)
-                process.terminate()
-                self.assertIn(process.wait(), (STOPPED, DONE))
-            else:
-                self.kill("parts", moments.uniform(0, 0.6) * duration, *arguments)
-        self.assert_exit(self.resume(folder="parts"), DONE)
-        self.assert_finished_like("parts", "whole", tolerance)
 
     def test_kills_reduced(self):
         self.check_kills({**LONG_REDUCED, **PICTURES}, "reduced", 0.0, 7)
