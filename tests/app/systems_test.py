@@ -1,0 +1,491 @@
+"""The systems beside the ball, from parameter file to CSV: what the scenes of params/ promise, columns, methods, forms,
+tolerances, units, equilibria, and motions that break off."""
+import math
+import re
+import unittest
+
+from program_test import DONE, STOPPED, WRONG_INPUT, largest_difference, overrides
+from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, FRAME, JACOBI, PARABOLOID, PENDULUM, POINTS, SCENES,
+                         SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, distance, drift)
+
+METHODS = ("auto", "rattle", "rattle-4", "rattle-6", "rattle-8", "symmetric-8", "symmetric-12", "energy-momentum",
+           "explicit-8")
+LAGRANGE = {"Double pendulum/Form": "lagrange"}
+EULER = {"Rigid body/Form": "euler"}
+INERTIAL = {"Moving frame/Form": "inertial"}
+
+
+def rotations(prefix="R"):
+    return [f"{prefix}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+
+
+def positions(n_points):
+    return [f"{axis}{i}" for i in range(1, n_points + 1) for axis in "xyz"]
+
+
+class SystemScenes(SystemTest):
+    """What the comment at the head of each scene promises."""
+
+    def test_files_columns_and_samples(self):
+        for scene, file in SCENES.items():
+            with self.subTest(scene):
+                table = self.motion(scene)
+                self.assertEqual(self.files(table.folder), sorted(
+                    [f"checkpoint-{file}.bin", "log.txt", "manifest.json", "used.prm", f"{file}.csv"]))
+                self.assertEqual(table.header, [name for name, _ in self.documented_columns(file, n_points=3)])
+                used = self.used_entries(table.folder)
+                end, n = float(used["Time/End"]), int(used["Output/Samples"])
+                self.assertEqual(len(table), n + 1)
+                self.assertEqual(table.column("time")[-1], end)
+                for k, t in enumerate(table.column("time")):
+                    self.assertAlmostEqual(t, end * k / n, delta=1e-15 * end)
+                self.assertTrue(table.is_finite())
+                self.assertEqual(self.json(table.folder, "manifest.json")["exit_code"], DONE)
+
+    def test_columns_of_other_numbers_of_points_and_surfaces(self):
+        for n in (1, 2, 5):
+            row = [f"{i}, 0, 0" for i in range(n)]
+            table = self.motion({"System": "mass points", "Mass points/Masses": ", ".join(["1"] * n),
+                                 "Mass points/Positions": "; ".join(row), "Mass points/Velocities": "; ".join(row),
+                                 "Time/End": 0.1, "Output/Samples": 3})
+            self.assertEqual(table.header, [name for name, _ in self.documented_columns("mass_points", n)])
+        plane = self.motion({**ELLIPSOID, "Geodesic/Surface": "hyperbolic plane"})
+        self.assertEqual(plane.header, [name for name, _ in self.documented_columns("geodesic") if name not in "xyz"])
+
+    def test_three_bodies(self):
+        # 180 samples: a third of the period is 30 of them.
+        table = self.motion("three_bodies", {"Output/Samples": 180})
+        self.assertAlmostEqual(table.column("energy")[0], -1.28714, delta=5e-6)
+        self.assertLess(drift(table, "energy"), 1e-9)  # of a tolerance of 1e-8
+        for name in ("P1", "P2", "P3", "L1", "L2", "L3"):
+            # The velocities are given with eight decimals, so P starts at 1e-8.
+            self.assertLess(abs(table.column(name)[0]), 1.01e-8, name)
+            self.assertLess(drift(table, name), 1e-14, name)
+        start = table.rows[0][1:19]
+        for period in (90, 180):  # initial data of eight decimals, about four times that error a period
+            self.assertLess(max(abs(x - y) for x, y in zip(table.rows[period][1:19], start)), 2e-7)
+        path = {i: list(zip(table.column(f"x{i}"), table.column(f"y{i}"))) for i in (1, 2, 3)}
+        later = {i: min((1, 2, 3), key=lambda j: math.dist(path[j][30], path[i][0])) for i in (1, 2, 3)}
+        self.assertEqual(sorted(later.values()), [1, 2, 3])
+        for i, j in later.items():
+            self.assertNotEqual(i, j)
+            self.assertLess(max(math.dist(a, b) for a, b in zip(path[i], path[j][30:])), 3e-7, "one curve")
+
+    def test_double_pendulum(self):
+        table = self.motion("double_pendulum")
+        self.assertLess(drift(table, "energy") / table.column("energy")[0], 1e-9)
+        near = self.motion("double_pendulum", {"Double pendulum/Angles": "2.000001, 2.5"})
+        self.assertGreater(distance(table, near, ["theta"]), 0.1, "chaos shows a change of 1e-6")
+        other = self.motion("double_pendulum", LAGRANGE)
+        self.assertLess(distance(table, other, ["x1", "y1", "x2", "y2"]), 2e-6, "each has the tolerance 1e-6")
+
+    def test_tensions_of_the_double_pendulum_are_newtons(self):
+        """m r̈ of both points by central differences, h = 1/1000: an error of h² r⁗/12, some 1e-5 times r̈."""
+        table = self.motion("double_pendulum", {"Time/End": 1, "Output/Samples": 1000, "Time/Tolerance": 1e-12})
+        x1, y1, x2, y2, tension1, tension2 = map(table.column, ("x1", "y1", "x2", "y2", "tension1", "tension2"))
+        for k in range(1, 1000):
+            def acceleration(x):
+                return (x[k + 1] - 2 * x[k] + x[k - 1]) * 1e6
+            pull1 = [-tension1[k] * x1[k], -tension1[k] * y1[k]]  # rods of length 1
+            pull2 = [-tension2[k] * (x2[k] - x1[k]), -tension2[k] * (y2[k] - y1[k])]
+            self.assertAlmostEqual(acceleration(x2), pull2[0], delta=1e-2)
+            self.assertAlmostEqual(acceleration(y2), pull2[1] + 9.81, delta=1e-2)
+            self.assertAlmostEqual(acceleration(x1), pull1[0] - pull2[0], delta=1e-2)
+            self.assertAlmostEqual(acceleration(y1), pull1[1] - pull2[1] + 9.81, delta=1e-2)
+
+    def test_heavy_top(self):
+        table = self.motion("heavy_top", {"Output/Samples": 1600})
+        for name in ("energy", "J3", "J_body3"):
+            self.assertLess(drift(table, name) / table.column(name)[0], 1e-9, name)
+        theta, phi = table.column("theta"), table.column("phi")
+        self.assertAlmostEqual(theta[0], math.pi / 6, delta=1e-12)
+        # Where θ̇ = 0 energy and momenta give, with u = cos θ:  J_body3² (u₀ − u) = 2 I₁ m g l (1 − u²).
+        lost = 2 * 0.5 * 9.81 * 0.05 * 0.0015625 / 0.0625**2
+        u0 = math.cos(math.pi / 6)
+        lowest = (1 - math.sqrt(1 - 4 * lost * (u0 - lost))) / (2 * lost)
+        self.assertAlmostEqual(max(theta), math.acos(lowest), delta=1e-5)  # 1600 samples of 8 nutations
+        self.assertAlmostEqual(min(theta), math.pi / 6, delta=2e-6)
+        cusps = [k for k in range(1, 1600) if theta[k] <= min(theta[k - 1], theta[k + 1])]
+        self.assertGreaterEqual(len(cusps), 7, "nutation")
+        mean_rate = (phi[cusps[-1]] - phi[0]) / table.column("time")[cusps[-1]]
+        self.assertAlmostEqual(mean_rate, 4, delta=0.3)
+        for k in cusps:
+            # Near a cusp φ grows with the third power of the time.
+            self.assertLess(abs(phi[k + 1] - phi[k - 1]) / 0.002, 0.01 * mean_rate, "φ stands still")
+        euler = self.motion("heavy_top", {**EULER, "Output/Samples": 1600})
+        self.assertLess(distance(table, euler, rotations()), 2e-6, "each has the tolerance 1e-6")
+
+    def test_free_body(self):
+        table = self.motion("free_body")
+        Omega2 = table.column("Omega2")
+        self.assertGreater(max(Omega2), 0.99)
+        self.assertLess(min(Omega2), -0.99)
+        self.assertGreaterEqual(sum(a * b < 0 for a, b in zip(Omega2, Omega2[1:])), 2, "again and again")
+        self.assertLess(drift(table, "energy", "J1", "J2", "J3"), 1e-12)
+        for k, t in enumerate(table.column("time")):
+            J_body = [table.column(f"J_body{i}")[k] for i in (1, 2, 3)]
+            self.assertAlmostEqual(math.hypot(*J_body), 2, delta=1e-6)
+            x = [table.column(f"x{i}")[k] for i in (1, 2, 3)]
+            self.assertLess(math.dist(x, (0.1 * t, 0, 0)), 1e-12)
+        # On the separatrix 2 I₂ K = |J|².
+        rotation = table.column("kinetic")[0] - 0.5 * 0.1**2
+        self.assertAlmostEqual(2 * 2 * rotation, 4, delta=1e-5)
+
+    def test_foucault(self):
+        table = self.motion("foucault")
+        self.assertLess(drift(table, "jacobi") / table.column("jacobi")[0], 1e-9)
+        place = list(zip(table.column("relative_x"), table.column("relative_y")))
+        # After whole swings the point is at the end of its swing, which has turned clockwise. (One part in 1e4: the
+        # planet also makes the swing slower and rounder.)
+        for k, angle in ((0, 0), (100, 30), (200, 60), (300, 90)):
+            turned = math.cos(math.radians(angle)), -math.sin(math.radians(angle))
+            self.assertLess(math.dist(place[k], turned), 2e-4, f"{angle} degrees")
+        self.assertLess(max(map(abs, table.column("relative_z"))), 1e-4)
+        Q, force = self.vectors(table, "relative_v"), self.vectors(table, "coriolis_")
+        for v, f in zip(Q, force):
+            self.assertAlmostEqual(sum(a * b for a, b in zip(v, f)), 0, delta=1e-13, msg="the Coriolis force has no power")
+        other = self.motion("foucault", INERTIAL)
+        self.assertLess(distance(table, other, ["relative_x", "relative_y", "relative_z"]), 2e-8, "each has 1e-8")
+        at_rest = self.motion("foucault", {"Moving frame/Spin rate": 0})
+        self.assertEqual(set(at_rest.column("relative_y")), {0.0}, "without rotation the plane stays")
+
+    @staticmethod
+    def vectors(table, prefix):
+        return list(zip(*(table.column(prefix + axis) for axis in "xyz")))
+
+    def test_torus(self):
+        table = self.motion("torus", {"Output/Samples": 4000})
+        self.assertAlmostEqual(table.column("z")[0], 2, delta=1e-3)
+        self.assertAlmostEqual(table.column("z")[-1], -2, delta=1e-9)
+        self.assertLess(table.column("kinetic")[-1], 1e-12, "at rest")
+        energy, power, h = table.column("energy"), table.column("dissipated_power"), 0.01
+        self.assertTrue(all(b <= a + 1e-12 for a, b in zip(energy, energy[1:])), "friction takes energy away")
+        lost = h * (sum(power) - 0.5 * (power[0] + power[-1]))  # trapezoids: an error of some h²
+        self.assertAlmostEqual(energy[0] - energy[-1], lost, delta=1e-4)
+        tilted = self.motion("torus", {"Torus/Tilt": 0.05})
+        sink = 3 + math.cos(0.05)  # below the middle of the tube by the tilted vertical
+        self.assertAlmostEqual(tilted.column("z")[-1], -sink, delta=1e-4)
+        self.assertAlmostEqual(tilted.column("potential")[-1], -(3 * math.cos(0.05) + 1), delta=1e-6)
+        self.assertLess(tilted.column("kinetic")[-1], 1e-8)
+
+    def test_geodesic(self):
+        table = self.motion("geodesic")
+        self.assertLess(drift(table, "speed", "clairaut"), 1e-10)
+        self.assertAlmostEqual(table.column("speed")[0], 1, delta=1e-6)
+        self.assertAlmostEqual(table.column("clairaut")[0], 2.001, delta=1e-12)
+        w = table.column("q1")
+        self.assertLess(max(map(abs, w)), math.pi, "not through the hole")
+        self.assertTrue(max(w) > 3 and min(w) < -3, "near the inner equator on both sides")
+        self.assertGreater(sum(x > 3 for x in w), 10, "it stays there for more than 2 of 50")
+        through = self.motion("geodesic", {"Geodesic/Velocity": "0.8661697, 0.124938"})
+        self.assertLess(through.column("clairaut")[0], 2)
+        w = through.column("q1")
+        self.assertTrue(all(a < b for a, b in zip(w, w[1:])), "always on")
+        self.assertGreater(w[-1], 2 * math.pi, "through the hole and round")
+
+    def test_jacobi_kepler(self):
+        table = self.motion("jacobi_kepler")
+        self.assertAlmostEqual(table.column("t")[-1], 4 * math.pi, delta=1e-9)
+        self.assertLess(max(table.column("deviation")), 1e-9, "the tolerance")
+        self.assertAlmostEqual(table.column("x")[100], 0.4, delta=1e-9)
+        self.assertAlmostEqual(table.column("x")[-1], 0.4, delta=1e-9)
+        self.assertAlmostEqual(table.column("t")[100], 2 * math.pi, delta=1e-9)
+        for name, value in (("energy", -0.5), ("angular_momentum", 0.8), ("jacobi_speed", 1)):
+            self.assertLess(max(abs(x - value) for x in table.column(name)), 1e-8, name)
+        self.assertLess(max(abs(a - b) for a, b in zip(table.column("time"), table.column("jacobi_length"))), 1e-8)
+        # The ellipse (x + 0.6)² + y²/0.64 = 1 about the centre of force.
+        for x, y in zip(table.column("x"), table.column("y")):
+            self.assertAlmostEqual((x + 0.6)**2 + y**2 / 0.64, 1, delta=1e-8)
+
+
+class SystemMethods(SystemTest):
+    # Two forms of a system are the same motion.
+
+    def check_forms(self, scene, form, columns=None, bound=1e-9):
+        tight = {"Time/Tolerance": 1e-12}
+        difference = distance(self.motion(scene, tight), self.motion(scene, {**tight, **form}), columns)
+        print(f"{form}: {difference:.1e}")
+        self.assertLess(difference, bound)
+
+    def test_forms_of_the_double_pendulum(self):
+        self.check_forms(PENDULUM, LAGRANGE)
+
+    def test_forms_of_the_rigid_body(self):
+        for scene in (TOP, BODY, "heavy_top"):
+            self.check_forms(scene, EULER)
+
+    def test_forms_of_the_moving_frame(self):
+        self.check_forms(FRAME, INERTIAL)
+
+    # Angles whose turns are counted.
+
+    def check_turns(self, scene, angles, changes={}):
+        few, many = (self.motion(scene, {**changes, "Output/Samples": n}) for n in (16, 1600))
+        for name in angles:
+            self.assertAlmostEqual(few.column(name)[-1], many.column(name)[-1], delta=1e-3, msg=name)
+
+    def test_turns_of_a_top_do_not_depend_on_the_samples(self):
+        for form in ({}, EULER):
+            self.check_turns("heavy_top", ("phi", "theta", "psi"), form)
+
+    def test_turns_of_a_double_pendulum_do_not_depend_on_the_samples(self):
+        for form in ({}, LAGRANGE):
+            self.check_turns(PENDULUM, ("theta", "phi"), {**form, "Double pendulum/Rates": "20, 20", "Time/End": 5})
+
+    # Methods.
+
+    EXPLICIT_ONLY = {"auto", "explicit-8"}
+    FORMS = (  # a scene, and the methods that fit it
+        (POINTS, set(METHODS)), (DAMPED_POINTS, {"auto", "rattle", "explicit-8"}),
+        (PENDULUM, set(METHODS)), ({**PENDULUM, **LAGRANGE}, EXPLICIT_ONLY),
+        (TOP, set(METHODS)), ({**TOP, **EULER}, EXPLICIT_ONLY), (BODY, set(METHODS)), ({**BODY, **EULER}, EXPLICIT_ONLY),
+        (FRAME, EXPLICIT_ONLY), ({**FRAME, **INERTIAL}, EXPLICIT_ONLY), (TORUS, EXPLICIT_ONLY),
+        ({**TORUS, "Torus/Damping": 0}, EXPLICIT_ONLY), (ELLIPSOID, EXPLICIT_ONLY), (PARABOLOID, EXPLICIT_ONLY),
+        (JACOBI, EXPLICIT_ONLY),
+    )
+
+    def test_every_method_runs_or_is_refused(self):
+        for scene, fitting in self.FORMS:
+            self.scene({**scene, "Time/End": 0.2, "Output/Samples": 4, "Time/Tolerance": 1e-4})
+            outcomes = {}
+            for method in METHODS:
+                with self.subTest(scene["System"], method=method):
+                    choice = overrides({"Time/Method": method})
+                    result = self.run_program("run", "scene.prm", "--quiet", "--output", "run", *choice)
+                    outcomes[method] = result.returncode
+                    if method in fitting:
+                        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+                    else:
+                        self.assert_one_sentence(result, "error: --set: Time/Method: ", "explicit-8")
+                        self.assertEqual(self.run_program("check", "scene.prm", *choice).returncode, WRONG_INPUT)
+            form = next((value for path, value in scene.items() if path.endswith("/Form")), "")
+            print(f"{scene['System']:16}{form:9}", *outcomes.values())
+
+    # Tolerances.
+
+    def check_tolerance(self, scene, columns, methods, changes):
+        """Of all samples, against the tightest run of another method where there is one."""
+        for method in methods:
+            exact = self.motion(scene, {**changes, "Time/Method": "explicit-8" if method != "explicit-8" else "auto",
+                                        "Time/Tolerance": 1e-12})
+            for tolerance in (1e-4, 1e-6, 1e-8):
+                if method in ("rattle", "energy-momentum") and tolerance < 1e-6:
+                    continue  # of order 2: slow
+                with self.subTest(method, tolerance=tolerance):
+                    table = self.motion(scene, {**changes, "Time/Method": method, "Time/Tolerance": tolerance})
+                    error = distance(exact, table, columns)
+                    print(f"{table.file:16}{method:16} tolerance {tolerance:.0e}: error {error / tolerance:.3f} times that")
+                    self.assertLessEqual(error, tolerance)
+
+    def test_tolerance_of_mass_points(self):
+        # The unit of length of the scene is the farthest point's distance from the centre of mass, about 1.
+        self.check_tolerance("three_bodies", positions(3), METHODS, {"Time/End": 6.3})
+
+    def test_tolerance_of_the_double_pendulum(self):
+        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], METHODS, {"Time/End": 3})
+
+    def test_tolerance_of_the_double_pendulum_over_the_whole_scene(self):
+        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], ["auto", "explicit-8"], {})
+
+    def test_tolerance_of_the_rigid_body(self):
+        self.check_tolerance("heavy_top", rotations(), METHODS, {"Time/End": 0.4})
+
+    def test_tolerance_of_a_geodesic(self):
+        self.check_tolerance(ELLIPSOID, ["q1", "q2"], ["explicit-8"], {})
+
+    # Units.
+
+    def check_units(self, scene, units={}, n_points=2):
+        """The scene in other units is the same motion, written in these units."""
+        reference = self.motion(scene, {"Time/Tolerance": 1e-11})
+        entries = self.used_entries(reference.folder)
+        del entries["Output/Directory"]
+        for scales in ((1e6, 1, 1), (1, 1e6, 1), (1, 1, 1e6), (1e-9, 1e-9, 1e-9), (1e6, 1e-9, 1e6)):
+            scales = dict(zip(("length", "mass", "time"), scales))
+            scaled = self.motion(self.scaled_entries(entries, scales, units))
+            difference = largest_difference(reference, self.in_units_of(scales, scaled, units, n_points))
+            print(f"{scaled.file} {scales}: {difference:.1e}")
+            self.assertLess(difference, 1e-10, scales)
+
+    def test_units_of_mass_points(self):
+        for scene in (POINTS, DAMPED_POINTS):
+            self.check_units(scene, n_points=3)
+
+    def test_units_of_the_double_pendulum(self):
+        for scene in (PENDULUM, {**PENDULUM, **LAGRANGE}):
+            self.check_units(scene)
+
+    def test_units_of_the_rigid_body(self):
+        for scene in (TOP, BODY, {**BODY, **EULER}):
+            self.check_units(scene)
+
+    def test_units_of_the_moving_frame(self):
+        self.check_units(FRAME)
+
+    def test_units_of_the_torus(self):
+        self.check_units(TORUS)
+
+    def test_units_of_geodesics(self):
+        self.check_units(ELLIPSOID)
+        self.check_units(PARABOLOID, UNITS_ON_THE_PARABOLOID)
+
+    def test_units_of_jacobi_geodesics(self):
+        self.check_units(JACOBI, ARC_FOR_TIME)
+
+
+class SystemEquilibria(SystemTest):
+    def equilibria(self, scene, changes={}):
+        table = self.motion(scene, {**changes, "Analysis": "equilibrium"})
+        self.assertEqual(table.file, "equilibria")
+        self.assertEqual(table.column("index"), list(range(1, len(table) + 1)))
+        self.assertTrue(table.is_finite())
+        return table
+
+    def test_double_pendulum(self):
+        for form in ({}, LAGRANGE):
+            table = self.equilibria("double_pendulum", form)
+            self.assertEqual(table.column("morse_index"), [0, 1, 1, 2])
+            self.assertEqual(table.column("nullity"), [0] * 4)
+            self.assertEqual(table.column("n_unstable"), [0, 1, 1, 2])
+            self.assertEqual(table.column("n_stable"), [4, 3, 3, 2])
+            for V, units_of_g in zip(table.column("potential"), (-3, -1, 1, 3)):
+                self.assertAlmostEqual(V, units_of_g * 9.81, delta=1e-10)
+            # Of equal masses and rods: ω² = (2 ± √2) g/l, and the same with the other sign where both stand.
+            for row, sign in ((0, 1), (3, -1)):
+                curvatures = sorted(abs(table.column(f"hessian_{k}")[row]) for k in (1, 2))
+                for curvature, root in zip(curvatures, (-1, 1)):
+                    self.assertAlmostEqual(curvature, (2 + root * math.sqrt(2)) * 9.81, delta=1e-6)
+                self.assertTrue(all(sign * table.column(f"hessian_{k}")[row] > 0 for k in (1, 2)))
+        self.assertEqual([[round(math.cos(x)) for x in (row[1], row[2])] for row in table.rows],
+                         [[1, 1], [1, -1], [-1, 1], [-1, -1]])
+
+    def test_torus(self):
+        table = self.equilibria("torus")
+        heights = [(3 + math.cos(w)) * math.cos(u) for w, u in zip(table.column("w"), table.column("u"))]
+        for height, V, expected in zip(heights, table.column("potential"), (-4, -2, 2, 4), strict=True):
+            self.assertAlmostEqual(height, expected, delta=1e-12)
+            self.assertAlmostEqual(V, expected, delta=1e-12)
+        self.assertEqual(table.column("morse_index"), [0, 1, 1, 2])
+        self.assertEqual(table.column("n_unstable"), [0, 1, 1, 2])
+        for k in range(4):  # rates s² + c s + κ = 0 with c = 1
+            rates = [complex(table.column(f"rate_{i}_re")[k], table.column(f"rate_{i}_im")[k]) for i in (1, 2, 3, 4)]
+            curvatures = [table.column(f"hessian_{i}")[k] for i in (1, 2)]
+            for s in rates:
+                self.assertLess(min(abs(s * s + s + curvature) for curvature in curvatures), 1e-9)
+        self.assertEqual(self.equilibria("torus", {"Torus/Tilt": 0.05}).column("morse_index"), [0, 1, 1, 2])
+
+    def test_heavy_top(self):
+        for form in ({}, EULER):
+            table = self.equilibria("heavy_top", form)
+            self.assertEqual(table.column("morse_index"), [0, 2])
+            self.assertEqual(table.column("nullity"), [1, 1], "turns about the vertical")
+            self.assertEqual([round(x, 12) for x in table.column("R33")], [-1, 1])
+            for V, sign in zip(table.column("potential"), (-1, 1)):
+                self.assertAlmostEqual(V, sign * 0.5 * 9.81 * 0.05, delta=1e-12)
+
+    def test_every_place_of_a_free_body(self):
+        table = self.equilibria("free_body")
+        self.assertEqual(set(zip(table.column("morse_index"), table.column("nullity"))), {(0, 6)})
+
+    def test_double_pendulum_without_gravity(self):
+        for form in ({}, LAGRANGE):
+            table = self.equilibria("double_pendulum", {**form, "Double pendulum/Gravity": 0})
+            self.assertEqual([table.column("morse_index"), table.column("nullity")], [[0], [2]], "one torus of places")
+
+    def test_points_on_a_spring(self):
+        table = self.equilibria({"System": "mass points", "Mass points/Masses": "1, 1", "Mass points/Springs": "1, 2, 1, 1",
+                                 "Mass points/Gravitational constant": 0, "Mass points/Confinement": 1})
+        # Confinement k x against the spring 1 − 2x: x = 1/3 from the centre, in any direction.
+        self.assertEqual((table.column("morse_index"), table.column("nullity")), ([0], [2]))
+        self.assertAlmostEqual(math.hypot(*(table.column(x)[0] for x in ("x1", "y1", "z1"))), 1 / 3, delta=1e-9)
+
+    def test_units(self):
+        reference = self.equilibria(PENDULUM)
+        length, time, mass = 1e6, 1e-9, 1e6
+        entries = self.used_entries(reference.folder)
+        del entries["Output/Directory"]
+        scaled = self.equilibria(self.scaled_entries(entries, {"length": length, "mass": mass, "time": time}, {}))
+        for name, factor in (("potential", mass * length**2 / time**2), ("y1", length), ("hessian_1", 1 / time**2),
+                             ("rate_1_re", 1 / time)):
+            for a, b in zip(reference.column(name), scaled.column(name), strict=True):
+                self.assertAlmostEqual(b / factor, a, delta=1e-9 * abs(a), msg=name)
+
+    def test_refused_where_there_is_none(self):
+        for scene in (FRAME, ELLIPSOID, JACOBI):
+            self.scene({**scene, "Analysis": "equilibrium"})
+            for command in ("run", "check"):
+                self.assert_one_sentence(self.run_program(command, "scene.prm"), "scene.prm:", "Analysis", scene["System"])
+            self.assertEqual(self.files(), ["scene.prm"])
+
+
+class SystemBreaksOff(SystemTest):
+    """Motions that end before Time/End: exit code 3, one sentence, and only numbers that mean something."""
+
+    def check_breaks_off(self, scene, end, *reasons):
+        """At the time `end`, by a message in the scene's units."""
+        self.scene(scene)
+        result = self.run_program("run", "scene.prm", "--quiet")
+        self.assert_exit(result, STOPPED)
+        (error,) = [line for line in result.stderr.splitlines() if not line.startswith("warning: ")]
+        match = re.match(r"error: (\w+) stopped at t = ([0-9.e+-]+): (.*); the state at t = ([0-9.e+-]+) is saved", error)
+        self.assertIsNotNone(match, error)
+        file, stopped_at, reason, saved_at = match.groups()
+        self.assertAlmostEqual(float(stopped_at), end, delta=0.02 * end)
+        self.assertAlmostEqual(float(saved_at), end, delta=0.02 * end)
+        for other in re.findall(r" t = ([0-9.e+-]+)", reason):
+            self.assertAlmostEqual(float(other), end, delta=0.02 * end, msg="in the units of the scene: " + error)
+        for word in reasons:
+            self.assertIn(word, reason)
+        table = self.table(f"output/scene/{file}.csv")
+        self.assertTrue(table.is_finite())
+        self.assertLessEqual(table.column("time")[-1], end)
+        self.assertGreater(table.column("time")[-1], 0.9 * end)
+        manifest = self.json("output/scene/manifest.json")
+        self.assertEqual((manifest["state"], manifest["exit_code"]), ("failed", STOPPED))
+        self.assertIn(reason, manifest["message"])
+        return table
+
+    # Two points of 0.5 at distance 1 fall onto each other from rest: π/(2√2) by Kepler's third law.
+    HEAD_ON = {"System": "mass points", "Mass points/Velocities": "0, 0, 0; 0, 0, 0", "Time/End": 2, "Output/Samples": 200}
+
+    def check_collision(self, method):
+        table = self.check_breaks_off({**self.HEAD_ON, "Time/Method": method}, math.pi / math.sqrt(8))
+        return drift(table, "energy")
+
+    def test_head_on_collision_with_error_control(self):
+        self.assertLess(self.check_collision("explicit-8"), 1e-4)
+
+    def test_head_on_collision_with_energy_momentum(self):
+        self.assertLess(self.check_collision("energy-momentum"), 1e-9)
+
+    def test_head_on_collision_with_a_chosen_method(self):
+        self.assertLess(self.check_collision("auto"), 1e-4)
+
+    def test_no_method_passes_a_collision_in_silence(self):
+        """Of two points the energy at the end shows what the motion is worth; who breaks the tolerance has to say so."""
+        self.scene({**self.HEAD_ON, "Time/Tolerance": 1e-4})
+        for method in ("rattle", "rattle-4", "symmetric-8", "energy-momentum", "explicit-8"):
+            with self.subTest(method):
+                result = self.run_program("run", "scene.prm", "--quiet", "--output", "run",
+                                          *overrides({"Time/Method": method}))
+                table = self.table("run/mass_points.csv")
+                kept = drift(table, "energy") < 0.01
+                self.assertTrue(kept or "warning: " in result.stderr or result.returncode == STOPPED, method)
+
+    def test_geodesic_into_a_pole(self):
+        self.check_breaks_off({**ELLIPSOID, "Geodesic/Surface": "sphere", "Geodesic/Point": "1, 0",
+                               "Geodesic/Velocity": "2, 0"}, (math.pi - 1) / 2, "pole")
+
+    def test_jacobi_geodesic_at_the_edge_of_its_metric(self):
+        # Upwards from x = 1 with h = −1/2 to x = 2, where U = h. The arc is ∫√(2(h − U)) ds = π/2 − 1.
+        self.check_breaks_off({"System": "jacobi geodesic", "Jacobi geodesic/Direction": "1, 0", "Time/End": 2},
+                              math.pi / 2 - 1)
+
+    def test_fall_into_a_centre(self):
+        for form in ({}, INERTIAL):
+            self.check_breaks_off({"System": "moving frame", "Moving frame/Attraction": 1, "Moving frame/Spin rate": 0, **form,
+                                   "Time/End": 2}, math.pi / math.sqrt(8))
+
+
+if __name__ == "__main__":
+    unittest.main()
