@@ -5,9 +5,9 @@ import shutil
 import subprocess
 import unittest
 
-from program_test import DONE, ProgramTest, WRONG_INPUT, overrides
+from program_test import DONE, WRONG_INPUT, overrides
+from refused_input import BASE, RefusedInputTest
 
-BASE = {"Models": "reduced", "Time/End": 1, "Output/Samples": 10}
 DIAGONAL = "Initial state/Deformation"
 VELOCITY = "Initial state/Velocity"
 
@@ -22,33 +22,12 @@ end
 """
 
 
-class BadInput(ProgramTest):
-    def refused(self, *arguments, fragments):
-        """Runs, and nothing is left behind or changed in the scratch folder."""
-        before = {name: self.content(name) for name in self.files()}
-        result = self.run_program(*arguments)
-        self.assert_one_sentence(result, *fragments)
-        self.assertEqual({name: self.content(name) for name in self.files()}, before)
-        return result.stderr
-
-    def content(self, name):
-        path = self.scratch / name
-        return path.read_bytes() if path.is_file() else None
-
+class BadInput(RefusedInputTest):
     def refused_lines(self, old, new, *fragments):
         """The scene LINES with one line replaced."""
         self.assertIn(old, LINES)
         self.scene(LINES.replace(old, new))
         return self.refused("run", "scene.prm", fragments=fragments)
-
-    def refused_entries(self, entries, *fragments):
-        """The scene BASE with other entries, from the file and, alike, by --set."""
-        self.scene({**BASE, **entries})
-        message = self.refused("run", "scene.prm", fragments=("scene.prm:", *fragments))
-        self.assertRegex(message, r"^error: scene\.prm:\d+: ")
-        self.refused("check", "scene.prm", fragments=fragments)
-        self.scene(BASE)
-        return self.refused("run", "scene.prm", *overrides(entries), fragments=("error: --set: ", *fragments))
 
     # What is not in the language.
 
@@ -103,7 +82,7 @@ class BadInput(ProgramTest):
         self.refused("run", "scene.prm", fragments=("scene.prm:3:", "Body/Radius: it belongs to System = ball"))
 
     def test_methods_that_do_not_fit(self):
-        self.refused_entries({"Time/Method": "energy-momentum"}, "Time/Method", "not for the continuum")
+        self.refused_entries({"Models": "continuum", "Time/Method": "energy-momentum"}, "Time/Method", "not for the continuum")
         self.scene("set System = double pendulum\nsubsection Double pendulum\n  set Form = lagrange\nend\n"
                    "subsection Time\n  set Method = rattle-4\nend\n")
         self.refused("run", "scene.prm", fragments=("scene.prm:6: Time/Method: rattle-4 cannot integrate", "explicit-8"))

@@ -65,6 +65,13 @@ JACOBI = {
     "Time/End": 10, "Output/Samples": 50,
 }
 
+# The second form of each.
+LAGRANGE = {"Double pendulum/Form": "lagrange"}
+EULER = {"Rigid body/Form": "euler"}
+INERTIAL = {"Moving frame/Form": "inertial"}
+
+ROTATION = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+
 # Entries and columns whose unit is not in the column of units: rows of several quantities, coordinates that are lengths on
 # one surface, and the arc that takes the place of time.
 UNITS_OF_ROWS = {
@@ -134,14 +141,15 @@ class SystemTest(ProgramTest):
 
     def scaled_entries(self, entries, scales, units):
         """The same scene where the units of length, mass and time are 1/scales."""
-        documented = {entry["entry"]: entry["unit"] for entry in json.loads(self.run_done("parameters", "--format", "json").stdout)}
+        page = json.loads(self.run_done("parameters", "--format", "json").stdout)
+        documented = {entry["entry"]: entry["unit"] for entry in page}
         scaled = {}
         for path, value in entries.items():
             of_columns = UNITS_OF_ROWS.get(path, (units.get(path, documented[path]),))
             factors = [unit(dimension, scales) for dimension in of_columns]
             if value not in ("", "auto") and any(of_columns):
-                value = "; ".join(", ".join(repr(float(x) * factor) for x, factor in zip(row.split(","), itertools.cycle(factors)))
-                                  for row in value.split(";"))
+                rows = [zip(row.split(","), itertools.cycle(factors)) for row in value.split(";")]
+                value = "; ".join(", ".join(repr(float(x) * factor) for x, factor in row) for row in rows)
             scaled[path] = value
         return scaled
 

@@ -1,0 +1,149 @@
+"""Numbers of the systems beside the ball: two forms of a system agree, every method runs or is refused, tolerances are met,
+units change nothing."""
+import unittest
+
+from program_test import DONE, WRONG_INPUT, largest_difference, overrides
+from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
+                         PENDULUM, POINTS, ROTATION, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, distance)
+
+METHODS = ("auto", "rattle", "rattle-4", "rattle-6", "rattle-8", "symmetric-8", "symmetric-12", "energy-momentum",
+           "explicit-8")
+
+
+class SystemMethods(SystemTest):
+    # Two forms of a system are the same motion.
+
+    def check_forms(self, scene, form, columns=None, bound=1e-9):
+        tight = {"Time/Tolerance": 1e-12}
+        difference = distance(self.motion(scene, tight), self.motion(scene, {**tight, **form}), columns)
+        print(f"{form}: {difference:.1e}")
+        self.assertLess(difference, bound)
+
+    def test_forms_of_the_double_pendulum(self):
+        self.check_forms(PENDULUM, LAGRANGE)
+
+    def test_forms_of_the_rigid_body(self):
+        for scene in (TOP, BODY, "heavy_top"):
+            self.check_forms(scene, EULER)
+
+    def test_forms_of_the_moving_frame(self):
+        self.check_forms(FRAME, INERTIAL)
+
+    # Angles whose turns are counted.
+
+    def check_turns(self, scene, angles, changes={}):
+        few, many = (self.motion(scene, {**changes, "Output/Samples": n}) for n in (16, 1600))
+        for name in angles:
+            self.assertAlmostEqual(few.column(name)[-1], many.column(name)[-1], delta=1e-3, msg=name)
+
+    def test_turns_of_a_top_do_not_depend_on_the_samples(self):
+        for form in ({}, EULER):
+            self.check_turns("heavy_top", ("phi", "theta", "psi"), form)
+
+    def test_turns_of_a_double_pendulum_do_not_depend_on_the_samples(self):
+        for form in ({}, LAGRANGE):
+            self.check_turns(PENDULUM, ("theta", "phi"), {**form, "Double pendulum/Rates": "20, 20", "Time/End": 5})
+
+    # Methods.
+
+    EXPLICIT_ONLY = {"auto", "explicit-8"}
+    FORMS = (  # a scene, and the methods that fit it
+        (POINTS, set(METHODS)), (DAMPED_POINTS, {"auto", "rattle", "explicit-8"}),
+        (PENDULUM, set(METHODS)), ({**PENDULUM, **LAGRANGE}, EXPLICIT_ONLY),
+        (TOP, set(METHODS)), ({**TOP, **EULER}, EXPLICIT_ONLY), (BODY, set(METHODS)), ({**BODY, **EULER}, EXPLICIT_ONLY),
+        (FRAME, EXPLICIT_ONLY), ({**FRAME, **INERTIAL}, EXPLICIT_ONLY), (TORUS, EXPLICIT_ONLY),
+        ({**TORUS, "Torus/Damping": 0}, EXPLICIT_ONLY), (ELLIPSOID, EXPLICIT_ONLY), (PARABOLOID, EXPLICIT_ONLY),
+        (JACOBI, EXPLICIT_ONLY),
+    )
+
+    def test_every_method_runs_or_is_refused(self):
+        for scene, fitting in self.FORMS:
+            self.scene({**scene, "Time/End": 0.2, "Output/Samples": 4, "Time/Tolerance": 1e-4})
+            outcomes = {}
+            for method in METHODS:
+                with self.subTest(scene["System"], method=method):
+                    choice = overrides({"Time/Method": method})
+                    result = self.run_program("run", "scene.prm", "--quiet", "--output", "run", *choice)
+                    outcomes[method] = result.returncode
+                    if method in fitting:
+                        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+                    else:
+                        self.assert_one_sentence(result, "error: --set: Time/Method: ", "explicit-8")
+                        self.assertEqual(self.run_program("check", "scene.prm", *choice).returncode, WRONG_INPUT)
+            form = next((value for path, value in scene.items() if path.endswith("/Form")), "")
+            print(f"{scene['System']:16}{form:9}", *outcomes.values())
+
+    # Tolerances.
+
+    def check_tolerance(self, scene, columns, methods, changes):
+        """Of all samples, against the tightest run of another method where there is one."""
+        for method in methods:
+            exact = self.motion(scene, {**changes, "Time/Method": "explicit-8" if method != "explicit-8" else "auto",
+                                        "Time/Tolerance": 1e-12})
+            for tolerance in (1e-4, 1e-6, 1e-8):
+                if method in ("rattle", "energy-momentum") and tolerance < 1e-6:
+                    continue  # of order 2: slow
+                with self.subTest(method, tolerance=tolerance):
+                    table = self.motion(scene, {**changes, "Time/Method": method, "Time/Tolerance": tolerance})
+                    error = distance(exact, table, columns)
+                    print(f"{table.file:16}{method:16} tolerance {tolerance:.0e}: error {error / tolerance:.3f} times that")
+                    self.assertLessEqual(error, tolerance)
+
+    def test_tolerance_of_mass_points(self):
+        # The unit of length of the scene is the farthest point's distance from the centre of mass, about 1.
+        self.check_tolerance("three_bodies", [f"{axis}{i}" for i in (1, 2, 3) for axis in "xyz"], METHODS, {"Time/End": 6.3})
+
+    def test_tolerance_of_the_double_pendulum(self):
+        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], METHODS, {"Time/End": 3})
+
+    def test_tolerance_of_the_double_pendulum_over_the_whole_scene(self):
+        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], ["auto", "explicit-8"], {})
+
+    def test_tolerance_of_the_rigid_body(self):
+        self.check_tolerance("heavy_top", ROTATION, METHODS, {"Time/End": 0.4})
+
+    def test_tolerance_of_a_geodesic(self):
+        self.check_tolerance(ELLIPSOID, ["q1", "q2"], ["explicit-8"], {})
+
+    # Units.
+
+    def check_units(self, scene, units={}, n_points=2):
+        """The scene in other units is the same motion, written in these units."""
+        reference = self.motion(scene, {"Time/Tolerance": 1e-11})
+        entries = self.used_entries(reference.folder)
+        del entries["Output/Directory"]
+        for scales in ((1e6, 1, 1), (1, 1e6, 1), (1, 1, 1e6), (1e-9, 1e-9, 1e-9), (1e6, 1e-9, 1e6)):
+            scales = dict(zip(("length", "mass", "time"), scales))
+            scaled = self.motion(self.scaled_entries(entries, scales, units))
+            difference = largest_difference(reference, self.in_units_of(scales, scaled, units, n_points))
+            print(f"{scaled.file} {scales}: {difference:.1e}")
+            self.assertLess(difference, 1e-10, scales)
+
+    def test_units_of_mass_points(self):
+        for scene in (POINTS, DAMPED_POINTS):
+            self.check_units(scene, n_points=3)
+
+    def test_units_of_the_double_pendulum(self):
+        for scene in (PENDULUM, {**PENDULUM, **LAGRANGE}):
+            self.check_units(scene)
+
+    def test_units_of_the_rigid_body(self):
+        for scene in (TOP, BODY, {**BODY, **EULER}):
+            self.check_units(scene)
+
+    def test_units_of_the_moving_frame(self):
+        self.check_units(FRAME)
+
+    def test_units_of_the_torus(self):
+        self.check_units(TORUS)
+
+    def test_units_of_geodesics(self):
+        self.check_units(ELLIPSOID)
+        self.check_units(PARABOLOID, UNITS_ON_THE_PARABOLOID)
+
+    def test_units_of_jacobi_geodesics(self):
+        self.check_units(JACOBI, ARC_FOR_TIME)
+
+
+if __name__ == "__main__":
+    unittest.main()
