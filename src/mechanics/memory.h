@@ -14,7 +14,9 @@ namespace detail {
 
 struct MemorySaver {
   std::vector<double>& numbers;
-  void operator()(std::span<double> values) const { numbers.insert(numbers.end(), values.begin(), values.end()); }
+  void operator()(std::span<double> values) const {
+    for (const double value : values) numbers.push_back(value);  // insert makes GCC 12 warn of a span of one number
+  }
   template <class Number>
   void operator()(Number& value) const {  // whole numbers below 2^53 and truth values are doubles exactly
     numbers.push_back(static_cast<double>(value));
