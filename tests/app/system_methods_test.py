@@ -1,5 +1,6 @@
 """Numbers of the systems beside the ball: two forms of a system agree, every method runs or is refused, tolerances are met,
 units change nothing."""
+import math
 import unittest
 
 from program_test import DONE, WRONG_INPUT, largest_difference, overrides
@@ -102,14 +103,34 @@ class SystemMethods(SystemTest):
     def test_tolerance_of_the_rigid_body(self):
         self.check_tolerance("heavy_top", ROTATION, METHODS, {"Time/End": 0.4})
 
+    def test_tolerance_where_fixed_steps_are_hopeless(self):
+        """Kepler's ellipse of eccentricity 0.999, three revolutions from the apocentre, where the points have to return."""
+        v, period = 0.5 * math.sqrt(1 - 0.999), 2 * math.pi * (1 / 1.999)**1.5
+        for method in ("auto", "explicit-8"):
+            with self.subTest(method):
+                table = self.motion({"System": "mass points", "Mass points/Velocities": f"0, {v!r}, 0; 0, {-v!r}, 0",
+                                     "Time/End": repr(3 * period), "Output/Samples": 3, "Time/Method": method})
+                for row in table.rows:
+                    self.assertLess(max(abs(x - y) for x, y in zip(row[1:7], table.rows[0][1:7])), 0.5e-6)
+
+    def test_tolerance_of_jacobi_geodesics(self):
+        """The column deviation is the error. The scene's length is the distance of its start, the pericentre."""
+        for pericentre in (0.4, 0.1, 0.01, 0.001):
+            with self.subTest(pericentre=pericentre):
+                table = self.motion({"System": "jacobi geodesic", "Jacobi geodesic/Position": f"{pericentre}, 0",
+                                     "Time/End": 2 * math.pi, "Time/Tolerance": 1e-7})
+                error = max(table.column("deviation")) / pericentre
+                print(f"pericentre {pericentre}: error {error:.1e}")
+                self.assertLess(error, 1e-7)
+
     def test_tolerance_of_a_geodesic(self):
         self.check_tolerance(ELLIPSOID, ["q1", "q2"], ["explicit-8"], {})
 
     # Units.
 
-    def check_units(self, scene, units={}, n_points=2):
+    def check_units(self, scene, units={}, n_points=2, tolerance=1e-11):
         """The scene in other units is the same motion, written in these units."""
-        reference = self.motion(scene, {"Time/Tolerance": 1e-11})
+        reference = self.motion(scene, {"Time/Tolerance": tolerance})
         entries = self.used_entries(reference.folder)
         del entries["Output/Directory"]
         for scales in ((1e6, 1, 1), (1, 1e6, 1), (1, 1, 1e6), (1e-9, 1e-9, 1e-9), (1e6, 1e-9, 1e6)):
@@ -133,6 +154,21 @@ class SystemMethods(SystemTest):
 
     def test_units_of_the_moving_frame(self):
         self.check_units(FRAME)
+
+    def test_units_of_a_start_in_the_origin_of_the_frame(self):
+        # The tolerance is relative to the scene's length, whatever sets that; so even its errors are the same.
+        for center in ("Moving frame/Centre", "Moving frame/Origin"):
+            self.check_units({"System": "moving frame", "Moving frame/Position": "0, 0, 0", "Moving frame/Stiffness": 1,
+                              center: "1, 0, 0", "Moving frame/Spin rate": 0.3, "Time/End": 3, "Output/Samples": 10},
+                             tolerance=1e-6)
+
+    def test_units_of_a_pendulum_that_outruns_gravity(self):
+        """Turning so fast that gravity does not matter, or, in other units of time, almost without gravity."""
+        fast = {**PENDULUM, "Double pendulum/Rates": "1e4, -2e4", "Time/End": 1e-3, "Time/Tolerance": 1e-9}
+        weightless = {**fast, "Double pendulum/Gravity": 0}
+        for form in ({}, LAGRANGE):
+            difference = distance(self.motion(fast, form), self.motion(weightless, form), ["x1", "y1", "x2", "y2"])
+            self.assertLess(difference, 1e-5)  # g t²/2
 
     def test_units_of_the_torus(self):
         self.check_units(TORUS)
