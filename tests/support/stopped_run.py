@@ -44,9 +44,9 @@ class StoppedRunTest(ProgramTest):
                         "the log grows")
         return process
 
-    def interrupt(self, model, folder, *arguments):
+    def interrupt(self, model, folder, *arguments, after_rows=0):
         process = self.start(folder, *arguments)
-        self.wait_until(lambda: self.has_rows(folder, model, 0) or process.poll() is not None, "the motion begins")
+        self.wait_until(lambda: self.has_rows(folder, model, after_rows) or process.poll() is not None, "the motion goes on")
         process.send_signal(signal.SIGINT)
         return process.wait()
 
@@ -55,11 +55,11 @@ class StoppedRunTest(ProgramTest):
         self.assertEqual((manifest["state"], manifest["exit_code"]), ("interrupted", STOPPED))
         self.assertRegex(manifest["message"], r"interrupted at t = [0-9.e-]+")
 
-    def check_control_c(self, scene, model, tolerance=0.0):
+    def check_control_c(self, scene, model, tolerance=0.0, after_rows=0):
         """Interrupted in its midst and resumed, a run ends like an uninterrupted one."""
         self.scene(scene)
         self.run_done("run", "scene.prm", "--output", "whole")
-        self.assertEqual(self.interrupt(model, "parts"), STOPPED)
+        self.assertEqual(self.interrupt(model, "parts", after_rows=after_rows), STOPPED)
         self.check_interrupted("parts")
         self.assertLess(len(self.table(f"parts/{model}.csv")), len(self.table(f"whole/{model}.csv")))
         self.assert_exit(self.resume(folder="parts"), DONE)
