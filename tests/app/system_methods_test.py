@@ -113,6 +113,14 @@ class SystemMethods(SystemTest):
                 for row in table.rows:
                     self.assertLess(max(abs(x - y) for x, y in zip(row[1:7], table.rows[0][1:7])), 0.5e-6)
 
+    def test_tolerance_beyond_the_horizon_of_chaos(self):
+        """What no number of digits can keep is said: the two forms tell how far the motion is known."""
+        tables = [self.motion("double_pendulum", {**form, "Time/End": 100, "Time/Method": "explicit-8"})
+                  for form in ({}, LAGRANGE)]
+        if distance(*tables, ["x1", "y1", "x2", "y2"]) > 2e-6:
+            for table in tables:
+                self.assertIn("warning", self.scratch.joinpath(table.folder, "log.txt").read_text())
+
     def test_tolerance_of_jacobi_geodesics(self):
         """The column deviation is the error. The scene's length is the distance of its start, the pericentre."""
         for pericentre in (0.4, 0.1, 0.01, 0.001):
