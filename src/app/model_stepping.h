@@ -106,23 +106,20 @@ class ModelStepping {
   /// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
   Status fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request,
                    RunPosition& position) const {
-    if constexpr (!mechanics::ConstrainedSystem<System>) {
-      position.method = mechanics::id_of<mechanics::DormandPrince8>;
-      position.step = request.step_bound;
-      position.local_tolerance = request.tolerance;
-    } else {
-      position.method = request.method.value_or(mechanics::id_of<mechanics::Rattle>);
-      position.local_tolerance = request.tolerance;
-      with_fitting_method<System>(position.method, [&]<class Method>(Method) {
-        position.step = request.step_bound;
-        if constexpr (!Method::adaptive)
-          position.step = std::min(
-              position.step, 0.5 * request.rattle_limit * Method::stability_limit / mechanics::Rattle::stability_limit);
-      });
-    }
-    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {}, {:.4g}", Model::name,
+    using Explicit = mechanics::DormandPrince8;
+    constexpr bool explicit_fits = mechanics::method_fits<Explicit, System>();
+    position.method =
+        request.method.value_or(explicit_fits ? mechanics::id_of<Explicit> : mechanics::id_of<mechanics::Rattle>);
+    position.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
+    position.step = request.step_bound;
+    with_fitting_method<System>(position.method, [&]<class Method>(Method) {
+      if constexpr (!Method::adaptive)
+        position.step = std::min(
+            position.step, 0.5 * request.rattle_limit * Method::stability_limit / mechanics::Rattle::stability_limit);
+    });
+    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", Model::name,
                        choice.status.reason(), mechanics::method_name(position.method),
-                       is_adaptive(position.method) ? "this tolerance a step" : "half the stable step",
+                       is_adaptive(position.method) ? "the local tolerance" : "half the stable step",
                        is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
     return {};
   }
@@ -139,6 +136,9 @@ class ModelStepping {
     else
       context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", Model::name,
                          mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
+    if (choice.at_round_off)
+      context_.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
+                         Model::name, choice.error);
     context_.log->debug("{}: {}", Model::name, choice.why);
   }
 

@@ -38,8 +38,8 @@ class SystemModel {
     if constexpr (requires { model_.rate(state); }) return model_.rate(state);
     return mechanics::max_norm(state.v) / (1 + mechanics::max_norm(state.q));
   }
-  /// Some ten oscillations of the system's own time; sensitive motions are followed to the end that far.
-  double pilot_window(double end) const { return std::min(end, 60.0); }
+  /// Of most runs the whole, in a fraction of a second: a window does not know what a motion does later.
+  double pilot_window(double end) const { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns(const scene::Quantities&) const {
     auto columns = columns_;

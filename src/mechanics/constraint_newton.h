@@ -17,16 +17,16 @@ namespace pseudorigid::mechanics::detail {
 inline constexpr int max_constraint_iterations = 30;
 
 /// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
-/// counts as zero if it is within a factor 1000 of the tolerance.
+/// counts as zero if it is at most `round_off`.
 struct ConvergenceMonitor {
-  double tolerance, previous = HUGE_VAL;
+  double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
   enum class Verdict { done, go_on, stuck };
 
   Verdict judge(double residual) {
     if (residual <= tolerance) return Verdict::done;
     const bool falling = residual < 0.5 * previous;
-    if (!falling && residual <= 1000 * tolerance) return Verdict::done;
+    if (!falling && residual <= round_off) return Verdict::done;
     // One rise is forgiven (a first Newton step from far away); a NaN compares false everywhere and is stuck at once.
     if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
     previous = residual;
@@ -90,12 +90,12 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x.
+/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off.
 template <ConstrainedSystem S, class Evaluate, class Apply>
-Status meet_constraint(const S& system, const char* what, const typename S::Vector& q1, const typename S::Vector& q0,
-                       typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w, Evaluate&& evaluate,
-                       Apply&& apply) {
-  ConvergenceMonitor monitor{system.constraint_tolerance()};
+Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
+                       const typename S::Vector& q0, typename S::Workspace& system_workspace,
+                       ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply) {
+  ConvergenceMonitor monitor{tolerance, 1000 * system.constraint_tolerance()};
   for (;;) {
     if (Status status = evaluate(); !status) return status;
     const double norm = max_norm(w.residual);

@@ -68,12 +68,12 @@ class ExplicitMultiplier {
         system_.constraint_rate(q, v, c.residual);
         return Status();
       };
-      if (Status status = detail::meet_constraint(system_, "position", q, q, w.system, c, evaluate_position,
-                                                  [&] { axpy(1.0, c.reaction, q); });
+      if (Status status = detail::meet_constraint(system_, "position", system_.constraint_tolerance(), q, q, w.system,
+                                                  c, evaluate_position, [&] { axpy(1.0, c.reaction, q); });
           !status)
         return status;
-      return detail::meet_constraint(system_, "velocity", q, q, w.system, c, evaluate_rate,
-                                     [&] { axpy(1.0, c.reaction, v); });
+      return detail::meet_constraint(system_, "velocity", system_.constraint_tolerance(), q, q, w.system, c,
+                                     evaluate_rate, [&] { axpy(1.0, c.reaction, v); });
     }
   }
 

@@ -164,7 +164,9 @@ struct Rattle {
         add(1.0, w.constraint.reaction, state.v, w.v_rounding);
         if (velocity_dependent(system)) w.acceleration_known = false;
       };
-      if (Status status = meet_constraint(system, "velocity", state.q, state.q, w, evaluate, apply); !status)
+      if (Status status =
+              meet_constraint(system, "velocity", system.constraint_tolerance(), state.q, state.q, w, evaluate, apply);
+          !status)
         return status;
       w.pending_weight = 0;
       ++w.counters.n_projections;
@@ -211,10 +213,10 @@ struct Rattle {
   }
 
   template <ConstrainedSystem S>
-  static Status meet_constraint(const S& system, const char* what, const typename S::Vector& q1,
+  static Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                                 const typename S::Vector& q0, RattleWorkspace<S>& w, const auto& evaluate,
                                 const auto& apply) {
-    Status status = detail::meet_constraint(system, what, q1, q0, w.system, w.constraint, evaluate, apply);
+    Status status = detail::meet_constraint(system, what, tolerance, q1, q0, w.system, w.constraint, evaluate, apply);
     w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
     return status;
   }
@@ -241,7 +243,12 @@ struct Rattle {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         ++w.counters.n_position_iterations;
       };
-      if (Status status = meet_constraint(system, "position", state.q, w.q_start, w, evaluate, apply); !status)
+      // Where sums are compensated, what a tolerance leaves is the greatest error of a step and adds up: on SL(3) to an
+      // energy drift of 7e-12 in 10⁶ periods.
+      constexpr bool exact = VectorSpace<typename S::Vector>::compensated;
+      const double tolerance = exact ? 0.0 : system.constraint_tolerance();
+      if (Status status = meet_constraint(system, "position", tolerance, state.q, w.q_start, w, evaluate, apply);
+          !status)
         return status;
       record_multiplier(state.t, weight, h, w);
       return {};

@@ -9,8 +9,8 @@
 /// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
 /// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
 /// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. From the stability limit the step is
-/// halved until e ≤ target or until e falls by 2^p (to within √2); then e ~ hᵖ gives the step, without runs as fine as
-/// it.
+/// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
+/// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
 ///
 /// Round-off walks at random through the velocity and so costs about
 ///
@@ -31,6 +31,11 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 inline constexpr int max_step_halvings = 12;
+/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
+/// chaos.
+inline constexpr double asymptotic_difference = 0.1;
+/// Forces that may be spent on the search for the step of one method, and on a run.
+inline constexpr double max_pilot_forces = 4e6, max_run_forces = 1e11;
 
 template <ConstrainedSystem S, class QOf>
 class StepSearch {
@@ -48,7 +53,12 @@ class StepSearch {
   template <class Method>
   Trial try_method(MethodId id, double n_forces_to_beat) {
     Trial trial{.method = id, .limit = limit<Method>()};
+    if (!(least_forces<Method>() <= max_run_forces)) {
+      trial.reason = "the stable step is so small that the run would take more than 1e11 of them";
+      return trial;
+    }
     const Grid grid(window_, trial.limit);
+    const double n_force_at_start = static_cast<double>(n_force_);
     long n = grid.n_steps;
     double d_before = 0;
     Pilot coarse = pilot<Method>(grid.n_samples, n);
@@ -64,6 +74,7 @@ class StepSearch {
       }
       trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
       if (motion_ends(coarse, fine, h) || given_up()) return trial;
+      if (static_cast<double>(n_force_) - n_force_at_start > max_pilot_forces) break;
       d_before = d;
       coarse = std::move(fine);
     }
@@ -143,7 +154,7 @@ class StepSearch {
     const double e = d * richardson, target = error_safety * request_.tolerance;
     const double walk = round_off<Method>(speed, h);
     const double fall = d > 0 && d_before > 0 ? std::log2(d_before / d) : 0;
-    const bool regular = fall >= p - 0.5, enough = e <= target || e <= walk;
+    const bool regular = fall >= p - 0.5 && d <= asymptotic_difference, enough = e <= target || e <= walk;
 
     if (!regular && !enough) return false;
     if (fall == 0 || e == 0) {
@@ -152,7 +163,7 @@ class StepSearch {
       return accept<Method>(trial, step, e * std::pow(step / h, p), walk);
     }
     const double exponent = e > target ? p : std::max(p, fall);  // never trust a fast fall to go on
-    const double h_accuracy = h * std::pow(target / e, 1 / exponent);
+    const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
     const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
     const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
     return accept<Method>(trial, step, e * std::pow(step / h, p), round_off<Method>(speed, step));

@@ -1,11 +1,12 @@
 #pragma once
 /// Method and step from a tolerance of the time error of the configuration over a run (maximum norm over samples).
 ///
-/// Methods of fixed step are tried by rising order (step_search.h), as long as the next one at its stability limit
-/// would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon as a pilot shows
-/// that a higher order must be cheaper. An adaptive method (tolerance_search.h) is taken where it needs less than half
-/// of their forces, for it does not keep the invariants of the motion; that is on short runs, since its error grows
-/// like T².
+/// An adaptive method (tolerance_search.h) is tried first: it finds its way through motions of every kind, and bounds
+/// what the search among the others may cost. It is taken where it needs less than half of their forces, for it does
+/// not keep the invariants of the motion; that is on short runs, since its error grows like T², and on motions with
+/// short violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at
+/// its stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon
+/// as a pilot shows that a higher order must be cheaper.
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -29,6 +30,7 @@ struct [[nodiscard]] StepChoice {
   double step = 0;             ///< outer (composed) step, an upper bound
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0;            ///< estimated error of the configuration over the run
+  bool at_round_off = false;   ///< the tolerance is below what double precision gives
   double rattle_limit = 0;     ///< as requested
   long n_force = 0;            ///< forces spent on pilot runs
   std::string why{};           ///< one sentence for the log
@@ -82,8 +84,10 @@ class MethodChoice {
       : system_(system), initial_(initial), request_(request), Q_of_(Q_of) {}
 
   StepChoice choose() {
-    try_fixed_steps();
-    if (!broken_off_) try_adaptive();
+    try_adaptive();
+    if (!hopeless_) try_fixed_steps();
+    if (adaptive_ && (!best_ || price_of_invariants * adaptive_->n_forces_of_run < best_->n_forces_of_run))
+      best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};
     if (!best_) {
       choice.status =
@@ -96,6 +100,7 @@ class MethodChoice {
     choice.step = best_->step;
     choice.local_tolerance = best_->local_tolerance;
     choice.error = best_->error;
+    choice.at_round_off = best_->at_round_off;
     choice.why = describe(*best_, request_, trials_);
     return choice;
   }
@@ -113,14 +118,13 @@ class MethodChoice {
       StepSearch<S, QOf> search(system_, initial_, request_, Q_of_);
       for_each_method([&]<class Method>(Method) {
         if constexpr (!Method::adaptive && method_fits<Method, S>()) {
-          // A motion that ends within the window ends for every method.
-          if (broken_off_ || !is_candidate<Method>()) return;
-          const double cheapest = best_ ? best_->n_forces_of_run : HUGE_VAL;
+          if (hopeless_ || !is_candidate<Method>()) return;
+          const double cheapest = least_cost();
           if (search.template least_forces<Method>() >= cheapest) return;
           const double to_beat = std::min(cheapest, clearly_dearer * least_forces_above<Method>(search));
           trials_.push_back(search.template try_method<Method>(id_of<Method>, to_beat));
           const Trial& trial = trials_.back();
-          broken_off_ = trial.verdict == Trial::Verdict::failed;
+          hopeless_ = trial.verdict == Trial::Verdict::failed && !adaptive_;
           if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < cheapest) best_ = trial;
         }
       });
@@ -141,18 +145,24 @@ class MethodChoice {
     return least;
   }
 
+  /// What a method of fixed step must not exceed.
+  double least_cost() const {
+    const double of_adaptive = adaptive_ ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
+    return std::min(best_ ? best_->n_forces_of_run : HUGE_VAL, of_adaptive);
+  }
+
   void try_adaptive() {
     for_each_method([&]<class Method>(Method) {
       if constexpr (Method::adaptive && method_fits<Method, S>()) {
         if (!is_candidate<Method>()) return;
         const auto& field = field_of(system_);
         ToleranceSearch<FieldOf<S>, QOf> search(field, initial_, request_, Q_of_);
-        const double cheapest = best_ ? best_->n_forces_of_run : HUGE_VAL;
         trials_.push_back(search.template try_method<Method>());
         n_force_ += search.n_force();
-        const Trial& trial = trials_.back();
-        if (trial.verdict == Trial::Verdict::accepted && price_of_invariants * trial.n_forces_of_run < cheapest)
-          best_ = trial;
+        if (trials_.back().verdict == Trial::Verdict::accepted)
+          adaptive_ = trials_.back();
+        else
+          hopeless_ = true;
       }
     });
   }
@@ -162,8 +172,8 @@ class MethodChoice {
   const StepRequest& request_;
   const QOf& Q_of_;
   std::vector<Trial> trials_;
-  std::optional<Trial> best_;
-  bool broken_off_ = false;
+  std::optional<Trial> best_, adaptive_;
+  bool hopeless_ = false;  // a motion that ends within the window, or is too sensitive, is so for every method
   long n_force_ = 0;
 };
 

@@ -142,8 +142,8 @@ struct SymmetricMultistep {
       system.constraint_rate(state.q, state.v, w.constraint.residual);
       return Status();
     };
-    return detail::meet_constraint(system, "velocity", state.q, state.q, w.system, w.constraint, evaluate,
-                                   [&] { axpy(1.0, w.constraint.reaction, state.v); });
+    return detail::meet_constraint(system, "velocity", system.constraint_tolerance(), state.q, state.q, w.system,
+                                   w.constraint, evaluate, [&] { axpy(1.0, w.constraint.reaction, state.v); });
   }
 
  private:
@@ -217,8 +217,8 @@ struct SymmetricMultistep {
         axpy(per_shift, w.constraint.delta, w.multiplier);
         ++w.counters.n_position_iterations;
       };
-      if (Status status =
-              detail::meet_constraint(system, "position", state.q, w.q_start, w.system, w.constraint, evaluate, apply);
+      if (Status status = detail::meet_constraint(system, "position", system.constraint_tolerance(), state.q, w.q_start,
+                                                  w.system, w.constraint, evaluate, apply);
           !status)
         return status;
       record_multiplier<S>(w);
