@@ -180,7 +180,7 @@ struct EnergyMomentum {
         monitor.start_again();
       }
       verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
-      if (verdict == Verdict::stuck) return Status::failure(does_not_converge(increment, h));
+      if (verdict == Verdict::stuck) return does_not_converge(increment);
     }
     accept(system, h, state, w);
     return {};
@@ -197,9 +197,10 @@ struct EnergyMomentum {
   /// |P|/|ΔX| below which the motion is one along the orbit.
   static constexpr double relative_equilibrium = 1e-7;
 
-  static std::string does_not_converge(double increment, double h) {
-    return "the iteration of the conserving step does not converge (increment " + std::to_string(increment) +
-           " at a substep of " + std::to_string(h) + " internal time units); use a smaller step";
+  static Status does_not_converge(double increment) {
+    return Status::failure(std::string("the iteration of the conserving step ") +
+                           (std::isfinite(increment) ? "does not converge" : "has left the range of numbers") +
+                           "; use a smaller step");
   }
 
   /// How much V changes where the entries of q change by a few units of their last place: terms that cancel do not show

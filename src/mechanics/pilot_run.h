@@ -28,6 +28,8 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
 inline constexpr long max_pilot_samples = 32;
+/// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
+inline constexpr long max_pilot_forces = 4'000'000;
 
 /// The configuration at the samples of a pilot run, and the size of the velocity.
 template <class Configuration>
@@ -58,10 +60,16 @@ struct PilotHooks {
     return n_steps;
   }
   template <class W>
-  bool step_done(Cursor, const State<S>&, const W&) const {
-    return !give_up || !give_up();
+  bool step_done(Cursor, const State<S>&, const W& w) const {
+    return w.counters.n_force < max_pilot_forces && !(give_up && give_up());
   }
 };
+
+/// Of a pilot run that has not reached its end.
+inline Status failure_of(RunResult result) {
+  return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
+                                                           : "it takes too many steps to look ahead");
+}
 
 template <class Configuration>
 double largest_difference(const PilotRun<Configuration>& a, const PilotRun<Configuration>& b) {

@@ -34,8 +34,7 @@ inline constexpr int max_step_halvings = 12;
 /// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
 /// chaos.
 inline constexpr double asymptotic_difference = 0.1;
-/// Forces that may be spent on the search for the step of one method, and on a run.
-inline constexpr double max_pilot_forces = 4e6, max_run_forces = 1e11;
+inline constexpr double max_run_forces = 1e11;
 
 template <ConstrainedSystem S, class QOf>
 class StepSearch {
@@ -58,7 +57,7 @@ class StepSearch {
       return trial;
     }
     const Grid grid(window_, trial.limit);
-    const double n_force_at_start = static_cast<double>(n_force_);
+    const long n_force_at_start = n_force_;
     long n = grid.n_steps;
     double d_before = 0;
     Pilot coarse = pilot<Method>(grid.n_samples, n);
@@ -74,7 +73,7 @@ class StepSearch {
       }
       trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
       if (motion_ends(coarse, fine, h) || given_up()) return trial;
-      if (static_cast<double>(n_force_) - n_force_at_start > max_pilot_forces) break;
+      if (n_force_ - n_force_at_start > max_pilot_forces) break;
       d_before = d;
       coarse = std::move(fine);
     }
@@ -142,7 +141,7 @@ class StepSearch {
     RunResult result = run_time_loop<Method>(system_, {window_, n_samples}, state, cursor, workspace, hooks);
     n_force_ += workspace.counters.n_force;
     hooks.run.t = result.t;
-    if (result.outcome != Outcome::finished) hooks.run.status = Status::failure(std::move(result.reason));
+    if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
     return std::move(hooks.run);
   }
 

@@ -73,7 +73,7 @@ class ToleranceSearch {
     RunResult result = run_time_loop<Method>(field_, {window_, max_pilot_samples}, state, cursor, workspace, hooks);
     n_force = workspace.counters.n_force;
     hooks.run.t = result.t;
-    if (result.outcome != Outcome::finished) hooks.run.status = Status::failure(std::move(result.reason));
+    if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
     return std::move(hooks.run);
   }
 
