@@ -54,8 +54,8 @@ struct DoublePendulumScene {
   std::optional<Refusal> refuses() const { return {}; }
 
   std::vector<Column> columns() const {
-    return {{"theta", "", "angle of the upper rod from the downward vertical, radians"},
-            {"phi", "", "angle of the lower rod"},
+    return {{"theta", "", "angle of the upper rod from the downward vertical, radians, -pi to pi"},
+            {"phi", "", "angle of the lower rod, likewise"},
             {"theta_dot", "1/time", "rate of theta"},
             {"phi_dot", "1/time", "rate of phi"},
             {"x1", "length", "position of the upper point, horizontal"},
@@ -74,15 +74,12 @@ struct DoublePendulumScene {
   /// The values of the columns, from positions in multiplier form.
   struct Observer {
     DoublePendulum pendulum;
-    Eigen::Vector2d last_angles;  ///< along the path: full turns are counted
 
-    mechanics::Status append(const mechanics::State<DoublePendulum>& state, std::vector<double>& row) {
+    mechanics::Status append(const mechanics::State<DoublePendulum>& state, std::vector<double>& row) const {
       Eigen::Vector2d angles, rates, lambda = Eigen::Vector2d::Zero();
       pendulum.to_angles(state.q, state.v, angles, rates);
       DoublePendulum::Workspace workspace;
       if (auto status = mechanics::multiplier_of_motion(pendulum, state, workspace, lambda); !status) return status;
-      for (int i = 0; i < 2; ++i) angles[i] = last_angles[i] + std::remainder(angles[i] - last_angles[i], 2 * EIGEN_PI);
-      last_angles = angles;
       const auto& p = pendulum.parameters();
       const double K = pendulum.kinetic_energy(state.v), U = pendulum.potential_energy(state.q);
       row.insert(row.end(), {angles[0], angles[1], rates[0], rates[1]});
@@ -98,7 +95,7 @@ struct DoublePendulumScene {
     mechanics::State<System> initial;
     Observer observer;
 
-    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
       return observer.append(state, row);
     }
     auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }
@@ -113,7 +110,7 @@ struct DoublePendulumScene {
     mechanics::State<System> initial;
     Observer observer;
 
-    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
       mechanics::State<DoublePendulum> points{state.t, {}, {}};
       observer.pendulum.from_angles(state.q, state.v, points.q, points.v);
       return observer.append(points, row);
@@ -125,7 +122,7 @@ struct DoublePendulumScene {
   template <class Run>
   auto with_model(Run&& run) const {
     const Eigen::Vector2d at(angles[0], angles[1]), rate(rates[0], rates[1]);
-    const Observer observer{DoublePendulum(parameters()), at};
+    const Observer observer{DoublePendulum(parameters())};
     if (form == Form::lagrange)
       return run(
           LagrangeModel{mechanics::ChartField(DoublePendulumChart{m1, m2, l1, l2, gravity}), {0, at, rate}, observer});

@@ -10,8 +10,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/status.h"
-
 namespace pseudorigid::systems {
 
 struct EulerAngles {
@@ -41,29 +39,14 @@ inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) 
           Omega.z() - phi_rate * std::cos(a.theta)};
 }
 
-/// Angles along a path: θ ∈ (0, π), φ and ψ without jumps of 2π from one rotation to the next.
-class EulerAnglePath {
- public:
-  mechanics::Status next(const Eigen::Matrix3d& R, EulerAngles& angles) {
-    const double sin_theta = std::hypot(R(2, 0), R(2, 1));
-    // φ and ψ have the round-off ε/sin θ; below this bound less than three digits of them are left.
-    constexpr double smallest_sine = 2e-13;
-    if (!(sin_theta > smallest_sine))
-      return mechanics::Status::failure(
-          "the Euler angles phi and psi are not defined at sin(theta) = 0, where only phi + psi or phi - psi is");
-    angles = {near(std::atan2(R(0, 2), -R(1, 2)), before_.phi), std::atan2(sin_theta, R(2, 2)),
-              near(std::atan2(R(2, 0), R(2, 1)), before_.psi)};
-    before_ = angles;
-    return {};
-  }
-
- private:
-  /// angle + 2πk next to the one before.
-  static double near(double angle, double before) {
-    constexpr double turn = 2 * std::numbers::pi;
-    return angle + turn * std::round((before - angle) / turn);
-  }
-  EulerAngles before_;
-};
+/// The angles of R: θ ∈ [0, π], φ and ψ ∈ (−π, π]. At sin θ = 0, where only φ + ψ or φ − ψ is defined, ψ = 0 and φ has
+/// all of the turn.
+inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
+  const double sin_theta = std::hypot(R(2, 0), R(2, 1));
+  // φ and ψ have the round-off ε/sin θ; below this bound less than three digits of them are left.
+  constexpr double smallest_sine = 2e-13;
+  if (!(sin_theta > smallest_sine)) return {std::atan2(R(1, 0), R(0, 0)), R(2, 2) > 0 ? 0 : std::numbers::pi, 0};
+  return {std::atan2(R(0, 2), -R(1, 2)), std::atan2(sin_theta, R(2, 2)), std::atan2(R(2, 0), R(2, 1))};
+}
 
 }  // namespace pseudorigid::systems

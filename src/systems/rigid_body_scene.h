@@ -10,7 +10,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 
 #include "mechanics/constrained_landscape.h"
 #include "scene/entry_kinds.h"
@@ -45,13 +44,14 @@ class BodyObserver {
     const std::string_view energy = "mass*length^2/time^2", momentum = "mass*length^2/time";
     add("Omega", "1/time", "angular velocity in the body");
     add("omega", "1/time", "angular velocity in space, R Omega");
-    columns.insert(columns.end(),
-                   {{"phi", "", "Euler angle of R = Rz(phi) Rx(theta) Rz(psi), radians: precession; turns are counted"},
-                    {"theta", "", "Euler angle: nutation, 0 to pi"},
-                    {"psi", "", "Euler angle: spin; it stays where theta is 0 or pi, and phi has all of the turn"},
-                    {"kinetic", energy, "kinetic energy"},
-                    {"potential", energy, "potential energy of weight and springs"},
-                    {"energy", energy, "their sum"}});
+    columns.insert(
+        columns.end(),
+        {{"phi", "", "Euler angle of R = Rz(phi) Rx(theta) Rz(psi): precession, radians, -pi to pi"},
+         {"theta", "", "Euler angle: nutation, 0 to pi"},
+         {"psi", "", "Euler angle: spin, -pi to pi; 0 where theta is 0 or pi, and phi then has all of the turn"},
+         {"kinetic", energy, "kinetic energy"},
+         {"potential", energy, "potential energy of weight and springs"},
+         {"energy", energy, "their sum"}});
     add("J", momentum, "angular momentum in space, about its origin");
     add("J_body", momentum, "angular momentum in the body, A Omega, about its origin");
     add("x", "length", "centre of mass in space");
@@ -59,7 +59,7 @@ class BodyObserver {
     return columns;
   }
 
-  void append(const BodyMotion& motion, std::vector<double>& row) {
+  void append(const BodyMotion& motion, std::vector<double>& row) const {
     const auto& [R, Omega, x, velocity] = motion;
     const Eigen::Vector3d P = A_ * Omega, omega = R * Omega;
     Eigen::Vector3d p = R * P;
@@ -71,7 +71,7 @@ class BodyObserver {
     const Eigen::Vector3d origin = fixed_point_ ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : x;
     const double V =
         loads_.potential_energy([&](const Eigen::Vector3d& xi) { return Eigen::Vector3d(R * xi + origin); });
-    const EulerAngles a = angles(R);
+    const EulerAngles a = euler_angles_of(R);
     for (int i = 0; i < 3; ++i) row.insert(row.end(), {R(i, 0), R(i, 1), R(i, 2)});
     for (const Eigen::Vector3d& w : {Omega, omega}) row.insert(row.end(), w.begin(), w.end());
     row.insert(row.end(), {a.phi, a.theta, a.psi, K, V, K + V});
@@ -79,23 +79,9 @@ class BodyObserver {
   }
 
  private:
-  /// At sin θ = 0 only φ ± ψ is defined: ψ is left as it was.
-  EulerAngles angles(const Eigen::Matrix3d& R) {
-    EulerAngles next;
-    if (!path_.next(R, next)) {
-      const bool upright = R(2, 2) > 0;
-      const double turn = std::atan2(R(1, 0), R(0, 0)) + (upright ? -last_.psi : last_.psi);
-      next = {last_.phi + std::remainder(turn - last_.phi, 2 * std::numbers::pi), upright ? 0 : std::numbers::pi,
-              last_.psi};
-    }
-    return last_ = next;
-  }
-
   Eigen::Matrix3d A_;
   BodyLoads loads_;
   bool fixed_point_;
-  EulerAnglePath path_;
-  EulerAngles last_;
 };
 
 /// The landscape of a body on SO(3). GᵀG is zero along SO(3) and makes the mass regular where a flat body's is not.
@@ -195,7 +181,7 @@ struct RigidBodyScene {
     BodyObserver observer;
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
-                          std::vector<double>& row) {
+                          std::vector<double>& row) const {
       const Eigen::Vector3d& G = system.parameters().loads.center;  // zero without fixed point
       observer.append({System::rotation(state.q), System::body_angular_velocity(state.q, state.v),
                        System::place(state.q, G), System::place(state.v, G)},
@@ -215,7 +201,7 @@ struct RigidBodyScene {
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< of a free body at t = 0
 
-    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) {
+    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
       const BodyLoads& loads = system.parameters().torque.loads;
       const Eigen::Matrix3d R = System::rotation(state.q);
       const Eigen::Vector3d Omega = System::body_angular_velocity(state.q, state.v);

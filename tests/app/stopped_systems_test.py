@@ -38,7 +38,7 @@ class StoppedSystems(StoppedRunTest):
     def test_error_control_with_a_motion_beside_it(self):
         self.check({**JACOBI, **ADAPTIVE, "Time/End": 5000}, "jacobi_geodesic")
 
-    # Angles whose turns are counted: interrupted when there have been some.
+    # Columns of angles: interrupted when they have gone round more than once.
 
     def check_turns(self, scene, file):
         self.check_control_c(scene, file, after_rows=500)

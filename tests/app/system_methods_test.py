@@ -30,12 +30,14 @@ class SystemMethods(SystemTest):
     def test_forms_of_the_moving_frame(self):
         self.check_forms(FRAME, INERTIAL)
 
-    # Angles whose turns are counted.
+    # Columns of angles know of no earlier sample.
 
     def check_turns(self, scene, angles, changes={}):
+        """The last sample is the same after few and after many, and all angles are between -pi and pi."""
         few, many = (self.motion(scene, {**changes, "Output/Samples": n}) for n in (16, 1600))
         for name in angles:
             self.assertAlmostEqual(few.column(name)[-1], many.column(name)[-1], delta=1e-3, msg=name)
+            self.assertLessEqual(max(map(abs, many.column(name))), math.pi, name)
 
     def test_turns_of_a_top_do_not_depend_on_the_samples(self):
         for form in ({}, EULER):

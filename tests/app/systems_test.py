@@ -9,6 +9,14 @@ from system_test import (ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PE
                          drift)
 
 
+def without_jumps(angles):
+    """The angles with whole turns added, each within half a turn of the one before."""
+    path = angles[:1]
+    for angle in angles[1:]:
+        path.append(path[-1] + math.remainder(angle - path[-1], 2 * math.pi))
+    return path
+
+
 class SystemScenes(SystemTest):
     """What the comment at the head of each scene promises."""
 
@@ -83,7 +91,7 @@ class SystemScenes(SystemTest):
         table = self.motion("heavy_top", {"Output/Samples": 1600})
         for name in ("energy", "J3", "J_body3"):
             self.assertLess(drift(table, name) / table.column(name)[0], 1e-9, name)
-        theta, phi = table.column("theta"), table.column("phi")
+        theta, phi = table.column("theta"), without_jumps(table.column("phi"))
         self.assertAlmostEqual(theta[0], math.pi / 6, delta=1e-12)
         # Where θ̇ = 0 energy and momenta give, with u = cos θ:  J_body3² (u₀ − u) = 2 I₁ m g l (1 − u²).
         lost = 2 * 0.5 * 9.81 * 0.05 * 0.0015625 / 0.0625**2
@@ -94,7 +102,7 @@ class SystemScenes(SystemTest):
         cusps = [k for k in range(1, 1600) if theta[k] <= min(theta[k - 1], theta[k + 1])]
         self.assertGreaterEqual(len(cusps), 7, "nutation")
         mean_rate = (phi[cusps[-1]] - phi[0]) / table.column("time")[cusps[-1]]
-        self.assertAlmostEqual(mean_rate, 4, delta=0.3)
+        self.assertAlmostEqual(mean_rate, 4.29, delta=0.005)
         for k in cusps:
             # Near a cusp φ grows with the third power of the time.
             self.assertLess(abs(phi[k + 1] - phi[k - 1]) / 0.002, 0.01 * mean_rate, "φ stands still")
