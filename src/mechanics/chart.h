@@ -13,7 +13,6 @@
 #include <array>
 #include <concepts>
 #include <limits>
-#include <sstream>
 
 #include "mechanics/automatic_differentiation.h"
 #include "mechanics/status.h"
@@ -122,13 +121,9 @@ Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   const auto pivots = factor.matrixLLT().diagonal().array().square().eval();
   const bool regular =
       factor.info() == Eigen::Success && pivots.minCoeff() > std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
-  if (!regular || !p.allFinite()) {
-    std::ostringstream message;
-    message << (regular ? "the force on the chart is not finite"
-                        : "the metric of the chart is singular or not positive")
-            << "; the metric is [" << g.reshaped().transpose() << "]";
-    return Status::failure(message.str());
-  }
+  if (!regular || !p.allFinite())
+    return Status::failure(regular ? "the force on the chart is not finite"
+                                   : "the metric of the chart is singular or not positive");
   v = factor.solve(p);
   return {};
 }

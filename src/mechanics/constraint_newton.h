@@ -102,8 +102,8 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
     const auto verdict = monitor.judge(norm);
     if (verdict == ConvergenceMonitor::Verdict::done) return {};
     if (verdict == ConvergenceMonitor::Verdict::stuck)
-      return Status::failure(std::string("the ") + what + " iteration of the constraint does not converge (residual " +
-                             std::to_string(norm) + "); use a smaller step");
+      return Status::failure(std::string("the ") + what +
+                             " iteration of the constraint does not converge; use a smaller step");
     if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
     apply();
   }

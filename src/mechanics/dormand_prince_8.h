@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 
 #include "mechanics/dormand_prince_8_tableau.h"
@@ -122,7 +121,8 @@ struct DormandPrince8 {
       }
       w.h = h * (status ? std::clamp(0.9 * std::pow(error, -0.125), 0.2, 0.9) : 0.25);
       if (std::abs(w.h) < shortest_step(state.t, t_limit))
-        return failure(state.t, status ? "the error of the steps stays above the tolerance" : status.reason());
+        return Status::failure("the motion cannot be continued, its steps shrink below round-off: " +
+                               (status ? "their error stays above the tolerance" : status.reason()));
     }
   }
 
@@ -130,8 +130,7 @@ struct DormandPrince8 {
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
-    if (!(theta > -1e-9 && theta < 1 + 1e-9))
-      return Status::failure("t = " + std::to_string(t) + " is not within the last step");
+    if (!(theta > -1e-9 && theta < 1 + 1e-9)) return Status::failure("the time asked for is not within the last step");
     if (Status status = prepare_dense_output(field, w); !status) return status;
     out.t = t;
     evaluate(theta, w.h_last, w.q_start, w.q_end, w.v_start, w.v_end, w.dense_q, out.q);
@@ -141,10 +140,6 @@ struct DormandPrince8 {
   }
 
  private:
-  static Status failure(double t, const std::string& why) {
-    return Status::failure("the motion cannot be continued at t = " + std::to_string(t) +
-                           ": the step shrinks below round-off: " + why);
-  }
   static double shortest_step(double t, double t_limit) {
     return 16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(t), std::abs(t_limit));
   }
@@ -161,12 +156,11 @@ struct DormandPrince8 {
   static Status start(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     if (w.acceleration_known && w.h != 0) return {};
     if (!(w.tolerance >= std::numeric_limits<double>::epsilon()))
-      return Status::failure("a tolerance of " + std::to_string(w.tolerance) + " is below round-off");
+      return Status::failure("the tolerance is below round-off");
     auto& a = w.A[dop853::n_stages];
     Status status = acceleration(field, state.t, state.q, state.v, w, a);
     if (status && !std::isfinite(a.squaredNorm())) status = Status::failure("the acceleration is not finite");
-    if (!status)
-      return Status::failure("the motion cannot start at t = " + std::to_string(state.t) + ": " + status.reason());
+    if (!status) return Status::failure("the motion cannot start: " + status.reason());
     w.acceleration_known = true;
     if (w.h == 0) w.h = first_step(field, t_limit, state, w);
     return {};

@@ -7,7 +7,6 @@
 ///
 /// Motions of energy h are the geodesics of g_h with ds̃ = 2(h − U) dt (5.2.1).
 
-#include <string>
 #include <utility>
 
 #include "mechanics/chart_field.h"
@@ -77,8 +76,7 @@ class JacobiGeodesicField {
  private:
   Status inside(double factor) const {
     if (factor > 0) return {};
-    return Status::failure("the Jacobi metric of energy h = " + std::to_string(h_) +
-                           " exists only where U < h; here 2(h - U) = " + std::to_string(factor));
+    return Status::failure("the Jacobi metric of energy h exists only where U < h");
   }
 
   C chart_;

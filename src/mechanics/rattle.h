@@ -208,8 +208,8 @@ struct Rattle {
       if (!(size < 2 * before)) break;
       before = size;
     }
-    return Status::failure("the iteration on a force that depends on the velocity does not converge at a substep of " +
-                           std::to_string(h) + " internal time units; use a smaller step");
+    return Status::failure(
+        "the iteration on a force that depends on the velocity does not converge; use a smaller step");
   }
 
   template <ConstrainedSystem S>

@@ -224,7 +224,7 @@ TEST(DormandPrince8, BodyTurnedInsideOutCannotStart) {
   const auto before = state;
   const auto status = DormandPrince8::step(field, 1, state, w);
   ASSERT_FALSE(status);
-  EXPECT_NE(status.reason().find("cannot start at t = 0"), std::string::npos) << status.reason();
+  EXPECT_NE(status.reason().find("cannot start"), std::string::npos) << status.reason();
   EXPECT_EQ(state.q, before.q);
 }
 
@@ -237,7 +237,7 @@ TEST(DormandPrince8, ForceThatBreaksOffEndsTheMotionThere) {
     mechanics::Status status;
     while (status && state.t < 5) status = DormandPrince8::step(field, 5, state, w);
     ASSERT_FALSE(status);
-    EXPECT_NE(status.reason().find("at t = 2.0"), std::string::npos) << status.reason();
+    EXPECT_NE(status.reason().find("cannot be continued"), std::string::npos) << status.reason();
     EXPECT_NEAR(state.t, 2, 1e-12);  // up to steps of round-off
     EXPECT_LE(state.t, 2);
     EXPECT_TRUE(state.q.allFinite() && state.v.allFinite());
