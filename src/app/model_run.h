@@ -58,9 +58,10 @@ class ModelRun {
 
   ModelOutcome run() {
     const auto start = Clock::now();
-    if (Status status = begin(); !status)
-      return outcome(io::interrupt_requested() ? ModelOutcome::State::interrupted : ModelOutcome::State::failed,
-                     status.reason(), start);
+    if (Status status = begin(); !status) {
+      if (io::interrupt_requested()) return outcome(ModelOutcome::State::interrupted, status.reason(), start);
+      return outcome(ModelOutcome::State::failed, stopped(state_.t, status.reason()), start);
+    }
     mechanics::RunResult result;
     if (next_stepping_) result = run_until(position_.cursor.sample + 1);
     if (result.outcome == Outcome::finished) {
@@ -261,10 +262,13 @@ class ModelRun {
       return outcome(ModelOutcome::State::interrupted, "interrupted at t = " + physical_time(result.t), start);
     save(good_);
     if (result.outcome == Outcome::finished) return outcome(ModelOutcome::State::finished, "", start);
-    return outcome(ModelOutcome::State::failed,
-                   "stopped at t = " + physical_time(result.t) + ": " + result.reason +
-                       "; the state at t = " + physical_time(good_.state.t) + " is saved",
-                   start);
+    return outcome(
+        ModelOutcome::State::failed,
+        stopped(result.t, result.reason) + "; the state at t = " + physical_time(good_.state.t) + " is saved", start);
+  }
+
+  std::string stopped(double t, const std::string& reason) const {
+    return "stopped at t = " + physical_time(t) + ": " + reason;
   }
 
   std::string physical_time(double internal) const {
