@@ -4,6 +4,7 @@
 /// multipliers, the tensions  T_k = −λ_k / l_k.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "mechanics/chart_field.h"
@@ -46,10 +47,10 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// Without gravity the motion itself sets the time.
+  /// The faster of gravity, on the shorter rod, and the motion itself sets the time.
   Scales scales() const {
-    const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
-    return {l1, m1, gravity > 0 ? std::sqrt(l1 / gravity) : rate > 0 ? 1 / rate : 1};
+    const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
+    return {l1, m1, rate > 0 ? 1 / rate : 1};
   }
   std::optional<Refusal> refuses() const { return {}; }
 

@@ -44,10 +44,10 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// Without gravity the motion itself sets the time.
+  /// The faster of gravity and the motion itself sets the time.
   Scales scales() const {
-    const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
-    return {r, 1, gravity > 0 ? std::sqrt(r / gravity) : rate > 0 ? 1 / rate : 1};
+    const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
+    return {r, 1, rate > 0 ? 1 / rate : 1};
   }
 
   std::optional<Refusal> refuses() const {
