@@ -69,11 +69,8 @@ struct MovingFrameScene {
     const double frame_rate = std::max({std::abs(spin_rate), norm(precession), std::abs(shaking_frequency)});
     const double given_rate = std::max(force_rate, frame_rate);
     const double acceleration = std::max({norm(field), norm(frame_field), norm(origin_acceleration)});
-    // A point that starts in the origin goes as far as its velocity and forces take it in the time of the rest.
-    const double time = given_rate > 0 ? 1 / given_rate : 1;
-    const double length = first_positive(
-        {norm(position), norm(shaking), norm(frame_center), time * norm(velocity), time * time * acceleration, 1});
-    const double rate = std::max({given_rate, norm(velocity) / length, std::sqrt(acceleration / length)});
+    const double speed = norm(velocity), length = typical_length(given_rate, speed, acceleration);
+    const double rate = std::max({given_rate, speed / length, std::sqrt(acceleration / length)});
     return {length, 1, rate > 0 ? 1 / rate : 1};
   }
 
@@ -148,6 +145,16 @@ struct MovingFrameScene {
   }
 
  private:
+  /// A point that starts in the origin is as far from it as the centre of a force, or goes as far as its velocity and
+  /// fields take it in the time of the rest. 1 if nothing has a length.
+  double typical_length(double given_rate, double speed, double acceleration) const {
+    const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
+    return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,
+                           time * speed, time * time * acceleration,
+                           stiffness != 0 || attraction != 0 ? distance_from_center() : 0, time * norm(origin_velocity),
+                           1});
+  }
+
   template <class Self, class Visit>
   static void visit_motion(Self& s, Visit&& visit) {
     constexpr scene::Numbers vector{3};
