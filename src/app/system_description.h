@@ -5,6 +5,7 @@
 
 #include "mechanics/field_of.h"
 #include "mechanics/methods.h"
+#include "systems/sizes.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::app {
@@ -29,6 +30,7 @@ template <class SystemScene>
 std::optional<scene::Refusal> refuses_scene(const scene::Scene& scene) {
   const auto system = systems::system_scene<SystemScene>(scene);
   if (auto refusal = system.refuses()) return refusal;
+  if (auto refusal = systems::refuses_sizes(system)) return refusal;
   return systems::in_scales(system, system.scales()).with_model([&](const auto& model) {
     return refuses_method(scene, model.system);
   });

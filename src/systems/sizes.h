@@ -1,0 +1,71 @@
+#pragma once
+/// The sizes that a scene can have. Products of a few numbers between 10⁻¹⁰⁰ and 10¹⁰⁰ still are numbers, so a scene is
+/// sound if its scales and, in these scales, its entries and its initial state lie there or are zero, and the units of
+/// its columns are finite.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "systems/system_scene.h"
+
+namespace pseudorigid::systems {
+
+namespace detail {
+
+inline constexpr double largest_size = 1e100;
+
+inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
+
+/// Calls visitor(path, x) for each number of the entries.
+template <class SystemScene, class Visitor>
+void visit_numbers(SystemScene& system, Visitor&& visitor) {
+  SystemScene::visit(system, [&]<class Value>(Value& member, const auto&, const About& about) {
+    if constexpr (std::is_same_v<Value, double>) visitor(about.path, member);
+    if constexpr (std::is_same_v<Value, std::vector<double>>)
+      for (const double x : member) visitor(about.path, x);
+    if constexpr (std::is_same_v<Value, scene::Matrix3>)
+      for (const auto& row : member)
+        for (const double x : row) visitor(about.path, x);
+  });
+}
+
+template <class SystemScene>
+bool has_sound_units(const SystemScene& system, const Scales& scales) {
+  for (const double unit : {scales.length, scales.mass, scales.time})
+    if (unit == 0 || !sound(unit)) return false;
+  return std::ranges::all_of(system.columns(),
+                             [&](const Column& column) { return std::isnormal(scales(column.unit)); });
+}
+
+template <class SystemScene>
+bool has_sound_numbers(SystemScene in_own_scales) {
+  bool all = true;
+  visit_numbers(in_own_scales, [&](std::string_view, double x) { all = all && sound(x); });
+  return all && in_own_scales.with_model(
+                    [](const auto& model) { return model.initial.q.allFinite() && model.initial.v.allFinite(); });
+}
+
+}  // namespace detail
+
+/// The entry that is to blame is the one with the number farthest from 1.
+template <class SystemScene>
+std::optional<Refusal> refuses_sizes(SystemScene system) {
+  const Scales scales = system.scales();
+  if (detail::has_sound_units(system, scales) && detail::has_sound_numbers(in_scales(system, scales))) return {};
+  std::string path;
+  double farthest = 1;
+  const auto distance = [](double x) { return std::abs(std::log10(std::abs(x))); };
+  detail::visit_numbers(system, [&](std::string_view at, double x) {
+    if (x == 0 || (!path.empty() && distance(x) <= distance(farthest))) return;
+    path = at;
+    farthest = x;
+  });
+  return Refusal{path, fmt::format("expected numbers whose sizes, in units of the scene itself, are between {:g} and "
+                                   "{:g}, got {}",
+                                   1 / detail::largest_size, detail::largest_size, scene::print_number(farthest))};
+}
+
+}  // namespace pseudorigid::systems
