@@ -32,14 +32,13 @@ class ToleranceSearch {
   template <class Method>
   Trial try_method() {
     constexpr int max_trials = 6;
-    constexpr double finer = 16, least_tolerance = 4 * std::numeric_limits<double>::epsilon();
+    constexpr double finer = 16, least_tolerance = finer * 4 * std::numeric_limits<double>::epsilon();
     const double target = error_safety * request_.tolerance, times = std::max(1.0, request_.end / window_);
     Trial trial{.method = id_of<Method>, .limit = request_.step_bound, .step = request_.step_bound};
     double tau = std::max(least_tolerance, target / (10 * times * times));
     for (int i = 0; i < max_trials; ++i) {
       long n_force = 0, n_finer = 0;
-      const Pilot coarse = pilot<Method>(tau, n_force),
-                  fine = pilot<Method>(std::max(least_tolerance, tau / finer), n_finer);
+      const Pilot coarse = pilot<Method>(tau, n_force), fine = pilot<Method>(tau / finer, n_finer);
       n_force_ += n_force + n_finer;
       trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
       if (!trial.reason.empty()) return trial;
@@ -47,7 +46,7 @@ class ToleranceSearch {
       const double e = largest_difference(coarse, fine) * times * times;
       if (e <= target || e <= walk || tau <= least_tolerance) {
         trial.verdict = Trial::Verdict::accepted;
-        trial.local_tolerance = tau;
+        trial.local_tolerance = e > target ? tau / finer : tau;
         trial.error = e + walk;
         trial.at_round_off = std::max(e, walk) > target;
         trial.n_forces_of_run = static_cast<double>(n_force) * times;
