@@ -31,9 +31,7 @@ namespace pseudorigid::mechanics {
 namespace detail {
 
 inline constexpr int max_step_halvings = 12;
-/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
-/// chaos.
-inline constexpr double asymptotic_difference = 0.1;
+/// Of a run; more would take hours.
 inline constexpr double max_run_forces = 1e11;
 
 template <ConstrainedSystem S, class QOf>

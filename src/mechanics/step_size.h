@@ -86,8 +86,7 @@ class MethodChoice {
   StepChoice choose() {
     try_adaptive();
     if (!hopeless_) try_fixed_steps();
-    if (adaptive_ && (!best_ || price_of_invariants * adaptive_->n_forces_of_run < best_->n_forces_of_run))
-      best_ = adaptive_;
+    if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
     StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};
     if (!best_) {
       choice.status =
@@ -145,11 +144,11 @@ class MethodChoice {
     return least;
   }
 
-  /// What a method of fixed step must not exceed.
-  double least_cost() const {
-    const double of_adaptive = adaptive_ ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
-    return std::min(best_ ? best_->n_forces_of_run : HUGE_VAL, of_adaptive);
+  /// What the adaptive method counts for among the others; beyond reach where it misses the tolerance.
+  double adaptive_cost() const {
+    return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }
+  double least_cost() const { return std::min(best_ ? best_->n_forces_of_run : HUGE_VAL, adaptive_cost()); }
 
   void try_adaptive() {
     for_each_method([&]<class Method>(Method) {
@@ -159,10 +158,9 @@ class MethodChoice {
         ToleranceSearch<FieldOf<S>, QOf> search(field, initial_, request_, Q_of_);
         trials_.push_back(search.template try_method<Method>());
         n_force_ += search.n_force();
-        if (trials_.back().verdict == Trial::Verdict::accepted)
-          adaptive_ = trials_.back();
-        else
-          hopeless_ = true;
+        const Trial& trial = trials_.back();
+        if (trial.verdict == Trial::Verdict::accepted) adaptive_ = trial;
+        hopeless_ = !adaptive_ || trial.error > asymptotic_difference;
       }
     });
   }
