@@ -78,12 +78,12 @@ class SystemMethods(SystemTest):
 
     # Tolerances.
 
-    def check_tolerance(self, scene, columns, methods, changes):
+    def check_tolerance(self, scene, columns, methods, changes, tolerances=(1e-4, 1e-6, 1e-8)):
         """Of all samples, against the tightest run of another method where there is one."""
         for method in methods:
             exact = self.motion(scene, {**changes, "Time/Method": "explicit-8" if method != "explicit-8" else "auto",
                                         "Time/Tolerance": 1e-12})
-            for tolerance in (1e-4, 1e-6, 1e-8):
+            for tolerance in tolerances:
                 if method in ("rattle", "energy-momentum") and tolerance < 1e-6:
                     continue  # of order 2: slow
                 with self.subTest(method, tolerance=tolerance):
@@ -100,7 +100,8 @@ class SystemMethods(SystemTest):
         self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], METHODS, {"Time/End": 3})
 
     def test_tolerance_of_the_double_pendulum_over_the_whole_scene(self):
-        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], ["auto", "explicit-8"], {})
+        # Chaos: round-off alone becomes 2e-8 (rattle-8 with half the step).
+        self.check_tolerance("double_pendulum", ["x1", "y1", "x2", "y2"], ["auto", "explicit-8"], {}, (1e-4, 1e-6))
 
     def test_tolerance_of_the_rigid_body(self):
         self.check_tolerance("heavy_top", ROTATION, METHODS, {"Time/End": 0.4})
@@ -121,20 +122,26 @@ class SystemMethods(SystemTest):
                   for form in ({}, LAGRANGE)]
         if distance(*tables, ["x1", "y1", "x2", "y2"]) > 2e-6:
             for table in tables:
-                self.assertIn("warning", self.scratch.joinpath(table.folder, "log.txt").read_text())
+                self.assertIn("warning", self.log(table))
 
     def test_tolerance_of_jacobi_geodesics(self):
-        """The column deviation is the error. The scene's length is the distance of its start, the pericentre."""
+        """The column deviation is the error. The scene's length is the distance of its start, the pericentre. Where
+        round-off, which the metric magnifies as it degenerates, is greater than the tolerance, a warning says so."""
         for pericentre in (0.4, 0.1, 0.01, 0.001):
             with self.subTest(pericentre=pericentre):
                 table = self.motion({"System": "jacobi geodesic", "Jacobi geodesic/Position": f"{pericentre}, 0",
                                      "Time/End": 2 * math.pi, "Time/Tolerance": 1e-7})
                 error = max(table.column("deviation")) / pericentre
                 print(f"pericentre {pericentre}: error {error:.1e}")
-                self.assertLess(error, 1e-7)
+                if error > 1e-7:
+                    self.assertIn("below what double precision gives", self.log(table))
+                    self.assertLess(pericentre, 0.01)
 
     def test_tolerance_of_a_geodesic(self):
         self.check_tolerance(ELLIPSOID, ["q1", "q2"], ["explicit-8"], {})
+
+    def log(self, table):
+        return self.scratch.joinpath(table.folder, "log.txt").read_text()
 
     # Units.
 
