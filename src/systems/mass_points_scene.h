@@ -138,6 +138,17 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
+    /// Points that fly together do not change fast, unless they fly past the center.
+    double rate(const mechanics::State<System>& state) const {
+      const auto& p = system.parameters();
+      const bool has_center = p.confinement > 0 || p.central_attraction > 0;
+      const auto size = [&](const Eigen::Matrix3Xd& x) {
+        Eigen::Vector3d common = Eigen::Vector3d::Zero();
+        if (!has_center) common = x * p.masses / p.masses.sum();
+        return (x.colwise() - common).cwiseAbs().maxCoeff();
+      };
+      return size(state.v) / (1 + size(state.q));
+    }
     auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }
     std::vector<Column> coordinates() const { return coordinates_; }
   };

@@ -188,6 +188,10 @@ struct RigidBodyScene {
                       row);
       return {};
     }
+    /// A body that flies fast does not turn fast.
+    double rate(const mechanics::State<System>& state) const {
+      return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
+    }
     auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }
     std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
   };
