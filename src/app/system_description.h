@@ -31,6 +31,8 @@ std::optional<scene::Refusal> refuses_scene(const scene::Scene& scene) {
   const auto system = systems::system_scene<SystemScene>(scene);
   if (auto refusal = system.refuses()) return refusal;
   if (auto refusal = systems::refuses_sizes(system)) return refusal;
+  if (scene.analysis == scene::Analysis::motion)
+    if (auto refusal = systems::refuses_duration(system, scene.time.end)) return refusal;
   return systems::in_scales(system, system.scales()).with_model([&](const auto& model) {
     return refuses_method(scene, model.system);
   });
