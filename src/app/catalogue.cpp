@@ -1,5 +1,6 @@
 #include "app/catalogue.h"
 
+#include "app/equilibria.h"
 #include "app/scene_to_model.h"
 #include "app/system_description.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -29,7 +30,8 @@ constexpr bool for_continuum =
     mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, IncompressibleBody>();
 
 scene::Catalogue make_catalogue() {
-  scene::Catalogue catalogue{.methods = {}, .systems = {}, .refuses_ball = refuses_ball};
+  scene::Catalogue catalogue{
+      .methods = {}, .systems = {}, .refuses_ball = refuses_ball, .equilibria = equilibria_columns({}, 1)};
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_continuum<Method>});
   });

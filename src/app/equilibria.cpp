@@ -10,52 +10,87 @@
 namespace pseudorigid::app {
 namespace {
 
-std::vector<std::string> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes) {
-  std::vector<std::string> columns{"index"};
-  for (const scene::Column& coordinate : coordinates) columns.push_back(coordinate.name);
-  for (const char* name : {"potential", "morse_index", "nullity", "n_unstable", "n_stable"}) columns.push_back(name);
-  for (int k = 1; k <= n_modes; ++k) columns.push_back(fmt::format("hessian_{}", k));
-  for (int k = 1; k <= 2 * n_modes; ++k)
-    for (const char* part : {"re", "im"}) columns.push_back(fmt::format("rate_{}_{}", k, part));
-  return columns;
+/// A linear damping that every system can be given: the force −M v, in units of the scene.
+Eigen::MatrixXd unit_damping(const mechanics::AnyLandscape& landscape, const Eigen::VectorXd& q) {
+  Eigen::MatrixXd M;
+  landscape.mass(q, M);
+  return M;
+}
+
+/// The rates as they are without any added damping.
+mechanics::Status find_own_rates(const mechanics::AnyLandscape& landscape, mechanics::CriticalPoint& p) {
+  mechanics::CriticalPoint undamped;
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());
+  mechanics::Status status = mechanics::describe_critical_point(landscape, p.q, p.lambda, none, undamped);
+  if (status) p.rates = undamped.rates;
+  return status;
 }
 
 std::vector<double> equilibria_row(int index, const mechanics::CriticalPoint& p,
-                                   const std::vector<scene::Column>& coordinates, const systems::Scales& scales) {
+                                   const std::vector<scene::Column>& columns, const systems::Scales& scales) {
   std::vector<double> row{static_cast<double>(index)};
-  for (Eigen::Index i = 0; i < p.q.size(); ++i) row.push_back(p.q[i] * scales(coordinates[i].unit));
-  row.push_back(p.V * scales("mass*length^2/time^2"));
+  row.insert(row.end(), p.q.begin(), p.q.end());
+  row.push_back(p.V);
   for (const int count : {p.morse_index, p.nullity, p.n_unstable, p.n_stable}) row.push_back(count);
-  for (const double curvature : p.hessian_eigenvalues) row.push_back(curvature * scales("1/time^2"));
-  for (const auto& rate : p.rates)
-    for (const double part : {rate.real(), rate.imag()}) row.push_back(part * scales("1/time"));
+  row.insert(row.end(), p.hessian_eigenvalues.begin(), p.hessian_eigenvalues.end());
+  for (const auto& rate : p.rates) row.insert(row.end(), {rate.real(), rate.imag()});
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
   return row;
 }
 
 }  // namespace
 
+std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes) {
+  std::vector<scene::Column> columns{{"index", "", "number of the point, by rising potential; its coordinates follow"}};
+  columns.insert(columns.end(), coordinates.begin(), coordinates.end());
+  columns.insert(
+      columns.end(),
+      {{"potential", "mass*length^2/time^2", "potential energy"},
+       {"morse_index", "", "number of directions in which the potential falls"},
+       {"nullity", "", "number of directions in which it is level to second order, those of symmetries among them"},
+       {"n_unstable", "",
+        "dimension of the unstable manifold under the system's own dissipation or, where it has none, under the force "
+        "-(momentum)/(the scene's unit of time)"},
+       {"n_stable", "", "dimension of the stable manifold, likewise"}});
+  for (int k = 1; k <= n_modes; ++k)
+    columns.push_back({fmt::format("hessian_{}", k), "1/time^2",
+                       k > 1 ? "as for hessian_1"
+                             : "least eigenvalue of the potential's second derivative in the metric of the kinetic "
+                               "energy, the square of a frequency; every degree of freedom k has its hessian_k"});
+  for (int k = 1; k <= 2 * n_modes; ++k) {
+    columns.push_back({fmt::format("rate_{}_re", k), "1/time",
+                       k > 1 ? "as for rate_1_re"
+                             : "real part of a rate z: small motions of the system itself go like exp(z t), where it "
+                               "has no dissipation with z^2 = -hessian_k; every degree of freedom has two rates"});
+    columns.push_back(
+        {fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "imaginary part of that rate"});
+  }
+  return columns;
+}
+
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context) {
   mechanics::CriticalPointSearch search{.radius = 2};
-  if (!dissipative)
-    search.added_damping = [&](const Eigen::VectorXd& q) {
-      Eigen::MatrixXd M;
-      landscape.mass(q, M);
-      return M;
-    };
+  if (!dissipative) search.added_damping = [&](const Eigen::VectorXd& q) { return unit_damping(landscape, q); };
   mechanics::CriticalPoints found;
   ModelOutcome outcome;
-  if (mechanics::Status status = mechanics::find_critical_points(landscape, search, found); !status) {
+  mechanics::Status status = mechanics::find_critical_points(landscape, search, found);
+  for (mechanics::CriticalPoint& point : found.points)
+    if (status && !dissipative) status = find_own_rates(landscape, point);
+  if (!status) {
     outcome.state = ModelOutcome::State::failed;
     outcome.message = "the search for critical points failed: " + status.reason();
     return outcome;
   }
   const int n_modes = found.points.empty() ? 0 : static_cast<int>(found.points.front().hessian_eigenvalues.size());
-  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), equilibria_columns(coordinates, n_modes));
+  const std::vector<scene::Column> columns = equilibria_columns(coordinates, n_modes);
+  std::vector<std::string> names;
+  for (const scene::Column& column : columns) names.push_back(column.name);
+  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
   int index = 0;
   for (const mechanics::CriticalPoint& point : found.points)
-    csv.append(equilibria_row(++index, point, coordinates, scales));
+    csv.append(equilibria_row(++index, point, columns, scales));
   csv.flush();
   context.log->info("{} critical points from {} of {} starts", found.points.size(), found.n_converged, found.n_starts);
   for (const mechanics::CriticalPoint& p : found.points)

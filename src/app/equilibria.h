@@ -1,10 +1,8 @@
 #pragma once
 /// Analysis = equilibrium: the critical points of a system's potential (mechanics/critical_points.h) as equilibria.csv.
 ///
-/// One row a point, by rising potential: index, the configuration, potential, morse_index, nullity, n_unstable,
-/// n_stable, the eigenvalues hessian_k of the potential's second derivative in the metric (squares of frequencies), and
-/// the rates of the linearised dissipative field, rate_k = rate_k_re + i rate_k_im. A system without dissipation of its
-/// own gets the force −M v / (unit of time), so that 5.8.3 speaks of it.
+/// One row a point, by rising potential, with the rates of the system as it is. For the counts n_unstable and n_stable
+/// a system without dissipation of its own gets the force −M v / (unit of time), so that 5.8.3 speaks of it.
 
 #include <vector>
 
@@ -13,6 +11,9 @@
 #include "systems/system_scene.h"
 
 namespace pseudorigid::app {
+
+/// The columns for a system with these coordinates and n_modes degrees of freedom.
+std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
 /// Finds and writes them; `coordinates` name the configuration, `scales` are those of the landscape.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,

@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 #include "mechanics/landscape.h"
 
@@ -36,7 +37,7 @@ namespace detail {
 inline constexpr double zero_curvature = 1e-8;
 /// And below this, the round-off of terms of order 1 that cancel: no force at all leaves 1e-170 behind.
 inline constexpr double round_off_curvature = 1e-14;
-/// A zero of H splits into rates of the size of the square root of its error where there is no damping.
+/// A zero of H splits into rates of the size of the square root of its error where there is little damping.
 inline constexpr double zero_rate = 1e-6;
 
 /// T: a basis of ker G with TᵀMT = Id.
@@ -49,6 +50,21 @@ inline Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::Matr
     Z = (qr.householderQ() * Z).rightCols(M.rows() - qr.rank()).eval();
   }
   return factor.matrixU().solve(Z);
+}
+
+/// Without damping: z² = −κ for each eigenvalue κ of H, 0 where that counts as zero.
+inline void linearise_undamped(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& H, double zero,
+                               const Eigen::MatrixXd& T, CriticalPoint& p) {
+  const Eigen::Index n = H.eigenvalues().size();
+  p.rates.resize(2 * n);
+  p.directions.resize(T.rows(), 2 * n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double kappa = H.eigenvalues()[k], size = std::abs(kappa) <= zero ? 0 : std::sqrt(std::abs(kappa));
+    const std::complex<double> z = kappa < 0 ? std::complex(size, 0.0) : std::complex(0.0, size);
+    p.rates.segment<2>(2 * k) << z, -z;
+    p.directions.middleCols<2>(2 * k) = (T * H.eigenvectors().col(k)).replicate<1, 2>();
+  }
+  p.n_unstable = p.n_stable = p.morse_index;
 }
 
 /// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
@@ -83,12 +99,16 @@ Status describe_critical_point(const L& landscape, const Eigen::VectorXd& q, con
   p.q = q;
   p.lambda = lambda;
   p.V = landscape.potential(q);
-  p.hessian_eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(H, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(H);
+  p.hessian_eigenvalues = spectrum.eigenvalues();
   const double largest = p.hessian_eigenvalues.size() > 0 ? p.hessian_eigenvalues.cwiseAbs().maxCoeff() : 0;
   const double zero = std::max(detail::zero_curvature * largest, detail::round_off_curvature);
   p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
   p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
-  detail::linearise(H, D, T, p);
+  if (D.isZero(0))
+    detail::linearise_undamped(spectrum, zero, T, p);
+  else
+    detail::linearise(H, D, T, p);
   return {};
 }
 

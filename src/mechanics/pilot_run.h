@@ -28,7 +28,8 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and chaos.
+/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
+/// chaos.
 inline constexpr double asymptotic_difference = 0.1;
 /// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
 inline constexpr long max_pilot_forces = 4'000'000;

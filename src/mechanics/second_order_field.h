@@ -29,10 +29,10 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
 
 /// A field with invariant manifold: `project` brings a state that has left it by a little back, position and velocity.
 template <class F>
-concept ProjectedField =
-    SecondOrderField<F> && requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
-      { field.project(q, v, w) } -> std::same_as<Status>;
-    };
+concept ProjectedField = SecondOrderField<F> &&
+    requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
+  { field.project(q, v, w) } -> std::same_as<Status>;
+};
 
 /// What a method may rely on. A system says so by members of these names; what it does not say is false.
 template <class S>

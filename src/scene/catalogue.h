@@ -92,6 +92,8 @@ struct Catalogue {
   std::vector<SystemDescription> systems;
   /// Why a method cannot run the ball of a scene, if it cannot.
   std::function<std::optional<Refusal>(const Scene&)> refuses_ball{};
+  /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
+  std::vector<Column> equilibria{};
 
   /// Null for the ball.
   const SystemDescription* system(std::string_view name) const {

@@ -86,7 +86,9 @@ void visit_problem(S& scene, Visit& visit) {
   visit(scene.analysis, analysis_kind,
         About{"Analysis", "",
               "What to compute: the motion that follows from the initial state, or the critical points of the "
-              "potential with their Morse indices and rates (equilibria.csv; not offered for the ball)."});
+              "potential (equilibria.csv; not offered for the ball) with their Morse indices, the rates of the "
+              "system's small motions, and the dimensions of stable and unstable manifolds, counted with the system's "
+              "own dissipation or, where it has none, with a unit friction."});
 }
 
 template <SceneOrConst S, class Visit>

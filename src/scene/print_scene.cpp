@@ -101,15 +101,22 @@ std::string methods_table(const Catalogue& catalogue) {
   return text;
 }
 
+std::string columns_table(std::string_view file, const std::string& introduction, const std::vector<Column>& columns) {
+  std::string text = fmt::format("\n## Columns of {}.csv\n\n{}\n\n", file, introduction);
+  text += "| Column | Unit | Meaning |\n|---|---|---|\n";
+  for (const Column& column : columns)
+    text += fmt::format("| `{}` | {} | {} |\n", column.name, cell(column.unit), cell(column.documentation));
+  return text;
+}
+
 std::string columns_tables(const Catalogue& catalogue) {
   std::string text;
-  for (const SystemDescription& system : catalogue.systems) {
+  for (const SystemDescription& system : catalogue.systems)
     text +=
-        fmt::format("\n## Columns of {}.csv\n\n{} The first column is `time`.\n\n", system.file, system.documentation);
-    text += "| Column | Unit | Meaning |\n|---|---|---|\n";
-    for (const Column& column : system.columns)
-      text += fmt::format("| `{}` | {} | {} |\n", column.name, cell(column.unit), cell(column.documentation));
-  }
+        columns_table(system.file, fmt::format("{} The first column is `time`.", system.documentation), system.columns);
+  if (!catalogue.equilibria.empty())
+    text += columns_table("equilibria", "The critical points of the potential (Analysis = equilibrium), a row each.",
+                          catalogue.equilibria);
   return text;
 }
 

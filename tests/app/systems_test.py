@@ -215,8 +215,26 @@ class SystemEquilibria(SystemTest):
                 for curvature, root in zip(curvatures, (-1, 1)):
                     self.assertAlmostEqual(curvature, (2 + root * math.sqrt(2)) * 9.81, delta=1e-6)
                 self.assertTrue(all(sign * table.column(f"hessian_{k}")[row] > 0 for k in (1, 2)))
+            # Rates are those of the pendulum itself, without friction.
+            rates = sorted(table.column(f"rate_{k}_im")[0] for k in (1, 2, 3, 4))
+            slow, fast = (math.sqrt((2 + root * math.sqrt(2)) * 9.81) for root in (-1, 1))
+            for rate, expected in zip(rates, (-fast, -slow, slow, fast)):
+                self.assertAlmostEqual(rate, expected, delta=1e-7)
+            for k in (1, 2, 3, 4):
+                self.assertEqual(table.column(f"rate_{k}_re")[0], 0)
+                self.assertEqual(table.column(f"rate_{k}_im")[3], 0)
         self.assertEqual([[round(math.cos(x)) for x in (row[1], row[2])] for row in table.rows],
                          [[1, 1], [1, -1], [-1, 1], [-1, -1]])
+
+    def test_documented_columns(self):
+        documented = [name for name, _ in self.documented_columns("equilibria")][1:]  # there is no time
+        for scene in ("double_pendulum", "torus", "heavy_top"):
+            header = self.equilibria(scene).header
+            known = [name for name in documented if name in header]
+            self.assertEqual(known, documented)
+            others = [name for name in header if name not in known]
+            self.assertTrue(all(re.fullmatch(r"(hessian_\d|rate_\d_re|rate_\d_im|theta|phi|[xy][12]|w|u|R\d\d)", name)
+                                for name in others), others)
 
     def test_torus(self):
         table = self.equilibria("torus")
@@ -265,7 +283,7 @@ class SystemEquilibria(SystemTest):
         del entries["Output/Directory"]
         scaled = self.equilibria(self.scaled_entries(entries, {"length": length, "mass": mass, "time": time}, {}))
         for name, factor in (("potential", mass * length**2 / time**2), ("y1", length), ("hessian_1", 1 / time**2),
-                             ("rate_1_re", 1 / time)):
+                             ("rate_1_im", 1 / time)):
             for a, b in zip(reference.column(name), scaled.column(name), strict=True):
                 self.assertAlmostEqual(b / factor, a, delta=1e-9 * abs(a), msg=name)
 
