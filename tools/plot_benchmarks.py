@@ -108,7 +108,7 @@ def draw_work_precision(problem, methods, output, image_format):
             label=method,
         )
     axes.set_xlabel("processor time of the run (ms)")
-    axes.set_ylabel("greatest error of the state over 100 samples (units of the problem)")
+    axes.set_ylabel("greatest error of positions and velocities")
     axes.set_title(TITLES.get(problem, problem) + ", T = 100", loc="left", fontsize=13)
     axes.set_ylim(1e-14, 1e-2)
     finish(axes)
