@@ -217,7 +217,8 @@ class ModelRun {
     const RunPosition old = position_;
     if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
     if (old.steps_in_interval == 0 && state_.t == times_[old.cursor.sample]) {
-      good_.memory.clear();
+      // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
+      if (position_.method != old.method) good_.memory.clear();
       return {};
     }
     next_stepping_ = {position_.method, position_.step, position_.local_tolerance,
