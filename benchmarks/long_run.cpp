@@ -116,7 +116,7 @@ int main(int argc, char** argv) {
   const auto form = sl3_form();
   std::ofstream file(output);
   file << "method,time,energy_error,J_error,Z_error,det_error\n";
-  run<mechanics::Rattle8>(form, end, 32, file);
+  run<mechanics::Rattle8>(form, end, 28, file);
   run<mechanics::Symmetric8>(form, end, 128, file);
   run<mechanics::Symmetric12>(form, end, 80, file);
   run<mechanics::EnergyMomentum>(form, end, 20, file);
