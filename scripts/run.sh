@@ -14,11 +14,16 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-# may_need_continuum SCENE: false only if the text says `set Models = reduced` and nothing can overrule it.
+# entry NAME SCENE: the value of an entry outside subsections, if the text sets it.
+entry() { sed -nE "s/^[[:space:]]*set[[:space:]]+$1[[:space:]]*=[[:space:]]*([^#]*[^#[:space:]]).*/\\1/p" "$2"; }
+
+# may_need_continuum SCENE: false only if the text says `set Models = reduced` or sets another System than the ball, and
+# nothing can overrule it.
 may_need_continuum() {
-  local models
-  models=$(sed -nE 's/^[[:space:]]*set[[:space:]]+Models[[:space:]]*=[[:space:]]*([^#]*[^#[:space:]]).*/\1/p' "$1")
-  [[ $models != reduced || ${options[*]} == *Models* ]] || grep -qiE '^[[:space:]]*include' "$1"
+  local system
+  if [[ ${options[*]} == *Models* || ${options[*]} == *System* ]] || grep -qiE '^[[:space:]]*include' "$1"; then return 0; fi
+  system=$(entry System "$1")
+  [[ ${system:-ball} == ball && $(entry Models "$1") != reduced ]]
 }
 
 scenes=()
