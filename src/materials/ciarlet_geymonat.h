@@ -3,7 +3,10 @@
 /// per unit reference volume, I = |F|², III = J², J = det F:
 ///
 ///   W = (λ/4)(III − 1 − ln III) + (μ/2)(I − 3 − ln III)
-///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ
+///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
+///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
+///
+/// The book prints λ/2 for λ/4, that is this law with 2λ: `ciarlet-geymonat (as printed)` of the table.
 ///
 /// The neo-Hookean law of this program on GL⁺(3) is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
 /// (λ/4)(III − 1 − ln III). On SL(3) it has no bulk term: λ = 0. Both are stress-free at F = Id.
@@ -12,6 +15,7 @@
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
 #include "materials/scalar.h"
+#include "materials/strain.h"
 #include "materials/tensor.h"
 
 namespace pseudorigid::materials {
@@ -22,11 +26,9 @@ struct CiarletGeymonat {
   /// W(F); F must have J > 0.
   template <class T>
   T energy(const Tensor<T>& F) const {
-    Tensor<T> H = F;
-    for (int i = 0; i < 3; ++i) H(i, i) = H(i, i) - 1.0;
-    const Tensor<T> cof = cofactor(H);
-    const T second_and_det = cof(0, 0) + cof(1, 1) + cof(2, 2) + determinant(H, cof);
-    const T delta = H(0, 0) + H(1, 1) + H(2, 2) + second_and_det;
+    const Tensor<T> H = displacement_gradient(F), cof = cofactor(H);
+    const T second_and_det = trace(cof) + determinant(H, cof);
+    const T delta = trace(H) + second_and_det;
     const T excess = x_minus_log1p(delta);  // (J² − 1 − ln J²) / 2 = excess + δ²/2
     return 0.5 * mu * (dot(H, H) - 2.0 * second_and_det + 2.0 * excess) +
            0.25 * lambda * (2.0 * excess + delta * delta);
@@ -39,6 +41,17 @@ struct CiarletGeymonat {
     const T J = determinant(F, cof);
     const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
     return entrywise([&](const T& f, const T& c) { return mu * f + s * c; }, F, cof);
+  }
+
+  /// DP(F)[H].
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
+    const Tensor<T> cof = cofactor(F);
+    const T J = determinant(F, cof);
+    const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
+    const T s_rate = (0.5 * lambda * (J * J + 1.0) + mu) / (J * J) * dot(cof, H);
+    return entrywise([&](const T& h, const T& c, const T& c_rate) { return mu * h + s_rate * c + s * c_rate; }, H, cof,
+                     cofactor_derivative(F, H));
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The table name → law. A new law is one header (energy and stress of F) and one line here; both models instantiate
-/// their code for every alternative of AnyLaw.
+/// The table name → law. A new law is one header (energy, stress and tangent of F, over any scalar), its type in AnyLaw
+/// and one line of the table.
 
 #include <stdexcept>
 #include <string>
@@ -8,21 +8,62 @@
 #include <variant>
 
 #include "materials/ciarlet_geymonat.h"
+#include "materials/fluid.h"
+#include "materials/mooney_rivlin.h"
+#include "materials/saint_venant_kirchhoff.h"
+#include "materials/saint_venant_kirchhoff_as_printed.h"
 
 namespace pseudorigid::materials {
 
-using AnyLaw = std::variant<CiarletGeymonat>;
+using AnyLaw = std::variant<CiarletGeymonat, MooneyRivlin, SaintVenantKirchhoff, SaintVenantKirchhoffAsPrinted, Fluid>;
 
 struct LawParameters {
   double shear_modulus = 1, lame_lambda = 1;
   bool incompressible = true;
+  double mooney_fraction = 0.5;
+
+  /// On SL(3) the neo-Hookean and the Mooney–Rivlin law have no bulk term.
+  double bulk_lambda() const { return incompressible ? 0.0 : lame_lambda; }
 };
 
-/// The law of that name. On SL(3) the neo-Hookean law has no bulk term; Ciarlet–Geymonat keeps it, where it only shifts
-/// the multiplier. Throws std::invalid_argument for a name that is not in the table.
+struct NamedLaw {
+  std::string_view name;
+  AnyLaw (*make)(const LawParameters&);
+};
+
+/// Ciarlet–Geymonat's law keeps its bulk term on SL(3), where it only shifts the multiplier.
+inline constexpr NamedLaw law_table[] = {
+    {"neo-hookean",
+     [](const LawParameters& p) -> AnyLaw {
+       return CiarletGeymonat{p.shear_modulus, p.bulk_lambda()};
+     }},
+    {"mooney-rivlin",
+     [](const LawParameters& p) -> AnyLaw {
+       return MooneyRivlin{p.shear_modulus, p.bulk_lambda(), p.mooney_fraction};
+     }},
+    {"ciarlet-geymonat",
+     [](const LawParameters& p) -> AnyLaw {
+       return CiarletGeymonat{p.shear_modulus, p.lame_lambda};
+     }},
+    {"ciarlet-geymonat (as printed)",
+     [](const LawParameters& p) -> AnyLaw {
+       return CiarletGeymonat{p.shear_modulus, 2 * p.lame_lambda};
+     }},
+    {"saint-venant-kirchhoff",
+     [](const LawParameters& p) -> AnyLaw {
+       return SaintVenantKirchhoff{p.shear_modulus, p.lame_lambda};
+     }},
+    {"saint-venant-kirchhoff (as printed)",
+     [](const LawParameters& p) -> AnyLaw {
+       return SaintVenantKirchhoffAsPrinted{p.shear_modulus, p.lame_lambda};
+     }},
+    {"none", [](const LawParameters&) -> AnyLaw { return Fluid{}; }},
+};
+
+/// The law of that name. Throws std::invalid_argument for a name that is not in the table.
 inline AnyLaw make_law(std::string_view name, const LawParameters& p) {
-  if (name == "neo-hookean") return CiarletGeymonat{p.shear_modulus, p.incompressible ? 0.0 : p.lame_lambda};
-  if (name == "ciarlet-geymonat") return CiarletGeymonat{p.shear_modulus, p.lame_lambda};
+  for (const NamedLaw& law : law_table)
+    if (law.name == name) return law.make(p);
   throw std::invalid_argument("no material law is called " + std::string(name));
 }
 

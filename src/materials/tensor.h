@@ -32,6 +32,17 @@ template <class T>
             F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0)}}};
 }
 
+/// d/ds cof(F + sH) at s = 0: the mixed minors of F and H.
+template <class T>
+[[gnu::always_inline]] inline Tensor<T> cofactor_derivative(const Tensor<T>& F, const Tensor<T>& H) {
+  const auto minor = [&](int i, int j, int k, int l) {
+    return (F(i, j) * H(k, l) + H(i, j) * F(k, l)) - (F(i, l) * H(k, j) + H(i, l) * F(k, j));
+  };
+  return {{{minor(1, 1, 2, 2), minor(1, 2, 2, 0), minor(1, 0, 2, 1)},
+           {minor(2, 1, 0, 2), minor(2, 2, 0, 0), minor(2, 0, 0, 1)},
+           {minor(0, 1, 1, 2), minor(0, 2, 1, 0), minor(0, 0, 1, 1)}}};
+}
+
 /// det F, given its cofactors.
 template <class T>
 [[gnu::always_inline]] inline T determinant(const Tensor<T>& F, const Tensor<T>& cof) {
@@ -49,6 +60,21 @@ template <class T>
   return (A(0, 0) * B(0, 0) + A(0, 1) * B(0, 1) + A(0, 2) * B(0, 2)) +
          ((A(1, 0) * B(1, 0) + A(1, 1) * B(1, 1) + A(1, 2) * B(1, 2)) +
           (A(2, 0) * B(2, 0) + A(2, 1) * B(2, 1) + A(2, 2) * B(2, 2)));
+}
+
+/// tr A
+template <class T>
+[[gnu::always_inline]] inline T trace(const Tensor<T>& A) {
+  return A(0, 0) + A(1, 1) + A(2, 2);
+}
+
+/// AB
+template <class T>
+[[gnu::always_inline]] inline Tensor<T> product(const Tensor<T>& A, const Tensor<T>& B) {
+  const auto entry = [&](int i, int j) { return A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j); };
+  return {{{entry(0, 0), entry(0, 1), entry(0, 2)},
+           {entry(1, 0), entry(1, 1), entry(1, 2)},
+           {entry(2, 0), entry(2, 1), entry(2, 2)}}};
 }
 
 /// AᵀB

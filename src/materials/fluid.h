@@ -1,0 +1,23 @@
+#pragma once
+/// No stored energy: W = 0, P = 0. With incompressibility an ideal fluid, Dirichlet's.
+
+#include "materials/tensor.h"
+
+namespace pseudorigid::materials {
+
+struct Fluid {
+  template <class T>
+  T energy(const Tensor<T>&) const {
+    return T(0.0);
+  }
+  template <class T>
+  Tensor<T> stress(const Tensor<T>& F) const {
+    return entrywise([](const T&) { return T(0.0); }, F);
+  }
+  template <class T>
+  Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>&) const {
+    return stress(F);
+  }
+};
+
+}  // namespace pseudorigid::materials

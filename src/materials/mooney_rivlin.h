@@ -1,0 +1,55 @@
+#pragma once
+/// Mooney–Rivlin law with the Mooney fraction b in [0, 1], per unit reference volume; I = |F|², II = |cof F|²,
+/// III = J², D = FᵀF − Id, d = tr D:
+///
+///   W = (μ/2)[(1 − b)(I − 3) + b(II − 3)] − μ(1 + b) ln J + (λ/4)(III − 1 − ln III)
+///
+/// Since I − 3 = d and II − 3 = 2d + ½(d² − |D|²), this is Ciarlet–Geymonat's law with (1 + b)μ and a term of second
+/// order in the strain:
+///
+///   W = W_CG((1 + b)μ, λ) + (bμ/4)(d² − |D|²)
+///   P = P_CG + bμ(d F − F D)
+///   DP(F)[H] = DP_CG(F)[H] + bμ(ḋ F + d H − H D − F Ḋ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
+///
+/// Stress-free at Id. The shear modulus there is μ, and the first Lamé modulus λ + 2bμ: the term in II resists changes
+/// of volume too. On SL(3) the bulk term is a constant and left out, λ = 0. b = 0 is the neo-Hookean law.
+
+#include "materials/ciarlet_geymonat.h"
+
+namespace pseudorigid::materials {
+
+struct MooneyRivlin {
+  double mu, lambda, b;
+
+  /// W(F); F must have J > 0.
+  template <class T>
+  T energy(const Tensor<T>& F) const {
+    const Tensor<T> D = strain(F);
+    const T d = trace(D);
+    return first_part().energy(F) + 0.25 * b * mu * (d * d - dot(D, D));
+  }
+
+  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
+    const Tensor<T> D = strain(F);
+    const T d = trace(D);
+    return entrywise([&](const T& p, const T& f, const T& fd) { return p + b * mu * (d * f - fd); },
+                     first_part().stress(F), F, product(F, D));
+  }
+
+  /// DP(F)[H].
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
+    const Tensor<T> D = strain(F), D_rate = strain_rate(F, H);
+    const T d = trace(D), d_rate = trace(D_rate);
+    return entrywise([&](const T& p, const T& f, const T& h, const T& hd,
+                         const T& fd) { return p + b * mu * ((d_rate * f + d * h) - (hd + fd)); },
+                     first_part().tangent(F, H), F, H, product(H, D), product(F, D_rate));
+  }
+
+ private:
+  CiarletGeymonat first_part() const { return {(1 + b) * mu, lambda}; }
+};
+
+}  // namespace pseudorigid::materials

@@ -1,0 +1,38 @@
+#pragma once
+/// The Saint Venant–Kirchhoff law as Oliva 5.7.9(3) prints it, d = I − 3 = tr(FᵀF − Id):
+///
+///   W = (λ/2) d² + μ d
+///   P = ∂W/∂F = 2(λd + μ) F
+///   DP(F)[H] = 2(λd + μ) H + 4λ(F:H) F
+///
+/// It is not the law of that name (saint_venant_kirchhoff.h): Id is under the stress 2μ Id. On SL(3) that stress is a
+/// pressure, which the constraint carries, and the shear modulus at rest is 2μ; on GL⁺(3) the body contracts by itself.
+
+#include "materials/strain.h"
+
+namespace pseudorigid::materials {
+
+struct SaintVenantKirchhoffAsPrinted {
+  double mu, lambda;
+
+  template <class T>
+  T energy(const Tensor<T>& F) const {
+    const T d = trace_of_strain(F);
+    return (0.5 * lambda * d + mu) * d;
+  }
+
+  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
+    return (2.0 * (lambda * trace_of_strain(F) + mu)) * F;
+  }
+
+  /// DP(F)[H].
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
+    const T s = 2.0 * (lambda * trace_of_strain(F) + mu), s_rate = 4.0 * lambda * dot(F, H);
+    return entrywise([&](const T& h, const T& f) { return s * h + s_rate * f; }, H, F);
+  }
+};
+
+}  // namespace pseudorigid::materials
