@@ -1,0 +1,64 @@
+#pragma once
+/// Self-gravity of the homogeneous ellipsoid F B (PHYSICS section 2, 8; Carlson's form of Chandrasekhar's integrals):
+/// with F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, d_i = R_D(x_j, x_k, x_i) and t_k of ellipsoid_integrals.h
+///
+///   V = −k R_F(x_1, x_2, x_3) = −(k/3) Σ x_i d_i,      ∂V/∂F = (k/3) U diag(d) A = (k/3) U diag(d) Uᵀ F,
+///
+/// and along Ḟ = H, with ĥ = UᵀH and ċ = ĥAᵀ + Aĥᵀ the derivative of C = FFᵀ in the frame of the axes,
+///
+///   D(∂V/∂F)[H] = (k/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
+///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; not less than ⅓ d_i, so nothing cancels).
+///
+/// Nothing is divided by differences of the axes: they may coincide. V is homogeneous of degree −1, and all is
+/// evaluated for 2⁻ᵉF with entries of order 1, so that no square overflows.
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "reduced/ellipsoid_integrals.h"
+#include "reduced/principal_axes.h"
+
+namespace pseudorigid::reduced {
+
+struct SelfGravity {
+  double strength;  ///< k = (3/5) G M²
+
+  double energy(const Eigen::Matrix3d& F) const {
+    const double scale = unit_scale(F);
+    const auto axes = principal_axes(scale * F);
+    return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals(axes.a).d);
+  }
+
+  Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
+    const double scale = unit_scale(F);
+    const auto axes = principal_axes(scale * F);
+    const Eigen::Vector3d d = ellipsoid_integrals(axes.a).d;
+    return scale * (strength / 3 * scale * axes.U * (d.asDiagonal() * axes.A));
+  }
+
+  Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {
+    const double scale = unit_scale(F);
+    const auto [U, A, a] = principal_axes(scale * F);
+    const auto [d, t] = ellipsoid_integrals(a);
+    const Eigen::Matrix3d h = U.transpose() * (scale * H), half = h * A.transpose(), c = half + half.transpose();
+    const Eigen::Vector3d x = a.cwiseAbs2();
+    Eigen::Matrix3d g;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3, k = (i + 2) % 3;
+      const double t_ii = (d[i] - (x[j] * t[k] + x[k] * t[j]) / 3) / x[i];
+      g(i, i) = -(1.5 * t_ii * c(i, i) + 0.5 * (t[k] * c(j, j) + t[j] * c(k, k)));
+      g(i, j) = g(j, i) = -t[k] * c(i, j);
+    }
+    return scale * (strength / 3 * scale * U * (g * A + d.asDiagonal() * h));
+  }
+
+ private:
+  /// The power of two that brings the largest entry of F to [½, 1); exact
+  static double unit_scale(const Eigen::Matrix3d& F) {
+    int exponent = 0;
+    std::frexp(F.cwiseAbs().maxCoeff(), &exponent);
+    return std::ldexp(1.0, -exponent);
+  }
+};
+
+}  // namespace pseudorigid::reduced
