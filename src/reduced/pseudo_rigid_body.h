@@ -1,7 +1,7 @@
 #pragma once
 /// The pseudo-rigid body (Dirichlet–Riemann; Oliva 5.7): x = Q X, Q ∈ SL(3) or GL⁺(3),
 ///
-///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q),
+///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or with gravity and loads that of potential.h,
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
 /// On SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²), so that
@@ -10,29 +10,22 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "materials/eigen_tensor.h"
 #include "materials/scalar.h"
 #include "mechanics/body_observables.h"
 #include "mechanics/conservative_system.h"
+#include "reduced/potential.h"
+#include "reduced/reference_body.h"
 
 namespace pseudorigid::reduced {
 
-/// Inertia and volume of the reference body. A ball of radius r and density ρ has E₀ = (4/15)πρr⁵ Id (5.7.2).
-struct ReferenceBody {
-  Eigen::Matrix3d E0;
-  double volume;
-
-  /// The ball of the internal units: r = ρ = 1.
-  static ReferenceBody unit_ball() {
-    return {4.0 / 15.0 * std::numbers::pi * Eigen::Matrix3d::Identity(), 4.0 / 3.0 * std::numbers::pi};
-  }
-};
-
-template <class Law, bool incompressible>
+/// `EnergyDensity` is V per reference volume, energy(Q) with its derivative stress(Q): a material law, where stored
+/// energy is all there is, or reduced::Potential.
+template <class EnergyDensity, bool incompressible>
 class PseudoRigidBody {
  public:
   using Vector = Eigen::Matrix3d;
@@ -40,8 +33,9 @@ class PseudoRigidBody {
   struct Workspace {};
   static constexpr int n_constraints = incompressible ? 1 : 0;
 
-  PseudoRigidBody(Law law, const ReferenceBody& body)
-      : law_(law),
+  PseudoRigidBody(EnergyDensity density, const ReferenceBody& body)
+      : density_(std::move(density)),
+        reference_(body),
         volume_(body.volume),
         E0_(body.E0),
         E0_inverse_(body.E0.inverse()),
@@ -63,7 +57,7 @@ class PseudoRigidBody {
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
     if (const double J = materials::determinant(q); !admissible(J)) return inadmissible(J);
-    materials::to_matrix(-volume_ * law_.stress(q), f);
+    materials::to_matrix(-volume_ * density_.stress(q), f);
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
@@ -126,12 +120,18 @@ class PseudoRigidBody {
   Workspace make_workspace() const { return {}; }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * (v * E0_ * v.transpose()).trace(); }
-  double elastic_energy(const Vector& Q) const { return volume_ * law_.energy(materials::to_tensor(Q)); }
-  double potential_energy(const Vector& Q) const { return elastic_energy(Q); }
+  PotentialEnergies potential_energies(const Vector& Q) const {
+    if constexpr (has_parts)
+      return density_.energies(Q);
+    else
+      return {.elastic = volume_ * density_.energy(materials::to_tensor(Q))};
+  }
+  double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
   /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which
-  /// is a symmetry if E₀ ∝ Id and the law is isotropic.
-  int n_symmetries() const { return isotropic_ ? 6 : 3; }
+  /// is a symmetry if E₀ ∝ Id and the law is isotropic. A quadratic external potential leaves the turns of space that
+  /// leave it unchanged, of which methods need not know.
+  int n_symmetries() const { return has_external_potential() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
     if (i < 3) {
@@ -143,18 +143,35 @@ class PseudoRigidBody {
     }
   }
 
-  const Law& law() const { return law_; }
+  const EnergyDensity& energy_density() const { return density_; }
+  const ReferenceBody& reference() const { return reference_; }
   double m_bar() const { return m_bar_; }
   const Eigen::Matrix3d& E0() const { return E0_; }
 
   /// Cauchy stress of the homogeneous state, σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q; λ is the multiplier per m̄.
   Eigen::Matrix3d cauchy_stress(const Vector& Q, double lambda) const {
-    const Eigen::Matrix3d P = materials::to_matrix(law_.stress(materials::to_tensor(Q)));
+    Eigen::Matrix3d P;
+    if constexpr (has_parts)
+      P = density_.material_stress(Q);
+    else
+      P = materials::to_matrix(density_.stress(materials::to_tensor(Q)));
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
+  /// As one of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇) and what
+  /// dissipation has taken.
+  const PseudoRigidBody& body() const { return *this; }
+  const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }
+  double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
+
  private:
   using Tensor = materials::Tensor<double>;
+  static constexpr bool has_parts = requires(const EnergyDensity density, Eigen::Matrix3d Q) { density.energies(Q); };
+
+  bool has_external_potential() const {
+    if constexpr (has_parts) return density_.has_external();
+    return false;
+  }
 
   /// scaled_by_inertia(s, X) = s X E₀⁻¹
   template <class ScaledByInertia>
@@ -162,7 +179,7 @@ class PseudoRigidBody {
                                ScaledByInertia scaled_by_inertia) const {
     const Tensor q = materials::to_tensor(Q), C = materials::cofactor(q);
     const double J = materials::determinant(q, C);
-    const Tensor A = scaled_by_inertia(volume_, law_.stress(q));
+    const Tensor A = scaled_by_inertia(volume_, density_.stress(q));
     if constexpr (incompressible) {
       const Tensor B = scaled_by_inertia(1, C);
       const double curvature = materials::trace_of_square(materials::transposed_product(C, materials::to_tensor(Qdot)));
@@ -187,7 +204,8 @@ class PseudoRigidBody {
     return mechanics::Status::failure("the acceleration of the body is not finite");
   }
 
-  Law law_;
+  EnergyDensity density_;
+  ReferenceBody reference_;
   double volume_;
   Eigen::Matrix3d E0_, E0_inverse_;
   double m_bar_, inverse_m_bar_;

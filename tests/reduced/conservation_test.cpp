@@ -67,7 +67,7 @@ TYPED_TEST(Conservation, EnergyErrorIsBoundedAndDoesNotDrift) {
   ASSERT_TRUE(r.finished());
   double early = 0, late = 0;
   for (std::size_t k = 0; k < r.states.size(); ++k) {
-    const double error = std::abs(body.kinetic_energy(r.states[k].v) + body.elastic_energy(r.states[k].q) - E0);
+    const double error = std::abs(body.kinetic_energy(r.states[k].v) + body.potential_energy(r.states[k].q) - E0);
     double& largest = k < r.states.size() / 4 ? early : late;
     largest = std::max(largest, error);
   }

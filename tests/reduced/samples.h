@@ -104,7 +104,7 @@ auto invariants(const Matrix& C) {
 template <class Body>
 auto potential_per_m_bar(const Body& body) {
   const double factor = reduced::ReferenceBody::unit_ball().volume / body.m_bar();
-  return [law = body.law(), factor](const Eigen::Matrix3cd& Q) {
+  return [law = body.energy_density(), factor](const Eigen::Matrix3cd& Q) {
     materials::Tensor<std::complex<double>> F;
     for (int k = 0; k < 9; ++k) F(k / 3, k % 3) = Q(k / 3, k % 3);
     return factor * law.energy(F);

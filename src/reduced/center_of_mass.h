@@ -1,0 +1,44 @@
+#pragma once
+/// The centre of mass under the loads that the pseudo-rigid body knows: uniform acceleration b, the quadratic potential
+/// ½ xᵀTx per mass and linear drag c. Its law is linear and separate from that of Q,
+///
+///   ẍ = b − T x − c ẋ,
+///
+/// so x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1).
+
+#include <Eigen/Dense>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace pseudorigid::reduced {
+
+struct CenterOfMass {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< at time 0
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
+  double drag = 0;                                                                         ///< c
+
+  struct Motion {
+    Eigen::Vector3d x, v;
+  };
+
+  /// Not finite where an unstable T has carried it beyond all numbers.
+  Motion at(double t) const {
+    if (quadratic.isZero(0) && drag == 0)
+      return {position + t * (velocity + t / 2 * acceleration), velocity + t * acceleration};
+    Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();
+    A.block<3, 3>(0, 3).setIdentity();
+    A.block<3, 3>(3, 0) = -quadratic;
+    A.block<3, 3>(3, 3) = -drag * Eigen::Matrix3d::Identity();
+    A.block<3, 1>(3, 6) = acceleration;
+    Eigen::Matrix<double, 7, 1> start;
+    start << position, velocity, 1;
+    const Eigen::Matrix<double, 7, 1> now = (t * A).exp() * start;
+    return {now.head<3>(), now.segment<3>(3)};
+  }
+
+  /// Energies per mass.
+  static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
+  double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
+};
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,95 @@
+#pragma once
+/// The pseudo-rigid body that neither turns nor circulates: where Q₀, Q̇₀, E₀ and the loads are diagonal, Q = diag(a)
+/// for all times, and (5.120) is
+///
+///   e_i ä_i = −∂V/∂a_i + Λ/a_i,   ln a₁a₂a₃ = 0,   E₀ = diag(e),
+///
+///   Λ = [Σ (ȧ_i/a_i)² + Σ ∂V/∂a_i /(a_i e_i)] / Σ 1/(a_i² e_i).
+///
+/// Three numbers instead of nine, and self-gravity has its axes without an eigenvalue problem.
+
+#include <cmath>
+
+#include "mechanics/conservative_system.h"
+#include "reduced/pseudo_rigid_body.h"
+
+namespace pseudorigid::reduced {
+
+template <class Body>
+class DiagonalBody {
+ public:
+  using Vector = Eigen::Vector3d;
+  using Multiplier = typename Body::Multiplier;
+  using Workspace = typename Body::Workspace;
+  static constexpr int n_constraints = Body::n_constraints;
+
+  explicit DiagonalBody(Body body) : body_(std::move(body)), e_(body_.E0().diagonal()) {}
+
+  /// Whether this motion is one of these.
+  static bool holds(const Body& body, const mechanics::VectorState<Eigen::Matrix3d>& start) {
+    Eigen::Matrix3d V = Eigen::Matrix3d::Zero();
+    typename Body::Workspace w;
+    return start.q.isDiagonal(0) && start.v.isDiagonal(0) && body.E0().isDiagonal(0) &&
+           body.force(start.t, start.q, start.v, w, V) && V.isDiagonal(0);
+  }
+
+  mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
+    Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+    if (mechanics::Status status = body_.force(t, a.asDiagonal(), adot.asDiagonal(), w, F); !status) return status;
+    f = F.diagonal();
+    return {};
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f.cwiseQuotient(e_); }
+  void apply_mass(const Vector& v, Vector& f) const { f = v.cwiseProduct(e_); }
+
+  mechanics::Status constraint(const Vector& a, Multiplier& g) const {
+    return body_.constraint(Eigen::Matrix3d(a.asDiagonal()), g);
+  }
+  void constraint_rate(const Vector& a, const Vector& v, Multiplier& r) const {
+    if constexpr (n_constraints > 0) r = v.cwiseQuotient(a).sum();
+  }
+  void constraint_curvature(const Vector& a, const Vector& v, Multiplier& r) const {
+    if constexpr (n_constraints > 0) r = -v.cwiseQuotient(a).squaredNorm();
+  }
+  void add_reaction(const Vector& a, const Multiplier& lambda, Vector& f) const {
+    if constexpr (n_constraints > 0) f += lambda * a.cwiseInverse();
+  }
+  void add_reaction_rate(const Vector& a, const Vector& v, const Multiplier& lambda, Vector& f) const {
+    if constexpr (n_constraints > 0) f -= lambda * v.cwiseQuotient(a.cwiseAbs2());
+  }
+  mechanics::SolveReport solve_gram(const Vector& a1, const Vector& a0, const Multiplier& r, Workspace&,
+                                    Multiplier& lambda) const {
+    if constexpr (n_constraints > 0) lambda = r / (a1.cwiseProduct(a0).cwiseProduct(e_)).cwiseInverse().sum();
+    return {};
+  }
+  double constraint_tolerance() const { return body_.constraint_tolerance(); }
+
+  Vector make_vector() const { return Vector::Zero(); }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {}; }
+
+  double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
+  double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
+  /// Turns lead out of these motions; J = Z = 0.
+  int n_symmetries() const { return 0; }
+  void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {
+    da.setZero();
+    dv.setZero();
+  }
+
+  const Body& body() const { return body_; }
+  mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
+    return {state.t, state.q.asDiagonal(), state.v.asDiagonal()};
+  }
+  double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
+  /// The state of this form that begins with (Q, Q̇).
+  static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
+    return {motion.t, motion.q.diagonal(), motion.v.diagonal()};
+  }
+
+ private:
+  Body body_;
+  Eigen::Vector3d e_;
+};
+
+}  // namespace pseudorigid::reduced

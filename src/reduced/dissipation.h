@@ -1,0 +1,42 @@
+#pragma once
+/// Dissipative forces on the pseudo-rigid body, from Rayleigh's function R(Q, Q̇) (PHYSICS section 0; Oliva 5.8):
+///
+///   objective viscosity (Kelvin–Voigt, σ = 2ηd):  R = η Vol det Q tr d²,   d = sym(Q̇Q⁻¹)
+///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and keeps the angular momentum J
+///   linear drag (force density −cρẋ):             R = ½ c tr(Q̇ E₀ Q̇ᵀ)
+///       −∂R/∂Q̇ = −c Q̇ E₀;  it damps every motion, a rigid spin as well
+///
+/// Both take the energy 2R per unit of time.
+
+#include <Eigen/Dense>
+
+#include "reduced/reference_body.h"
+
+namespace pseudorigid::reduced {
+
+struct Dissipation {
+  double viscosity = 0;  ///< η
+  double drag = 0;       ///< c
+
+  bool present() const { return viscosity != 0 || drag != 0; }
+
+  /// f ← f − ∂R/∂Q̇; returns the power 2R.
+  double add_force(const ReferenceBody& body, const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot,
+                   Eigen::Matrix3d& f) const {
+    double power = 0;
+    if (viscosity != 0) {
+      const Eigen::Matrix3d inverse = Q.inverse(), L = Qdot * inverse, d = 0.5 * (L + L.transpose());
+      const double strength = 2 * viscosity * body.volume * Q.determinant();
+      f -= strength * d * inverse.transpose();
+      power += strength * d.squaredNorm();
+    }
+    if (drag != 0) {
+      const Eigen::Matrix3d momentum = Qdot * body.E0;
+      f -= drag * momentum;
+      power += drag * momentum.cwiseProduct(Qdot).sum();
+    }
+    return power;
+  }
+};
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,97 @@
+#pragma once
+/// The potential energy of the pseudo-rigid body, a sum of what the scene names (Oliva 5.7.8–5.7.9):
+///
+///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + ½ tr(T Q E₀ Qᵀ)
+///          stored      self-gravity          quadratic external potential ½ xᵀTx per mass (tide, centrifugal force)
+///
+/// with a_i the semi-axes of the ellipsoid Q B, the singular values of Q S, and k = (3/5) G M². Parts that the scene
+/// does not name cost nothing but a branch. A body asks for V per reference volume, as it asks a material law for W:
+///
+///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + T Q E₀]
+
+#include <Eigen/Dense>
+#include <optional>
+#include <variant>
+
+#include "materials/eigen_tensor.h"
+#include "materials/law_table.h"
+#include "reduced/reference_body.h"
+#include "reduced/self_gravity.h"
+
+namespace pseudorigid::reduced {
+
+/// The parts of the potential energy.
+struct PotentialEnergies {
+  double elastic = 0, gravitational = 0, external = 0;
+  double total() const { return elastic + gravitational + external; }
+};
+
+class Potential {
+  using Tensor = materials::Tensor<double>;
+
+ public:
+  /// `gravity_constant` is G, `quadratic` the symmetric matrix T; zero leaves either out.
+  Potential(const materials::AnyLaw& law, const ReferenceBody& body, double gravity_constant = 0,
+            const Eigen::Matrix3d& quadratic = Eigen::Matrix3d::Zero())
+      : law_(law), body_(body), spherical_(body.shape.isIdentity(0)) {
+    if (gravity_constant != 0) gravity_ = SelfGravity{0.6 * gravity_constant * body.mass * body.mass};
+    if (!quadratic.isZero(0)) quadratic_ = quadratic;
+  }
+
+  /// V and ∂V/∂Q per reference volume.
+  double energy(const Tensor& Q) const { return energies(materials::to_matrix(Q)).total() / body_.volume; }
+  Tensor stress(const Tensor& Q) const {
+    Tensor P = std::visit([&](const auto& law) { return law.stress(Q); }, law_);
+    if (gravity_ || quadratic_)
+      P = materials::entrywise([](double a, double b) { return a + b; }, P,
+                               materials::to_tensor(loads(materials::to_matrix(Q)) / body_.volume));
+    return P;
+  }
+
+  PotentialEnergies energies(const Eigen::Matrix3d& Q) const {
+    const Tensor q = materials::to_tensor(Q);
+    PotentialEnergies V{.elastic = body_.volume * std::visit([&](const auto& law) { return law.energy(q); }, law_)};
+    if (gravity_) V.gravitational = gravity_->energy(Q * body_.shape);
+    if (quadratic_) V.external = 0.5 * quadratic_->cwiseProduct(Q * body_.E0 * Q.transpose()).sum();
+    return V;
+  }
+
+  /// V, ∂V/∂Q and its derivative in the direction H.
+  double energy(const Eigen::Matrix3d& Q) const { return energies(Q).total(); }
+  Eigen::Matrix3d gradient(const Eigen::Matrix3d& Q) const {
+    return body_.volume * materials::to_matrix(stress(materials::to_tensor(Q)));
+  }
+  Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& H) const {
+    const Tensor q = materials::to_tensor(Q), h = materials::to_tensor(H);
+    Eigen::Matrix3d D =
+        body_.volume * materials::to_matrix(std::visit([&](const auto& law) { return law.tangent(q, h); }, law_));
+    if (gravity_) D += gravity_->second_derivative(Q * body_.shape, H * body_.shape) * body_.shape.transpose();
+    if (quadratic_) D += *quadratic_ * H * body_.E0;
+    return D;
+  }
+
+  bool has_external() const { return quadratic_.has_value(); }
+
+  /// First Piola–Kirchhoff stress of the material alone.
+  Eigen::Matrix3d material_stress(const Eigen::Matrix3d& Q) const {
+    return materials::to_matrix(std::visit([&](const auto& law) { return law.stress(materials::to_tensor(Q)); }, law_));
+  }
+
+ private:
+  /// ∂/∂Q of all but the stored energy.
+  Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
+    Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
+    if (gravity_ && spherical_) f = gravity_->gradient(Q);
+    if (gravity_ && !spherical_) f = gravity_->gradient(Q * body_.shape) * body_.shape.transpose();
+    if (quadratic_) f += *quadratic_ * Q * body_.E0;
+    return f;
+  }
+
+  materials::AnyLaw law_;
+  ReferenceBody body_;
+  std::optional<SelfGravity> gravity_;
+  std::optional<Eigen::Matrix3d> quadratic_;
+  bool spherical_;  // S = Id
+};
+
+}  // namespace pseudorigid::reduced
