@@ -139,6 +139,7 @@ int run_scene(const scene::ReadScene& read, const Options& options, const std::v
     io::ManifestFile manifest(directory.manifest(), std::move(content));
     log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
     log->debug("{}", scene::describe(scene, needs));
+    for (const std::string& warning : needs.warnings) log->warn("{}", warning);
     const RunContext context{scene,
                              needs,
                              directory,

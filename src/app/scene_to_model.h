@@ -7,6 +7,7 @@
 #include "io/units.h"
 #include "materials/law_table.h"
 #include "mechanics/methods.h"
+#include "scene/entries.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
@@ -28,15 +29,9 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
 
 /// The law with μ = 1.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
-  const materials::LawParameters parameters{1.0, scene.material.lame_lambda / scene.material.shear_modulus,
-                                            scene.body.incompressible};
-  switch (scene.material.law) {
-    case scene::Law::neo_hookean:
-      return materials::make_law("neo-hookean", parameters);
-    case scene::Law::ciarlet_geymonat:
-      return materials::make_law("ciarlet-geymonat", parameters);
-  }
-  throw std::logic_error("a law of the scene layer is missing here");
+  const auto& [law, shear_modulus, lame_lambda, mooney_fraction] = scene.material;
+  return materials::make_law(scene::law_kind.print(law),
+                             {1.0, lame_lambda / shear_modulus, scene.body.incompressible, mooney_fraction});
 }
 
 /// Empty for `auto`.

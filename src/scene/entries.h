@@ -15,9 +15,15 @@ namespace pseudorigid::scene {
 
 inline constexpr Choice<Analysis, 2> analysis_kind{
     {{{"motion", Analysis::motion}, {"equilibrium", Analysis::equilibrium}}}};
-inline constexpr Choice<Law, 2> law_kind{{{
+/// The names are those of the laws' own table, materials/law_table.h.
+inline constexpr Choice<Law, 7> law_kind{{{
     {"neo-hookean", Law::neo_hookean},
+    {"mooney-rivlin", Law::mooney_rivlin},
     {"ciarlet-geymonat", Law::ciarlet_geymonat},
+    {"ciarlet-geymonat (as printed)", Law::ciarlet_geymonat_as_printed},
+    {"saint-venant-kirchhoff", Law::saint_venant_kirchhoff},
+    {"saint-venant-kirchhoff (as printed)", Law::saint_venant_kirchhoff_as_printed},
+    {"none", Law::none},
 }}};
 inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
@@ -104,19 +110,32 @@ void visit_body(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_material(S& scene, Visit& visit) {
-  auto& [law, shear_modulus, lame_lambda] = scene.material;
-  visit(law, law_kind,
-        About{"Material/Law", "",
-              "Stored energy per undeformed volume, with C = F^T F, I = tr C, J = det F and III = J^2: "
-              "(shear modulus/2) (I - 3 - 2 ln J) + (Lame lambda/4) (III - 1 - ln III). "
-              "Both names mean this energy; neo-hookean is the usual name on incompressible bodies."});
+  auto& [law, shear_modulus, lame_lambda, mooney_fraction] = scene.material;
+  visit(
+      law, law_kind,
+      About{
+          "Material/Law", "",
+          "Stored energy W per undeformed volume, with C = F^T F, I = tr C, II = (I^2 - tr C^2)/2, J = det F, III = "
+          "J^2, mu the shear modulus, lambda Lame lambda, b the Mooney fraction and B = (lambda/4) (III - 1 - ln III), "
+          "a constant where volume is preserved. "
+          "neo-hookean and ciarlet-geymonat: (mu/2) (I - 3 - 2 ln J) + B. "
+          "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
+          "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
+          "compression. none: W = 0, a fluid, for the reduced model. As Oliva prints them (5.7.9): "
+          "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
+          "stressed at rest."});
   visit(shear_modulus, positive,
         About{"Material/Shear modulus", "pressure",
-              "Shear modulus at rest; sqrt(shear modulus/density) is the speed c."});
+              "Shear modulus at rest; sqrt(shear modulus/density) is the speed c. The law none does not use it."});
   visit(lame_lambda, positive,
         About{"Material/Lame lambda", "pressure",
-              "First Lame modulus at rest, the resistance to a change of volume. "
-              "Ignored for incompressible bodies, on which its term of the energy vanishes."});
+              "First Lame modulus at rest, the resistance to a change of volume (mooney-rivlin has 2 b mu more, "
+              "ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
+              "saint-venant-kirchhoff depend on it."});
+  visit(mooney_fraction, Number{0, 1},
+        About{"Material/Mooney fraction", "",
+              "b of mooney-rivlin, the part of the shear modulus that comes with II; 0 is neo-hookean. Other laws "
+              "ignore it."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -48,6 +48,30 @@ void describe_output(const Scene& scene, Needs& needs) {
            "graphics: Output/Graphics is none; no folder is made");
 }
 
+/// What its user should know of the law.
+std::optional<std::string> warning_of_law(const Scene& scene) {
+  const bool incompressible = scene.body.incompressible;
+  switch (scene.material.law) {
+    case Law::saint_venant_kirchhoff:
+      return "Material/Law: saint-venant-kirchhoff loses stability in compression (it softens below a stretch of "
+             "1/sqrt(3) along one axis and lets volumes vanish); do not trust it where the body is compressed much";
+    case Law::ciarlet_geymonat_as_printed:
+      return std::string(
+                 "Material/Law: as printed in Oliva 5.7.9(2) the energy of ciarlet-geymonat has lambda/2 in "
+                 "place of lambda/4") +
+             (incompressible ? ", which is of no effect on an incompressible body"
+                             : "; the first Lame modulus of the body is twice the entry");
+    case Law::saint_venant_kirchhoff_as_printed:
+      return std::string(
+                 "Material/Law: as printed in Oliva 5.7.9(3) the energy of saint-venant-kirchhoff is another "
+                 "one, with the stress 2 mu Id at rest") +
+             (incompressible ? " (a pressure, which incompressibility carries) and the shear modulus 2 mu there"
+                             : ": the body contracts by itself");
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string list(const char* title, const std::vector<std::string>& lines) {
   std::string text = std::string(title) + "\n";
   for (const std::string& line : lines) text += "  " + line + "\n";
@@ -82,6 +106,7 @@ Needs needs(const Scene& scene) {
   if (needs.continuum) needs.sector = sector(scene);
   describe_models(scene, needs);
   describe_output(scene, needs);
+  if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
   return needs;
 }
 
@@ -96,7 +121,8 @@ std::string describe(const Scene& scene, const Needs& needs) {
                         scene.body.incompressible ? "an incompressible" : "a compressible",
                         print_number(scene.body.radius), print_number(scene.body.density),
                         print_number(scene.material.shear_modulus), print_number(scene.time.end));
-  return text + list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
+  text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
+  return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }
 
 }  // namespace pseudorigid::scene

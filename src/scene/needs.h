@@ -21,6 +21,7 @@ struct Needs {
   Quantities quantities;                     ///< the observables to evaluate
   Sector sector;                             ///< of the continuum
   std::vector<std::string> needed, skipped;  ///< one line each, for people
+  std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
 };
 
 /// Takes a scene that scene::validate returned.

@@ -15,7 +15,15 @@ using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 enum class Analysis { motion, equilibrium };
-enum class Law { neo_hookean, ciarlet_geymonat };
+enum class Law {
+  neo_hookean,
+  mooney_rivlin,
+  ciarlet_geymonat,
+  ciarlet_geymonat_as_printed,
+  saint_venant_kirchhoff,
+  saint_venant_kirchhoff_as_printed,
+  none
+};
 enum class Mesh { builtin };
 enum class Graphics { none, vtu };
 
@@ -53,7 +61,7 @@ struct Scene {
   } body;
   struct Material {
     Law law = Law::neo_hookean;
-    double shear_modulus = 1, lame_lambda = 1;
+    double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5;
   } material;
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀

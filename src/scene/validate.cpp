@@ -91,6 +91,10 @@ class Validator {
     if (scene_.models.continuum && !incompressible)
       refuse("Body/Incompressible",
              "the continuum is offered for incompressible bodies only; set Incompressible = true or Models = reduced");
+    if (scene_.models.continuum && scene_.material.law == Law::none)
+      refuse("Material/Law",
+             "none, a fluid, is not offered for the continuum: elements that preserve volume weakly have nothing that "
+             "holds a fluid's motions at the level of the mesh; set Models = reduced");
     for (const NamedMethod& method : catalogue_of(scene_).methods)
       if (method.name == scene_.time.method && scene_.models.continuum && !method.for_continuum)
         refuse("Time/Method", fmt::format("{} is offered for the reduced model and the other systems, not for the "

@@ -61,7 +61,7 @@ class BadInput(RefusedInputTest):
         message = self.refused_entries({"Time/Method": "ratle-4"}, "Time/Method", 'did you mean "rattle-4"?')
         for method in ("auto", "rattle-6", "rattle-8"):
             self.assertIn(method, message)
-        self.refused_entries({"Material/Law": "rubber"}, "Material/Law", "neo-hookean or ciarlet-geymonat", '"rubber"')
+        self.refused_entries({"Material/Law": "rubber"}, "Material/Law", "neo-hookean, mooney-rivlin", '"rubber"')
 
     def test_unknown_model(self):
         self.refused_entries({"Models": "reduced, continum"}, "Models", 'did you mean "continuum"?')
@@ -80,6 +80,9 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Double pendulum/Gravity": "1"}, "Double pendulum/Gravity: it belongs to System = double")
         self.scene("set System = double pendulum\nsubsection Body\n  set Radius = 2\nend\n")
         self.refused("run", "scene.prm", fragments=("scene.prm:3:", "Body/Radius: it belongs to System = ball"))
+
+    def test_fluid_in_the_continuum(self):
+        self.refused_entries({"Models": "continuum", "Material/Law": "none"}, "Material/Law: none, a fluid,", "Models = reduced")
 
     def test_methods_that_do_not_fit(self):
         self.refused_entries({"Models": "continuum", "Time/Method": "energy-momentum"}, "Time/Method", "not for the continuum")

@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "app/scene_to_model.h"
 #include "scene/entries.h"
 #include "scene/print_scene.h"
 
@@ -24,6 +25,16 @@ TEST(Catalogue, EveryDefaultIsAllowedAndEverythingIsDocumented) {
     EXPECT_TRUE(about.documentation.ends_with(".")) << about.path;
   });
   for (const scene::NamedMethod& method : program_catalogue().methods) EXPECT_FALSE(method.documentation.empty());
+}
+
+TEST(Catalogue, EveryLawOfAParameterFileIsInTheTableOfLawsAndConversely) {
+  scene::Scene scene;
+  for (const auto& [name, law] : scene::law_kind.table) {
+    scene.material.law = law;
+    EXPECT_NO_THROW((void)internal_law(scene)) << name;
+  }
+  for (const materials::NamedLaw& law : materials::law_table)
+    EXPECT_EQ(scene::law_kind.read(law.name, scene.material.law), std::nullopt) << law.name;
 }
 
 TEST(Catalogue, EverySystemHasItsOwnNamesAndDocumentedColumns) {

@@ -115,6 +115,27 @@ TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
       mentions(result.skipped, "quantities: energies, momenta, multiplier, nonaffine (not among Output/Quantities)"));
 }
 
+TEST(Needs, LawsThatAreSeldomMeantAreWarnedOf) {
+  const auto warnings = [](Law law, bool incompressible) {
+    Scene scene;
+    scene.models.continuum = false;
+    scene.material.law = law;
+    scene.body.incompressible = incompressible;
+    const Needs result = needs(scene);
+    EXPECT_EQ(describe(scene, result).find("Warnings:") != std::string::npos, !result.warnings.empty());
+    return result.warnings;
+  };
+  for (const bool incompressible : {false, true}) {
+    for (const Law law : {Law::neo_hookean, Law::mooney_rivlin, Law::ciarlet_geymonat, Law::none})
+      EXPECT_TRUE(warnings(law, incompressible).empty());
+    EXPECT_TRUE(mentions(warnings(Law::saint_venant_kirchhoff, incompressible), "loses stability in compression"));
+    EXPECT_TRUE(mentions(warnings(Law::ciarlet_geymonat_as_printed, incompressible), "lambda/2 in place of lambda/4"));
+    EXPECT_TRUE(mentions(warnings(Law::saint_venant_kirchhoff_as_printed, incompressible), "stress 2 mu Id at rest"));
+  }
+  EXPECT_TRUE(mentions(warnings(Law::ciarlet_geymonat_as_printed, true), "of no effect"));
+  EXPECT_TRUE(mentions(warnings(Law::saint_venant_kirchhoff_as_printed, false), "contracts by itself"));
+}
+
 TEST(Needs, DescriptionHoldsBothLists) {
   Scene scene;
   scene.title = "My ball";
