@@ -48,7 +48,7 @@ inline Symmetric gram(const Eigen::Matrix3d& W) {
 
 /// Whether all cosines of the angles between the columns are below a bound
 inline bool orthogonal(const Symmetric& G, double bound) {
-  const auto& [square, product] = G;
+  const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
   const auto below = [&](int i, int j, int k) {
     return !(product[k] * product[k] > bound * bound * (square[i] * square[j]));
   };

@@ -26,13 +26,13 @@ struct SelfGravity {
   double energy(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto axes = principal_axes(scale * F);
-    return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals(axes.a).d);
+    return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals<false>(axes.a).d);
   }
 
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
     const auto axes = principal_axes(scale * F);
-    const Eigen::Vector3d d = ellipsoid_integrals(axes.a).d;
+    const Eigen::Vector3d d = ellipsoid_integrals<false>(axes.a).d;
     return scale * (strength / 3 * scale * axes.U * (d.asDiagonal() * axes.A));
   }
 
