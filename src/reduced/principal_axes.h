@@ -30,6 +30,19 @@ struct PrincipalAxes {
 
 namespace detail {
 
+/// MN by entries: Eigen's packets of two doubles would have to wait for the single ones just stored, a quarter of the
+/// time
+inline Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N) {
+  Eigen::Matrix3d P;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) P(i, j) = M(i, 0) * N(0, j) + M(i, 1) * N(1, j) + M(i, 2) * N(2, j);
+  return P;
+}
+
+inline double dot(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
+  return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+}
+
 /// A symmetric matrix: entries (i, i), and (j, k) where i is the third index
 struct Symmetric {
   Eigen::Vector3d diagonal, opposite;
@@ -58,9 +71,11 @@ inline bool orthogonal(const Symmetric& G, double bound) {
 struct PlaneRotation {
   double cosine, sine;
   void apply(Eigen::Vector3d& u, Eigen::Vector3d& v) const {
-    const Eigen::Vector3d old = u;
-    u = cosine * old - sine * v;
-    v = sine * old + cosine * v;
+    for (int i = 0; i < 3; ++i) {
+      const double old = u[i];
+      u[i] = cosine * old - sine * v[i];
+      v[i] = sine * old + cosine * v[i];
+    }
   }
 };
 
@@ -82,16 +97,16 @@ inline double cosine_of_third(double q) {
 
 /// Eigenvectors of C in closed form, to about 1e-9; orthonormal to round-off
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
-  Symmetric B = C;
-  B.diagonal.array() -= C.diagonal.sum() / 3;
+  const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
+  const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};
   const auto& [b, c] = B;
-  const double p_squared = (b.squaredNorm() + 2 * c.squaredNorm()) / 6, p = std::sqrt(p_squared);
+  const double p_squared = (dot(b, b) + 2 * dot(c, c)) / 6, p = std::sqrt(p_squared);
   const double determinant =
       (b[0] * (b[1] * b[2] - c[0] * c[0]) - b[1] * (c[1] * c[1])) + (2 * (c[0] * c[1]) * c[2] - b[2] * (c[2] * c[2]));
   const double lambda =
       std::copysign(2 * p * cosine_of_third(std::abs(determinant) / (2 * p_squared * p)), determinant);
 
-  const Eigen::Vector3d n = b.array() - lambda;
+  const Eigen::Vector3d n(b[0] - lambda, b[1] - lambda, b[2] - lambda);
   const Eigen::Vector3d minors(n[1] * n[2] - c[0] * c[0], n[2] * n[0] - c[1] * c[1], n[0] * n[1] - c[2] * c[2]);
   const double m01 = c[0] * c[1] - c[2] * n[2], m02 = c[0] * c[2] - c[1] * n[1], m12 = c[1] * c[2] - c[0] * n[0];
   const Eigen::Vector3d v = minors[0] > std::max(minors[1], minors[2]) ? Eigen::Vector3d(minors[0], m01, m02)
@@ -99,11 +114,11 @@ inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
                                                                        : Eigen::Vector3d(m02, m12, minors[2]);
 
   // The reflection that takes v to the third coordinate axis takes the other two to a basis of the complement.
-  const double length = v.norm(), signed_length = std::copysign(length, v[2]), w = v[2] + signed_length;
+  const double length = std::sqrt(dot(v, v)), signed_length = std::copysign(length, v[2]), w = v[2] + signed_length;
   const double e = 1 / (signed_length * w), e0 = e * v[0], e1 = e * v[1];
   Eigen::Vector3d u0(1 - e0 * v[0], -e0 * v[1], -e0 * w), u1(-e1 * v[0], 1 - e1 * v[1], -e1 * w);
   const Eigen::Vector3d B_u1 = B * u1;
-  diagonalizing(u0.dot(B * u0), u1.dot(B_u1), u0.dot(B_u1)).apply(u0, u1);
+  diagonalizing(dot(u0, B * u0), dot(u1, B_u1), dot(u0, B_u1)).apply(u0, u1);
   Eigen::Matrix3d U;
   U << u0, u1, v / length;
   return U;
@@ -111,9 +126,9 @@ inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
 
 /// The rotation (Id − W)⁻¹(Id + W) with W the skew matrix of w = θ/2
 inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
-  const Eigen::Vector3d w = theta / 2;
-  const double f = 2 / (1 + w.squaredNorm()), d = f - 1;
-  const Eigen::Vector3d g = f * w;
+  const Eigen::Vector3d w(theta[0] / 2, theta[1] / 2, theta[2] / 2);
+  const double f = 2 / (1 + dot(w, w)), d = f - 1;
+  const Eigen::Vector3d g(f * w[0], f * w[1], f * w[2]);
   const double g01 = g[0] * w[1], g02 = g[0] * w[2], g12 = g[1] * w[2];
   Eigen::Matrix3d R;
   R << d + g[0] * w[0], g01 + g[2], g02 - g[1],  //
@@ -137,7 +152,8 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
 
 }  // namespace detail
 
-/// Entries of F are to be of order 1 at most (they are squared). A matrix that is not finite gives axes that are not.
+/// Entries of F are to be within 10^±20 (their eighth powers occur). A matrix that is not finite gives axes that are
+/// not.
 inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;
@@ -145,7 +161,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   auto G = detail::gram(W);
   if (!detail::orthogonal(G, round_off)) {
     U = detail::eigenvectors(G);
-    W = F.transpose() * U;
+    W = detail::product(F.transpose(), U);
     for (int turn = 0; turn < max_turns; ++turn) {
       G = detail::gram(W);
       if (detail::orthogonal(G, round_off)) break;
@@ -155,15 +171,16 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
       const double largest = theta.cwiseAbs().maxCoeff();
       if (largest < small) {
         const Eigen::Matrix3d R = detail::cayley(theta);
-        U = (U * R).eval();
-        W = (W * R).eval();
+        U = detail::product(U, R);
+        W = detail::product(W, R);
         if (largest < its_root && detail::orthogonal(G, its_root)) break;  // θ² is round-off
       } else {
         detail::sweep(W, U, round_off);
       }
     }
   }
-  return {U, W.transpose(), W.colwise().norm()};
+  const auto length = [&W](int i) { return std::sqrt(W(0, i) * W(0, i) + W(1, i) * W(1, i) + W(2, i) * W(2, i)); };
+  return {U, W.transpose(), {length(0), length(1), length(2)}};
 }
 
 }  // namespace pseudorigid::reduced

@@ -9,8 +9,10 @@
 ///   D(∂V/∂F)[H] = (k/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
 ///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; not less than ⅓ d_i, so nothing cancels).
 ///
-/// Nothing is divided by differences of the axes: they may coincide. V is homogeneous of degree −1, and all is
-/// evaluated for 2⁻ᵉF with entries of order 1, so that no square overflows.
+/// Nothing is divided by differences of the axes: they may coincide. The force is made of the rows A and not of M = U
+/// diag(d) Uᵀ times F: equal in exact arithmetic, but MF of a flat body has errors cond(F)·ε where d_i A_i has ε, and
+/// with it torque and circulation. V is homogeneous of degree −1, and very large or small F are scaled by a power of
+/// two, which is exact, so that no square overflows.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -31,9 +33,9 @@ struct SelfGravity {
 
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
-    const auto axes = principal_axes(scale * F);
-    const Eigen::Vector3d d = ellipsoid_integrals<false>(axes.a).d;
-    return scale * (strength / 3 * scale * axes.U * (d.asDiagonal() * axes.A));
+    const auto [U, A, a] = principal_axes(scale * F);
+    const Eigen::Vector3d d = ellipsoid_integrals<false>(a).d;
+    return scale * (strength / 3 * scale * detail::product(U, d.asDiagonal() * A));
   }
 
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {
@@ -53,10 +55,13 @@ struct SelfGravity {
   }
 
  private:
-  /// The power of two that brings the largest entry of F to [½, 1); exact
+  /// 1, or where squares and their products could leave the range the power of two that brings the largest entry to [½,
+  /// 1)
   static double unit_scale(const Eigen::Matrix3d& F) {
+    const double largest = F.cwiseAbs().maxCoeff();
+    if (largest > 0x1p-20 && largest < 0x1p+20) return 1;
     int exponent = 0;
-    std::frexp(F.cwiseAbs().maxCoeff(), &exponent);
+    std::frexp(largest, &exponent);
     return std::ldexp(1.0, -exponent);
   }
 };
