@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "reduced/carlson_gravity.h"
 #include "reduced/loaded_body.h"
 #include "reduced/samples.h"
-#include "reduced/self_gravity.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {

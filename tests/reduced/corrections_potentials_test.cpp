@@ -10,8 +10,8 @@
 #include <random>
 #include <vector>
 
+#include "reduced/carlson_gravity.h"
 #include "reduced/samples.h"
-#include "reduced/self_gravity.h"
 #include "support/differences.h"
 
 namespace pseudorigid::testing {

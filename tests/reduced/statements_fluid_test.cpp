@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "reduced/bipolar_path.h"
+#include "reduced/carlson_gravity.h"
 #include "reduced/loaded_body.h"
 #include "reduced/samples.h"
-#include "reduced/self_gravity.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {
