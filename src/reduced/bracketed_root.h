@@ -1,0 +1,43 @@
+#pragma once
+/// The zero of a continuous function between two points where it has opposite signs: inverse quadratic interpolation
+/// where it is safe, halving elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145), until neighbouring numbers
+/// bracket the zero or the function vanishes.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace pseudorigid::reduced {
+
+/// Nothing, where f(a) and f(b) have the same sign or f is not finite somewhere. f changes its sign at a jump too.
+template <class Function>
+std::optional<double> bracketed_root(const Function& f, double a, double b) {
+  constexpr int max_evaluations = 200;
+  double fa = f(a), fb = f(b);
+  if (fa == 0) return a;
+  if (fb == 0) return b;
+  if (!(fa * fb < 0)) return std::nullopt;
+  double t = 0.5;
+  for (int i = 0; i < max_evaluations; ++i) {
+    const double x = a + t * (b - a), fx = f(x);
+    if (!std::isfinite(fx)) return std::nullopt;
+    double c = a, fc = fa;  // the end that is left
+    if ((fx > 0) != (fa > 0)) {
+      c = b, fc = fb;
+      b = a, fb = fa;
+    }
+    a = x, fa = fx;
+    const double best = std::abs(fa) < std::abs(fb) ? a : b;
+    const double least = std::numeric_limits<double>::epsilon() * std::abs(best) / std::abs(b - a);
+    if (fa == 0 || least > 0.5) return best;
+    const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
+    t = 0.5;
+    if (phi * phi < xi && (1 - phi) * (1 - phi) < 1 - xi)
+      t = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
+    t = std::clamp(t, least, 1 - least);
+  }
+  return a;
+}
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,173 @@
+#pragma once
+/// The steady motions of a figure with given semi-axes, in closed form for every isotropic potential on SL(3).
+///
+/// R off the diagonal does not contain the potential: ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j. So (Riemann) ω
+/// and Λ lie along one axis, or in one principal plane, where axes do not coincide.
+///
+/// Type S, both along axis 3. With V_i = ∂V/∂a_i per m̄, ∂²V[·] likewise, E_ij the matrix with 1 at ij, and
+/// (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁], (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁] (V does not feel turns):
+///
+///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃,
+///
+/// with nothing divided by the difference of axes. For a fluid these are Riemann's 2πGρB₁₂ and 2πGρ(a₃²A₃ −
+/// a₁²a₂²A₁₂)/(a₁a₂), for the neo-Hookean law κ and κ/(a₁a₂)³.
+///
+/// Spheroid a₁ = a₂ turning about axis 3: only Ω = ω − Λ matters, and Λ = 0 is chosen,
+///
+///   Ω² = (1 − a₃²/a₁²) E₃₁:∂²V[E₃₁].
+///
+/// Types I–III, ω = (0, ω₂, ω₃), Λ = (0, βω₂, γω₃): R₂₃ = R₃₂ = 0 are a₃ − 2a₁β + a₂βγ = 0 = a₂ − 2a₁γ + a₃βγ, so that
+/// p = βγ solves
+///
+///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁);
+///
+/// the roots p, 1/p (dual motions) are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types II, III:
+/// Chandrasekhar §51). R_ii = 0 are then linear in ω₂², ω₃², λ.
+///
+/// On GL⁺(3) λ = 0: the same formulas, with the size of the figure such that they give this multiplier.
+
+#include <string>
+
+#include "mechanics/status.h"
+#include "reduced/bracketed_root.h"
+#include "reduced/steady_motion.h"
+
+namespace pseudorigid::reduced {
+
+/// E_ij
+inline Eigen::Matrix3d unit_matrix(int i, int j) {
+  Eigen::Matrix3d E = Eigen::Matrix3d::Zero();
+  E(i, j) = 1;
+  return E;
+}
+
+/// Semi-axes of volume 1 (det A = 1) with these ratios.
+inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
+  return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
+}
+
+/// motion(size · axes, m), which sets m.lambda even where it fails; on GL⁺(3) at the size at which the multiplier is 0,
+/// the nearest to 1.
+template <SmoothPotential V, class MotionOfAxes>
+mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
+                                  SteadyMotion& m) {
+  if (body.incompressible) return motion(axes, m);
+  constexpr double factor = 1.05;
+  constexpr int n_factors = 60;  // up to 18 times larger or smaller
+  const auto multiplier = [&](double log_size) {
+    SteadyMotion trial;
+    (void)motion(std::exp(log_size) * axes, trial);
+    return trial.lambda;
+  };
+  for (int k = 0; k < n_factors; ++k)
+    for (const double side : {1.0, -1.0}) {
+      const double step = side * std::log(factor);
+      if (const auto log_size = bracketed_root(multiplier, k * step, (k + 1) * step)) {
+        mechanics::Status status = motion(std::exp(*log_size) * axes, m);
+        m.lambda = 0;
+        return status;
+      }
+    }
+  return mechanics::Status::failure("a free body has no steady motion of this shape at any size");
+}
+
+/// ω² + Λ² and 2ωΛ of a figure that turns and circulates about axis 3, and its multiplier.
+struct TypeSSquares {
+  double sum, twice_product, lambda;
+};
+
+template <SmoothPotential V>
+TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d& a) {
+  const Eigen::Matrix3d A = a.asDiagonal(), D = body.second_derivative(A, unit_matrix(1, 0));
+  const double lambda = a[2] * body.gradient(A)(2, 2);
+  return {D(1, 0), D(0, 1) + lambda / (a[0] * a[1]), lambda};
+}
+
+/// The motion of type S with |ω| ≥ |Λ|, ω ≥ 0; its dual has the other order.
+template <SmoothPotential V>
+mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
+  const auto [sum, product, lambda] = type_s_squares(body, a);
+  const double plus = sum + product, minus = sum - product;  // (ω ± Λ)²
+  m.A = a.asDiagonal();
+  m.lambda = lambda;
+  const double round_off = 1e-14 * (std::abs(sum) + std::abs(product));
+  if (!(plus >= -round_off && minus >= -round_off))
+    return mechanics::Status::failure(
+        "no figure with these axes turns steadily about the third: (omega + Lambda)^2 = " + std::to_string(plus) +
+        ", (omega - Lambda)^2 = " + std::to_string(minus));
+  const double p = std::sqrt(std::max(plus, 0.0)), q = std::sqrt(std::max(minus, 0.0));
+  m.omega = (p + q) / 2 * Eigen::Vector3d::UnitZ();
+  m.Lambda = product / (p + q > 0 ? p + q : 1) * Eigen::Vector3d::UnitZ();  // p² − q² = 2 · 2ωΛ
+  return {};
+}
+
+/// The spheroid a = (a₁, a₁, a₃) that turns about axis 3 as a whole.
+template <SmoothPotential V>
+mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, double a3, SteadyMotion& m) {
+  m.A = Eigen::Vector3d(a1, a1, a3).asDiagonal();
+  m.lambda = a3 * body.gradient(m.A)(2, 2);
+  const double stiffness = body.second_derivative(m.A, unit_matrix(2, 0))(2, 0);
+  const double square = (a1 - a3) * (a1 + a3) / (a1 * a1) * stiffness;
+  if (!(square >= 0))
+    return mechanics::Status::failure("this spheroid does not turn steadily about its axis: Omega^2 = " +
+                                      std::to_string(square));
+  m.omega = std::sqrt(square) * Eigen::Vector3d::UnitZ();
+  m.Lambda.setZero();
+  return {};
+}
+
+/// The motion of types I–III with ω and Λ in the plane of axes 2 and 3: of the root with |p| ≤ 1, ω₂, ω₃ ≥ 0. Its dual
+/// belongs to the other root.
+template <SmoothPotential V>
+mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
+  const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half
+  if (!(std::abs(half) >= 1))
+    return mechanics::Status::failure(
+        "no figure with these axes turns in the plane of axes 2 and 3: 2 a1 lies between |a2 - a3| and a2 + a3");
+  const double p = std::copysign(1 / (std::abs(half) + std::sqrt((std::abs(half) - 1) * (std::abs(half) + 1))), half);
+  const double beta = (a[2] + a[1] * p) / (2 * a[0]), gamma = (a[1] + a[2] * p) / (2 * a[0]);
+  m.A = a.asDiagonal();
+  const auto square_term = [&](int axis, double ratio) -> Eigen::Vector3d {
+    const Eigen::Vector3d w = Eigen::Vector3d::Unit(axis);
+    return detail::steady_acceleration(w, ratio * w, m.A).diagonal();
+  };
+  Eigen::Matrix3d system;
+  system << square_term(1, beta), square_term(2, gamma), -a.cwiseInverse();
+  const Eigen::Vector3d squares = system.fullPivLu().solve(-body.gradient(m.A).diagonal());
+  m.lambda = squares[2];
+  const double round_off = 1e-14 * (std::abs(squares[0]) + std::abs(squares[1]));
+  if (!(squares[0] >= -round_off && squares[1] >= -round_off))
+    return mechanics::Status::failure("no figure with these axes turns in the plane of axes 2 and 3: omega_2^2 = " +
+                                      std::to_string(squares[0]) + ", omega_3^2 = " + std::to_string(squares[1]));
+  const double w2 = std::sqrt(std::max(squares[0], 0.0)), w3 = std::sqrt(std::max(squares[1], 0.0));
+  m.omega = {0, w2, w3};
+  m.Lambda = {0, beta * w2, gamma * w3};
+  return {};
+}
+
+/// The figure with a₂/a₁ that turns about axis 3 without circulation (Jacobi's, for a fluid): the ratio a₃/a₁ at which
+/// 2ωΛ = 0 and ω² > 0, the largest if there are several. Its dual is Dedekind's.
+template <SmoothPotential V>
+mechanics::Status jacobi_motion(const IsotropicBody<V>& body, double a2_to_a1, SteadyMotion& m) {
+  constexpr double factor = 1.1, least_ratio = 1e-4;
+  const auto shaped = [&](double ratio, SteadyMotion& motion) {
+    return motion_of_shape(
+        body, axes_of_ratios(a2_to_a1, ratio),
+        [&](const Eigen::Vector3d& a, SteadyMotion& of_axes) { return type_s_motion(body, a, of_axes); }, motion);
+  };
+  const auto product = [&](double log_ratio) {
+    SteadyMotion trial;
+    (void)shaped(std::exp(log_ratio), trial);
+    return type_s_squares(body, trial.A.diagonal()).twice_product;
+  };
+  for (double ratio = 1; ratio > least_ratio; ratio /= factor) {
+    const auto root = bracketed_root(product, std::log(ratio), std::log(ratio / factor));
+    if (!root) continue;
+    if (mechanics::Status status = shaped(std::exp(*root), m); !status) continue;
+    m.Lambda.setZero();
+    return {};
+  }
+  return mechanics::Status::failure("no figure with these equatorial axes turns steadily without circulation");
+}
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,191 @@
+#pragma once
+/// Families of steady motions over a range of their parameter, with their stability and special points:
+///
+///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), spinning elastic spheroids, both together
+///   spheroids_of_spin    Ω                         the same, by Newton's iteration from the sphere on
+///   jacobi, dedekind     a₂/a₁                     for any potential: figures without circulation, and their duals
+///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures
+///   planar               a₂/a₁ at one a₃/a₁        Riemann types I–III, ω and Λ in the plane of axes 2 and 3
+///
+/// A parameter that has no steady motion is reported with the reason and left out. Curves that are no function of such
+/// a parameter are followed by continuation.h.
+
+#include <string>
+#include <vector>
+
+#include "reduced/ellipsoidal_motions.h"
+#include "reduced/equilibrium_point.h"
+#include "reduced/special_points.h"
+#include "reduced/steady_curve.h"
+
+namespace pseudorigid::reduced {
+
+/// n values from first to last, both included; n = 1: first alone.
+struct ParameterRange {
+  double first, last;
+  int n;
+  double value(int k) const { return k == 0 ? first : k == n - 1 ? last : first + (last - first) * k / (n - 1); }
+};
+
+struct SpecialEquilibrium {
+  SpecialKind kind;
+  EquilibriumPoint point;
+};
+
+struct NoEquilibrium {
+  double parameter;
+  std::string reason;
+};
+
+struct EquilibriumFamily {
+  std::vector<EquilibriumPoint> points;
+  std::vector<SpecialEquilibrium> special;
+  std::vector<NoEquilibrium> missing;
+};
+
+/// What is constant along a family, and whose extrema are its folds.
+struct FamilyCurve {
+  Target condition;
+  Quantity fold_quantity;
+};
+
+namespace detail {
+
+/// Appends what happens between two parameters. motion(p, m) → Status.
+template <SmoothPotential V, class MotionOfParameter>
+void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
+                               double a, double b, EquilibriumFamily& result) {
+  std::vector<SpecialPoint> found;
+  const StabilityAlong stability = [&](double p) -> std::optional<LinearStability> {
+    SteadyMotion m;
+    LinearStability s;
+    if (!motion(p, m) || !analyse_stability(body, m, s)) return std::nullopt;
+    return s;
+  };
+  locate_changes_of_stability(stability, a, b, found);
+
+  const auto coordinates = [&](double p) -> PlaneVector {
+    SteadyMotion m;
+    if (!motion(p, m)) return PlaneVector::Constant(std::numeric_limits<double>::quiet_NaN());
+    return plane_coordinates(m);
+  };
+  const SteadyCurve curve(body, family.condition);
+  const PlaneVector forward = coordinates(b) - coordinates(a);
+  const auto slope = [&](double p) {
+    const PlaneVector u = coordinates(p);
+    if (!u.allFinite()) return u[0];
+    return curve.slope(family.fold_quantity, u, curve.tangent_at(u, forward));
+  };
+  if (const auto p = bracketed_root(slope, a, b); p && std::abs(slope(*p)) < 1e-6)
+    found.push_back({SpecialKind::fold, *p});
+
+  for (const SpecialPoint& special : found) {
+    SteadyMotion m;
+    EquilibriumPoint point;
+    if (motion(special.s, m) && describe_equilibrium(body, m, special.s, point))
+      result.special.push_back({special.kind, point});
+  }
+}
+
+}  // namespace detail
+
+/// The family p ↦ motion(p, m) → Status.
+template <SmoothPotential V, class MotionOfParameter>
+EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const ParameterRange& range,
+                                     const FamilyCurve& family, const MotionOfParameter& motion) {
+  EquilibriumFamily result;
+  bool previous = false;
+  for (int k = 0; k < range.n; ++k) {
+    const double p = range.value(k);
+    SteadyMotion m;
+    EquilibriumPoint point;
+    mechanics::Status status = motion(p, m);
+    if (status) status = describe_equilibrium(body, m, p, point);
+    if (status) {
+      if (previous) detail::locate_special_equilibria(body, motion, family, result.points.back().parameter, p, result);
+      result.points.push_back(point);
+    } else {
+      result.missing.push_back({p, status.reason()});
+    }
+    previous = status.ok();
+  }
+  return result;
+}
+
+enum class SpheroidParameter { eccentricity, polar_axis };
+
+template <SmoothPotential V>
+EquilibriumFamily spheroids(const IsotropicBody<V>& body, SpheroidParameter parameter, const ParameterRange& range) {
+  const auto motion = [&](double p, SteadyMotion& m) {
+    const double ratio = parameter == SpheroidParameter::eccentricity ? std::sqrt((1 - p) * (1 + p)) : p * std::sqrt(p);
+    if (!(ratio > 0)) return mechanics::Status::failure("there is no spheroid with this parameter");
+    return motion_of_shape(
+        body, axes_of_ratios(1, ratio),
+        [&](const Eigen::Vector3d& a, SteadyMotion& of_axes) { return spheroid_motion(body, a[0], a[2], of_axes); }, m);
+  };
+  return equilibrium_family(body, range, {{quantities::Lambda_3, 0}, quantities::omega_3}, motion);
+}
+
+template <SmoothPotential V>
+EquilibriumFamily jacobi(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1) {
+  const auto motion = [&](double p, SteadyMotion& m) { return jacobi_motion(body, p, m); };
+  return equilibrium_family(body, a2_to_a1, {{quantities::Lambda_3, 0}, quantities::omega_3}, motion);
+}
+
+template <SmoothPotential V>
+EquilibriumFamily dedekind(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1) {
+  const auto motion = [&](double p, SteadyMotion& m) {
+    mechanics::Status status = jacobi_motion(body, p, m);
+    m = m.dual();
+    return status;
+  };
+  return equilibrium_family(body, a2_to_a1, {{quantities::omega_3, 0}, quantities::Lambda_3}, motion);
+}
+
+/// |ω| ≥ |Λ|; `dual`: the motions with the rates exchanged.
+template <SmoothPotential V>
+EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
+                         bool dual = false) {
+  const auto motion = [&](double p, SteadyMotion& m) {
+    mechanics::Status status = motion_of_shape(
+        body, axes_of_ratios(p, a3_to_a1),
+        [&](const Eigen::Vector3d& a, SteadyMotion& of_axes) { return type_s_motion(body, a, of_axes); }, m);
+    if (dual) m = m.dual();
+    return status;
+  };
+  return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
+}
+
+/// Of the root |p| ≤ 1 (see ellipsoidal_motions.h); `dual`: of the other.
+template <SmoothPotential V>
+EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
+                         bool dual = false) {
+  const auto motion = [&](double p, SteadyMotion& m) {
+    mechanics::Status status = motion_of_shape(
+        body, axes_of_ratios(p, a3_to_a1),
+        [&](const Eigen::Vector3d& a, SteadyMotion& of_axes) { return planar_motion(body, a, of_axes); }, m);
+    if (dual) m = m.dual();
+    return status;
+  };
+  return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
+}
+
+/// Spheroids by their spin, each found from the one before; the first from a slow sphere. Past the fold of the spin
+/// there are none.
+template <SmoothPotential V>
+EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
+  SteadyMotion last;
+  (void)motion_of_shape(
+      body, Eigen::Vector3d::Ones(),
+      [&](const Eigen::Vector3d& a, SteadyMotion& m) { return spheroid_motion(body, a[0], a[2], m); }, last);
+  const auto motion = [&](double spin, SteadyMotion& m) {
+    m = last;
+    mechanics::Status status =
+        find_steady_motion(body, {Target{quantities::omega_3, spin}, Target{quantities::Lambda_3, 0}}, m);
+    if (status) last = m;
+    return status;
+  };
+  return equilibrium_family(body, Omega, {{quantities::Lambda_3, 0}, quantities::omega_3}, motion);
+}
+
+}  // namespace pseudorigid::reduced

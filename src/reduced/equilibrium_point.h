@@ -1,0 +1,50 @@
+#pragma once
+/// All that is said of one steady motion: its momenta and energies (physical, in internal units),
+///
+///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
+///
+/// the vorticity of the inner motion, seen from the turning figure, ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j), and its linear
+/// stability.
+
+#include "reduced/linear_stability.h"
+
+namespace pseudorigid::reduced {
+
+struct EquilibriumPoint {
+  double parameter = 0;       ///< of the family
+  SteadyMotion motion;        ///< A = diag(a₁, a₂, a₃)
+  Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω, Λ: not sorted
+  double kinetic = 0, potential = 0;
+  Eigen::Vector3d angular_momentum, circulation;  ///< J, Z
+  Eigen::Vector3d vorticity;                      ///< ζ
+  double residual = 0;                            ///< |R| over the largest of its terms
+  LinearStability stability;
+
+  double energy() const { return kinetic + potential; }
+  /// Riemann's f = ζ/Ω along axis 3: 0 without inner motion, infinite where the figure does not turn.
+  double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
+};
+
+/// Fails where the linearisation does.
+template <SmoothPotential V>
+mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
+                                       EquilibriumPoint& point) {
+  const Eigen::Matrix3d &A = m.A, v = m.co_moving_velocity();
+  const Eigen::Vector3d a = A.diagonal();
+  point.parameter = parameter;
+  point.motion = m;
+  point.semi_axes = a;
+  point.kinetic = body.m_bar / 2 * v.squaredNorm();
+  point.potential = body.potential.energy(A);
+  point.angular_momentum = body.m_bar * mechanics::axial_vector(A * v.transpose());
+  point.circulation = body.m_bar * mechanics::axial_vector(v.transpose() * A);
+  for (int k = 0; k < 3; ++k) {
+    const double x = a[(k + 1) % 3], y = a[(k + 2) % 3];
+    point.vorticity[k] = 0 - m.Lambda[k] * (x / y + y / x);
+  }
+  const double scale = steady_residual_scale(body, m);
+  point.residual = scale > 0 ? steady_residual(body, m).norm() / scale : 0;
+  return analyse_stability(body, m, point.stability);
+}
+
+}  // namespace pseudorigid::reduced

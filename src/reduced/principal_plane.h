@@ -1,0 +1,181 @@
+#pragma once
+/// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h) every steady
+/// motion can be turned such that A is diagonal and ω, Λ lie in the plane of axes 2 and 3:
+///
+///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
+///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).
+///
+/// The other entries of R vanish for an isotropic potential. Six equations for eight unknowns, with exact derivatives:
+/// the motions are a surface, on which two quantities (axis ratios, spin, momenta, …) single out one.
+
+#include <array>
+#include <limits>
+#include <string>
+
+#include "mechanics/automatic_differentiation.h"
+#include "mechanics/status.h"
+#include "reduced/steady_motion.h"
+
+namespace pseudorigid::reduced {
+
+using PlaneVector = Eigen::Matrix<double, 8, 1>;
+using PlaneMatrix = Eigen::Matrix<double, 8, 8>;
+
+/// u of a motion that is in this form already, and back.
+inline PlaneVector plane_coordinates(const SteadyMotion& m) {
+  PlaneVector u;
+  u << m.A.diagonal().array().log().matrix(), m.omega.tail<2>(), m.Lambda.tail<2>(), m.lambda;
+  return u;
+}
+inline SteadyMotion motion_of(const PlaneVector& u) {
+  SteadyMotion m;
+  m.A = Eigen::Vector3d(u.head<3>().array().exp()).asDiagonal();
+  m.omega << 0, u.segment<2>(3);
+  m.Lambda << 0, u.segment<2>(5);
+  m.lambda = u[7];
+  return m;
+}
+
+/// The motion turned such that A = diag(a) with a > 0 and the plane of ω and Λ is as near as can be to that of axes 2
+/// and 3. A motion in that form is left as it is. Needs det A > 0.
+inline SteadyMotion to_principal_plane(const SteadyMotion& m) {
+  SteadyMotion p = m;
+  if (!m.A.isDiagonal(0) || !(m.A.diagonal().minCoeff() > 0)) {
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    const double side = svd.matrixU().determinant() > 0 ? 1 : -1;  // both sides have the same, as det A > 0
+    p = {svd.singularValues().asDiagonal(), side * svd.matrixU().transpose() * m.omega,
+         side * svd.matrixV().transpose() * m.Lambda, m.lambda};
+  }
+  Eigen::Index normal = 0;
+  (p.omega.cwiseAbs2() + p.Lambda.cwiseAbs2()).minCoeff(&normal);
+  Eigen::Matrix3d P;  // the cyclic permutation that takes axis `normal` to axis 1
+  for (int i = 0; i < 3; ++i) P.row(i) = Eigen::Vector3d::Unit((i + normal) % 3).transpose();
+  return {P * p.A * P.transpose(), P * p.omega, P * p.Lambda, p.lambda};
+}
+
+/// A quantity of the motion, as a function of u.
+using PlaneDual = mechanics::Dual<double, 8>;
+using PlaneDuals = mechanics::Coordinates<PlaneDual, 8>;
+using Quantity = PlaneDual (*)(const PlaneDuals&);
+
+namespace quantities {
+inline PlaneDual axis_ratio_21(const PlaneDuals& u) { return exp(u[1] - u[0]); }
+inline PlaneDual axis_ratio_31(const PlaneDuals& u) { return exp(u[2] - u[0]); }
+/// e = √(1 − a₃²/a₁²); not differentiable at the sphere
+inline PlaneDual eccentricity(const PlaneDuals& u) { return sqrt(1.0 - exp(2.0 * (u[2] - u[0]))); }
+inline PlaneDual omega_2(const PlaneDuals& u) { return u[3]; }
+inline PlaneDual omega_3(const PlaneDuals& u) { return u[4]; }
+inline PlaneDual Lambda_2(const PlaneDuals& u) { return u[5]; }
+inline PlaneDual Lambda_3(const PlaneDuals& u) { return u[6]; }
+/// J₃/m̄ = (a₁² + a₂²)ω₃ − 2a₁a₂Λ₃
+inline PlaneDual angular_momentum_3(const PlaneDuals& u) {
+  const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
+  return (a1 * a1 + a2 * a2) * u[4] - 2.0 * a1 * a2 * u[6];
+}
+/// Z₃/m̄ = 2a₁a₂ω₃ − (a₁² + a₂²)Λ₃
+inline PlaneDual circulation_3(const PlaneDuals& u) {
+  const PlaneDual a1 = exp(u[0]), a2 = exp(u[1]);
+  return 2.0 * a1 * a2 * u[4] - (a1 * a1 + a2 * a2) * u[6];
+}
+}  // namespace quantities
+
+inline double value_of(Quantity q, const PlaneVector& u) { return q(mechanics::independent<double, 8>(u)).value(); }
+
+/// F − what it shall be, and its derivative, for the first six rows.
+template <SmoothPotential V>
+void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) {
+  const SteadyMotion m = motion_of(u);
+  const Eigen::Matrix3d &A = m.A, R = steady_residual(body, m), w = mechanics::cross_matrix(m.omega),
+                        l = mechanics::cross_matrix(m.Lambda), A_inverse = A.inverse();
+  const auto rows = [](const Eigen::Matrix3d& X, double last) {
+    return Eigen::Matrix<double, 6, 1>(X(0, 0), X(1, 1), X(2, 2), X(1, 2), X(2, 1), last);
+  };
+  F.head<6>() = rows(R * A, body.incompressible ? u.head<3>().sum() : u[7]);
+  for (int i = 0; i < 3; ++i) {
+    Eigen::Matrix3d H = Eigen::Matrix3d::Zero();  // ∂A/∂ln a_i
+    H(i, i) = A(i, i);
+    const Eigen::Matrix3d dR = detail::steady_acceleration(m.omega, m.Lambda, H) + body.second_derivative(A, H) +
+                               m.lambda * A_inverse * H * A_inverse;
+    DF.col(i).head<6>() = rows(dR * A + R * H, body.incompressible);
+  }
+  for (int i = 1; i < 3; ++i) {
+    const Eigen::Matrix3d e = mechanics::cross_matrix(Eigen::Vector3d::Unit(i));
+    DF.col(2 + i).head<6>() = rows(((e * w + w * e) * A - 2 * e * A * l) * A, 0);  // ∂/∂ω_i
+    DF.col(4 + i).head<6>() = rows((A * (e * l + l * e) - 2 * w * A * e) * A, 0);  // ∂/∂Λ_i
+  }
+  DF.col(7).head<6>() = rows(-Eigen::Matrix3d::Identity(), !body.incompressible);
+}
+
+namespace detail {
+
+/// Newton's step DF⁻¹F without the components of F that are round-off: at a bifurcation they would be divided by a
+/// singular value near 0 and carry the point away along the other branch.
+inline PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off) {
+  const Eigen::JacobiSVD<PlaneMatrix> svd(DF, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  PlaneVector components = svd.matrixU().transpose() * F;
+  for (int i = 0; i < 8; ++i)
+    components[i] = std::abs(components[i]) <= round_off ? 0 : components[i] / svd.singularValues()[i];
+  return svd.matrixV() * components;
+}
+
+/// Newton's iteration on equations(u, F, DF), until |F| no longer falls; that must be at round-off of terms of size
+/// `scale`. Steps are limited, so that axes stay in range.
+template <class Equations>
+mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
+  constexpr int max_iterations = 60;
+  constexpr double longest_step = 0.4, accepted = 1e-12, round_off = 1e-15;
+  PlaneVector F, best_u = u;
+  PlaneMatrix DF;
+  double best = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < max_iterations; ++i) {
+    equations(u, F, DF);
+    const double size = F.template lpNorm<Eigen::Infinity>();
+    if (!std::isfinite(size) || !DF.allFinite()) break;
+    if (size >= 0.5 * best && best <= accepted * scale) break;
+    if (size < best) best = size, best_u = u;
+    const PlaneVector step = newton_step(DF, F, round_off * scale);
+    const double length = step.template lpNorm<Eigen::Infinity>();
+    if (length == 0 || !std::isfinite(length)) break;
+    u -= step * std::min(1.0, longest_step / length);
+  }
+  u = best_u;
+  if (best <= accepted * scale) return {};
+  return mechanics::Status::failure("Newton's iteration finds no steady motion here; it ends with a residual of " +
+                                    std::to_string(best / scale) + " of the terms");
+}
+
+/// Size of the terms of F.
+template <SmoothPotential V>
+double equations_scale(const IsotropicBody<V>& body, const PlaneVector& u) {
+  const SteadyMotion m = motion_of(u);
+  return 1 + steady_residual_scale(body, m) * m.A.norm();
+}
+
+}  // namespace detail
+
+struct Target {
+  Quantity quantity;
+  double value;
+};
+
+/// The steady motion near `motion` with the two quantities. Where they do not single out one (on a fold, at a
+/// bifurcation) the iteration fails, or finds a neighbour.
+template <SmoothPotential V>
+mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,
+                                     SteadyMotion& motion) {
+  if (!(motion.A.determinant() > 0)) return mechanics::Status::failure("det A of a steady motion must be positive");
+  PlaneVector u = plane_coordinates(to_principal_plane(motion));
+  const auto equations = [&](const PlaneVector& x, PlaneVector& F, PlaneMatrix& DF) {
+    steady_equations(body, x, F, DF);
+    for (int k = 0; k < 2; ++k) {
+      const PlaneDual q = targets[k].quantity(mechanics::independent<double, 8>(x));
+      F[6 + k] = q.value() - targets[k].value;
+      DF.row(6 + k) = q.derivatives().transpose();
+    }
+  };
+  mechanics::Status status = detail::plane_newton(equations, detail::equations_scale(body, u), u);
+  if (status) motion = motion_of(u);
+  return status;
+}
+
+}  // namespace pseudorigid::reduced

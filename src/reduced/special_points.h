@@ -1,0 +1,108 @@
+#pragma once
+/// Where something happens along a family of steady motions, located to round-off of a smooth test function:
+///
+///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
+///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
+///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: the
+///                 k-th of the rising eigenvalues is zero. A rate of the motion passes through 0; without dissipation
+///                 the motion need not lose its stability there (Maclaurin–Jacobi: with dissipation it does,
+///                 "secular"). The number also jumps by 2 where J or Z passes through 0, which is no event of the
+///                 motion
+///   instability   rates leave the imaginary axis, or come back: two rates of opposite energy meet (Krein), or a pair
+///   ±s
+///                 meets at 0. The largest real part starts there like a square root and is noisy; but for the two that
+///                 meet
+///
+///     δ = Re (s − s')²
+///
+///   is a smooth function of the matrix, −(difference of frequencies)² before and +(2 growth rate)² after. The energies
+///   (sign of ½x̄ᵀSx of the rate's vector x) keep rates of the same sign, which only pass each other, out of it.
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "reduced/bracketed_root.h"
+#include "reduced/linear_stability.h"
+
+namespace pseudorigid::reduced {
+
+enum class SpecialKind { fold, branch_point, index, instability };
+
+inline const char* name_of(SpecialKind kind) {
+  switch (kind) {
+    case SpecialKind::fold:
+      return "fold";
+    case SpecialKind::branch_point:
+      return "branch point";
+    case SpecialKind::index:
+      return "index";
+    case SpecialKind::instability:
+      return "instability";
+  }
+  return "";
+}
+
+struct SpecialPoint {
+  SpecialKind kind;
+  double s;  ///< on the interval that was looked at
+};
+
+/// The largest δ of two rates that can meet, over the square of the largest rate.
+inline double collision(const LinearStability& stability) {
+  double largest = 0;
+  for (const Rate& r : stability.rates) largest = std::max(largest, std::abs(r.s));
+  if (largest == 0) return 0;
+  const double tolerance = detail::zero_growth * largest;
+  const auto imaginary = [&](const Rate& r) { return std::abs(r.s.real()) <= tolerance; };
+  double delta = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < stability.rates.size(); ++i) {
+    const Rate& a = stability.rates[i];
+    if (a.s.imag() < -tolerance) continue;
+    if (imaginary(a) || std::abs(a.s.imag()) <= tolerance) delta = std::max(delta, 4 * (a.s * a.s).real());
+    for (std::size_t j = 0; j < i; ++j) {
+      const Rate& b = stability.rates[j];
+      if (b.s.imag() < -tolerance) continue;
+      const bool can_meet = imaginary(a) && imaginary(b) ? a.energy_sign * b.energy_sign <= 0
+                                                         : std::abs(a.s + std::conj(b.s)) <= tolerance;
+      if (can_meet) delta = std::max(delta, ((a.s - b.s) * (a.s - b.s)).real());
+    }
+  }
+  return delta / (largest * largest);
+}
+
+/// Stability along a curve of motions s ↦ motion(s); nothing where there is no motion.
+using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
+
+/// Appends the changes of index and of stability between a and b.
+inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
+                                        std::vector<SpecialPoint>& found) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto at_a = stability(a), at_b = stability(b);
+  if (!at_a || !at_b || at_a->second_variation.size() != at_b->second_variation.size()) return;
+  const Eigen::Index size = at_a->second_variation.size();
+  const auto [least, most] = std::minmax(at_a->n_negative, at_b->n_negative);
+  double last = nan;
+  for (int k = least; k < most; ++k) {
+    const auto eigenvalue = [&](double s) {
+      const auto r = stability(s);
+      if (!r || r->second_variation.size() != size) return nan;
+      const double x = r->second_variation[k];
+      return std::abs(x) <= detail::zero_variation ? 0 : x;
+    };
+    const auto s = bracketed_root(eigenvalue, a, b);
+    // Not a jump, and not the partner of one that has been found (pairs vanish together on spheroids).
+    if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
+    found.push_back({SpecialKind::index, *s});
+    last = *s;
+  }
+  const auto delta = [&](double s) {
+    const auto r = stability(s);
+    return r ? collision(*r) : nan;
+  };
+  if (const auto s = bracketed_root(delta, a, b); s && std::abs(delta(*s)) < 1e-6)
+    found.push_back({SpecialKind::instability, *s});
+}
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,101 @@
+#pragma once
+/// Steady motions (relative equilibria) of the pseudo-rigid body with E₀ = m̄ Id under an isotropic potential,
+/// V(RQS) = V(Q) for rotations R, S (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium, ch. 7; Oliva
+/// 5.7.8):
+///
+///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant:
+///
+/// the figure AB turns at ω in space while matter circulates in it at −Λ. (5.120) asks for
+///
+///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3): λ = 0 in place of the second)
+///
+/// Turning space and the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, makes A = diag(a₁, a₂, a₃). The motion Q(t)ᵀ,
+/// (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is steady too (Dedekind's duality).
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+#include "mechanics/body_observables.h"
+
+namespace pseudorigid::reduced {
+
+/// V with its exact first and second derivatives, physical (not per m̄).
+template <class V>
+concept SmoothPotential = requires(const V potential, const Eigen::Matrix3d Q, const Eigen::Matrix3d H) {
+  { potential.energy(Q) } -> std::convertible_to<double>;
+  { potential.gradient(Q) } -> std::convertible_to<Eigen::Matrix3d>;
+  { potential.second_derivative(Q, H) } -> std::convertible_to<Eigen::Matrix3d>;  // D(∂V)(Q)[H]
+};
+
+/// A body with E₀ = m̄ Id and an isotropic potential. `potential` is referred to and must outlive the body.
+template <SmoothPotential V>
+struct IsotropicBody {
+  const V& potential;
+  double m_bar;
+  bool incompressible = true;
+
+  /// ∂V(A) and D(∂V)(A)[H], per m̄.
+  Eigen::Matrix3d gradient(const Eigen::Matrix3d& A) const { return potential.gradient(A) / m_bar; }
+  Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
+    return potential.second_derivative(A, H) / m_bar;
+  }
+};
+template <class V>
+IsotropicBody(const V&, double, bool) -> IsotropicBody<V>;
+template <class V>
+IsotropicBody(const V&, double) -> IsotropicBody<V>;
+
+struct SteadyMotion {
+  Eigen::Matrix3d A = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d omega = Eigen::Vector3d::Zero(), Lambda = Eigen::Vector3d::Zero();
+  double lambda = 0;  ///< multiplier per m̄
+
+  /// Q(t) and Q̇(t)
+  Eigen::Matrix3d position(double t) const { return turned(A, t); }
+  Eigen::Matrix3d velocity(double t) const { return turned(co_moving_velocity(), t); }
+  /// ω̂A − AΛ̂, which is Q̇(0)
+  Eigen::Matrix3d co_moving_velocity() const {
+    return mechanics::cross_matrix(omega) * A - A * mechanics::cross_matrix(Lambda);
+  }
+  /// Dedekind's dual motion Q(t)ᵀ
+  SteadyMotion dual() const { return {A.transpose(), Lambda, omega, lambda}; }
+
+ private:
+  static Eigen::Matrix3d rotation(const Eigen::Vector3d& w, double t) {
+    const double rate = w.norm();
+    if (rate == 0) return Eigen::Matrix3d::Identity();
+    return Eigen::AngleAxisd(rate * t, w / rate).toRotationMatrix();
+  }
+  Eigen::Matrix3d turned(const Eigen::Matrix3d& X, double t) const {
+    return rotation(omega, t) * X * rotation(Lambda, -t);
+  }
+};
+
+namespace detail {
+
+/// ω̂²X − 2ω̂XΛ̂ + XΛ̂²: the acceleration of exp(tω̂) X exp(−tΛ̂), X constant, seen in the co-moving frame.
+inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& Lambda,
+                                           const Eigen::Matrix3d& X) {
+  const Eigen::Matrix3d w = mechanics::cross_matrix(omega), l = mechanics::cross_matrix(Lambda);
+  return w * w * X - 2 * w * X * l + X * l * l;
+}
+
+}  // namespace detail
+
+/// R, per m̄.
+template <SmoothPotential V>
+Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion& m) {
+  return detail::steady_acceleration(m.omega, m.Lambda, m.A) + body.gradient(m.A) -
+         m.lambda * m.A.inverse().transpose();
+}
+
+/// The largest of the terms of R: what |R| is small against.
+template <SmoothPotential V>
+double steady_residual_scale(const IsotropicBody<V>& body, const SteadyMotion& m) {
+  return std::max({(m.omega.squaredNorm() + m.Lambda.squaredNorm()) * m.A.norm(), body.gradient(m.A).norm(),
+                   std::abs(m.lambda) * m.A.inverse().norm()});
+}
+
+}  // namespace pseudorigid::reduced
