@@ -165,9 +165,11 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
     for (int turn = 0; turn < max_turns; ++turn) {
       G = detail::gram(W);
       if (detail::orthogonal(G, round_off)) break;
-      const auto& [square, product] = G;
-      const Eigen::Vector3d theta(product[0] / (square[2] - square[1]), product[1] / (square[0] - square[2]),
-                                  product[2] / (square[1] - square[0]));
+      const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
+      const auto angle = [&](int i, int j, int k) {  // none where both are zero: coinciding axes
+        return product[k] == 0 ? 0 : product[k] / (square[j] - square[i]);
+      };
+      const Eigen::Vector3d theta(angle(1, 2, 0), angle(2, 0, 1), angle(0, 1, 2));
       const double largest = theta.cwiseAbs().maxCoeff();
       if (largest < small) {
         const Eigen::Matrix3d R = detail::cayley(theta);

@@ -93,16 +93,20 @@ TEST(SelfGravity, EnergyHas14Digits) {
 
 // Rounding the entries of F alone moves its smallest axis by cond(F)·ε.
 TEST(SelfGravity, ForceOfARotatedBodyIsRightToItsConditionNumber) {
-  const auto [U, V] = rotations();
+  std::mt19937 generator(7);
   double worst = 0;
-  for (const auto& reference : references()) {
-    const Matrix3d expected = rotated(U, reference.force(), V);
-    const Matrix3d error = gravity.gradient(rotated(U, reference.a, V)) - expected;
-    const double size = expected.cwiseAbs().maxCoeff();  // squares of 1e-300 would vanish in a norm
-    worst = std::max(worst, (error / size).norm() / (epsilon * reference.condition()));
-  }
+  for (const auto& reference : references())
+    for (int i = 0; i < 100; ++i) {  // many: some make products of rows exactly zero
+      const Matrix3d U = random_rotation(generator), V = random_rotation(generator);
+      const Matrix3d expected = rotated(U, reference.force(), V);
+      const Matrix3d error = gravity.gradient(rotated(U, reference.a, V)) - expected;
+      const double size = expected.cwiseAbs().maxCoeff();  // squares of 1e-300 would vanish in a norm
+      const double units = (error / size).norm() / (epsilon * reference.condition());
+      ASSERT_TRUE(std::isfinite(units)) << reference.a.transpose();
+      worst = std::max(worst, units);
+    }
   RecordProperty("worst", std::to_string(worst) + " cond eps");
-  EXPECT_LE(worst, 20);
+  EXPECT_LE(worst, 50);  // F is rounded nine times, the rotations are orthogonal to a few ε
 }
 
 // α₁ + α₂ + α₃ = 2/(a₁a₂a₃) with α_i = ⅔ d_i
