@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "continuum/ball_space.h"
-#include "continuum/lanes.h"
 #include "continuum/pressure_basis.h"
+#include "continuum/quadrature_point.h"
 #include "continuum/sum_factorization.h"
 #include "materials/tensor.h"
 
@@ -22,16 +22,11 @@ class CellBatches {
  public:
   static constexpr int n_lanes = native_lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
   using L = Lanes<n_lanes>;
+  using Point = QuadraturePoint;
   using Monomials = PressureMonomials<degree - 1>;
   static constexpr int n_pressure = Monomials::size;
   static constexpr int n_packed = n_pressure * (n_pressure + 1) / 2;
 
-  struct Point {
-    L inverse_jacobian[9];  ///< (∂X/∂ξ)⁻¹, row-major
-    L inverse_determinant;  ///< 1 / det ∂X/∂ξ
-    L weight;               ///< quadrature weight · det ∂X/∂ξ
-    L position[3];          ///< local coordinates of the pressure basis
-  };
   struct Batch {
     unsigned int first_cell;
     int n_active;

@@ -8,7 +8,8 @@
 ///   curvature       D²g(v, v)_j = −∫ ψ_j tr((F⁻¹∇v)²) dX
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
 ///
-/// One implementation a degree and law (cell_kernels_impl.h), chosen at run time by make_cell_kernels.
+/// One implementation a degree (cell_kernels_impl.h), chosen at run time by make_cell_kernels; the law is a function
+/// that it calls for the points of a batch (point_law.h).
 
 #include <deal.II/base/tensor.h>
 

@@ -1,30 +1,46 @@
 #pragma once
-/// The kernels of cell_kernels.h for one degree and one law. In reference coordinates, H = ∂x/∂ξ:
+/// The kernels of cell_kernels.h for one degree; the law is behind point_law.h. In reference coordinates, H = ∂x/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
 /// so the constraint's operators read only two scalars of geometry a point.
 
-#include <stdexcept>
+#include <utility>
 
 #include "continuum/cell_batches.h"
 #include "continuum/cell_kernels.h"
+#include "continuum/point_law.h"
 
 namespace pseudorigid::continuum {
 
-/// All that does not depend on the law.
 template <int degree>
-class DegreeKernels : public CellKernels {
- protected:
+class DegreeKernels final : public CellKernels {
   using Batches = CellBatches<degree>;
   using L = typename Batches::L;
   using Tensor = materials::Tensor<L>;
   static constexpr int n_nodes = Batches::n_nodes, n_points = Batches::n_points, n_pressure = Batches::n_pressure;
 
  public:
-  explicit DegreeKernels(const BallSpace& space)
-      : batches_(space), reference_positions_(&space.reference_positions()), buffers_(std::make_unique<Buffers>()) {}
+  DegreeKernels(const BallSpace& space, std::unique_ptr<PointLaw> law)
+      : law_(std::move(law)),
+        batches_(space),
+        reference_positions_(&space.reference_positions()),
+        buffers_(std::make_unique<Buffers>()) {}
+
+  double force(const Vector& x, Vector& f) const override {
+    double least = HUGE_VAL;
+    f = 0.0;
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      reference_gradient(x, b, buffers_->H);
+      L least_in_batch;
+      law_->stress(batches_.points(b), n_points, buffers_->H[0], least_in_batch);
+      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
+      integrate(buffers_->H);
+      batches_.scatter_add(buffers_->nodal, b, f);
+    }
+    return least;
+  }
 
   double constraint(const Vector& x, Vector& g) const override {
     double least = HUGE_VAL;
@@ -91,6 +107,18 @@ class DegreeKernels : public CellKernels {
     }
   }
 
+  CellIntegrals integrals(const Vector& x, const Vector& v) const override {
+    CellIntegrals sums;
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      reference_gradient(v, b, buffers_->dv);
+      for (int c = 0; c < 3; ++c)
+        for (int q = 0; q < n_points; ++q) buffers_->dv[c][q] = buffers_->point_values[c][q];  // v itself
+      reference_gradient(x, b, buffers_->H);
+      add_integrals(b, sums);
+    }
+    return sums;
+  }
+
   LeastJacobian locate_least_jacobian(const Vector& x) const override {
     LeastJacobian result{HUGE_VAL, {}};
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -123,7 +151,7 @@ class DegreeKernels : public CellKernels {
   }
   std::size_t memory() const override { return batches_.memory() + sizeof(Buffers); }
 
- protected:
+ private:
   using Field = L[9][n_points];  ///< a tensor at every point: [3·row + column][point]
 
   static Tensor load(const Field& field, int q) {
@@ -150,26 +178,12 @@ class DegreeKernels : public CellKernels {
                                        buffers_->point_values[c], buffers_->nodal[c]);
   }
 
-  /// F = H (∂X/∂ξ)⁻¹
-  static Tensor deformation_gradient(const Tensor& H, const L* inverse_jacobian) {
-    Tensor F;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        F(i, j) = H(i, 0) * inverse_jacobian[j] + H(i, 1) * inverse_jacobian[3 + j] + H(i, 2) * inverse_jacobian[6 + j];
-    return F;
-  }
-
   struct Buffers {
     L nodal[3][n_nodes], point_values[3][n_points], scratch[n_points];
     Field H, dv;
     L multiplier[n_pressure];
   };
 
-  Batches batches_;
-  const Vector* reference_positions_;
-  std::unique_ptr<Buffers> buffers_;
-
- private:
   /// r_j = ∫ψ_j s(H, ∂v/∂ξ); `integrand` gets cof H, 1/det H and ∂v/∂ξ.
   template <class Integrand>
   void pull_back(const Vector& x, const Vector& v, Vector& r, const Integrand& integrand) const {
@@ -205,11 +219,43 @@ class DegreeKernels : public CellKernels {
     integrate(buffers_->H);
   }
 
+  /// Expects H and, in the first three entries of dv, the velocity of the batch.
+  void add_integrals(std::size_t b, CellIntegrals& sums) const {
+    const auto& batch = batches_.batches[b];
+    L elastic, volume(0.0), F_sum[9], pulled_back[9];
+    law_->energy(batches_.points(b), n_points, buffers_->H[0], elastic);
+    for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
+    for (int q = 0; q < n_points; ++q) {
+      const auto& p = batches_.points(b)[q];
+      const Tensor F = p.deformation_gradient(load(buffers_->H, q));
+      volume += p.weight * materials::determinant(F);
+      for (int j = 0; j < 3; ++j) {
+        const L w_j =
+            p.weight * (F(0, j) * buffers_->dv[0][q] + F(1, j) * buffers_->dv[1][q] + F(2, j) * buffers_->dv[2][q]);
+        for (int i = 0; i < 3; ++i) {
+          F_sum[3 * i + j] += p.weight * F(i, j);
+          pulled_back[3 * i + j] += (batch.center[i] + batch.scale * p.position[i]) * w_j;
+        }
+      }
+    }
+    sums.elastic += elastic.sum(batch.n_active);
+    sums.volume += volume.sum(batch.n_active);
+    for (int k = 0; k < 9; ++k) {
+      sums.F[k / 3][k % 3] += F_sum[k].sum(batch.n_active);
+      sums.X_pulled_back[k / 3][k % 3] += pulled_back[k].sum(batch.n_active);
+    }
+  }
+
   void store(const L* moments, std::size_t b, Vector& g) const {
     L values[n_pressure];
     batches_.from_moments(moments, b, values);
     batches_.store_multiplier(values, b, g);
   }
+
+  std::unique_ptr<PointLaw> law_;
+  Batches batches_;
+  const Vector* reference_positions_;
+  std::unique_ptr<Buffers> buffers_;
 };
 
 template <int degree>
@@ -229,96 +275,10 @@ void DegreeKernels<degree>::multiplier_at_nodes(const Vector& lambda, unsigned i
   }
 }
 
-template <int degree, class Law>
-class LawKernels final : public DegreeKernels<degree> {
-  using Base = DegreeKernels<degree>;
-  using Base::batches_;
-  using Base::buffers_;
-  using typename Base::Batches;
-  using typename Base::L;
-  using typename Base::Tensor;
-
- public:
-  LawKernels(const BallSpace& space, const Law& law) : Base(space), law_(law) {}
-
-  double force(const Vector& x, Vector& f) const override {
-    double least = HUGE_VAL;
-    f = 0.0;
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      Base::reference_gradient(x, b, buffers_->H);
-      const auto* points = batches_.points(b);
-      L least_in_batch(HUGE_VAL);
-      for (int q = 0; q < Base::n_points; ++q) {
-        const auto& p = points[q];
-        const Tensor H = Base::load(buffers_->H, q);
-        least_in_batch = min(materials::determinant(H) * p.inverse_determinant, least_in_batch);
-        const Tensor P = law_.stress(Base::deformation_gradient(H, p.inverse_jacobian));
-        Tensor T;  // −w P (∂X/∂ξ)⁻ᵀ
-        for (int i = 0; i < 3; ++i)
-          for (int d = 0; d < 3; ++d) {
-            const L* row = p.inverse_jacobian + 3 * d;
-            T(i, d) = -p.weight * (P(i, 0) * row[0] + P(i, 1) * row[1] + P(i, 2) * row[2]);
-          }
-        Base::save(T, buffers_->H, q);
-      }
-      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
-      Base::integrate(buffers_->H);
-      batches_.scatter_add(buffers_->nodal, b, f);
-    }
-    return least;
-  }
-
-  CellIntegrals integrals(const Vector& x, const Vector& v) const override {
-    CellIntegrals sums;
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      Base::reference_gradient(v, b, buffers_->dv);
-      for (int c = 0; c < 3; ++c)
-        for (int q = 0; q < Base::n_points; ++q) buffers_->dv[c][q] = buffers_->point_values[c][q];  // v itself
-      Base::reference_gradient(x, b, buffers_->H);
-      add_integrals(b, sums);
-    }
-    return sums;
-  }
-
- private:
-  /// Expects H and, in the first three entries of dv, the velocity of the batch.
-  void add_integrals(std::size_t b, CellIntegrals& sums) const {
-    const auto& batch = batches_.batches[b];
-    L elastic(0.0), volume(0.0), F_sum[9], pulled_back[9];
-    for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
-    for (int q = 0; q < Base::n_points; ++q) {
-      const auto& p = batches_.points(b)[q];
-      const Tensor F = Base::deformation_gradient(Base::load(buffers_->H, q), p.inverse_jacobian);
-      elastic += p.weight * law_.energy(F);
-      volume += p.weight * materials::determinant(F);
-      for (int j = 0; j < 3; ++j) {
-        const L w_j =
-            p.weight * (F(0, j) * buffers_->dv[0][q] + F(1, j) * buffers_->dv[1][q] + F(2, j) * buffers_->dv[2][q]);
-        for (int i = 0; i < 3; ++i) {
-          F_sum[3 * i + j] += p.weight * F(i, j);
-          pulled_back[3 * i + j] += (batch.center[i] + batch.scale * p.position[i]) * w_j;
-        }
-      }
-    }
-    sums.elastic += elastic.sum(batch.n_active);
-    sums.volume += volume.sum(batch.n_active);
-    for (int k = 0; k < 9; ++k) {
-      sums.F[k / 3][k % 3] += F_sum[k].sum(batch.n_active);
-      sums.X_pulled_back[k / 3][k % 3] += pulled_back[k].sum(batch.n_active);
-    }
-  }
-
-  Law law_;
-};
-
 /// Defined in one source file a degree, which are compiled for the widest vectors of the machine.
 template <int degree>
 std::unique_ptr<CellKernels> make_kernels_of_degree(const BallSpace& space, const materials::AnyLaw& law) {
-  return std::visit(
-      [&](const auto& l) -> std::unique_ptr<CellKernels> {
-        return std::make_unique<LawKernels<degree, std::decay_t<decltype(l)>>>(space, l);
-      },
-      law);
+  return std::make_unique<DegreeKernels<degree>>(space, make_point_law(law));
 }
 
 }  // namespace pseudorigid::continuum

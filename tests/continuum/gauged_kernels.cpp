@@ -1,6 +1,7 @@
 #include "continuum/gauged_kernels.h"
 
 #include "continuum/cell_kernels_impl.h"
+#include "continuum/point_law_impl.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -28,7 +29,8 @@ struct Gauged {
 }  // namespace
 
 std::unique_ptr<continuum::CellKernels> make_gauged_kernels(const continuum::BallSpace& space, double c) {
-  return std::make_unique<continuum::LawKernels<gauged_degree, Gauged>>(space, Gauged{{1, 0}, c});
+  using Law = continuum::LawAtPoints<Gauged>;
+  return std::make_unique<continuum::DegreeKernels<gauged_degree>>(space, std::make_unique<Law>(Gauged{{1, 0}, c}));
 }
 
 }  // namespace pseudorigid::testing
