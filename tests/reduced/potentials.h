@@ -30,8 +30,8 @@ Body loaded_body(const materials::AnyLaw& law, const Loads& loads) {
 inline LoadedSl3 elastic_sl3(const Loads& loads) { return loaded_body<LoadedSl3>(Law{1, 0}, loads); }
 inline LoadedSl3 fluid_sl3(const Loads& loads) { return loaded_body<LoadedSl3>(materials::Fluid{}, loads); }
 
-/// T of a tide and a spin about different axes, with no symmetry.
-inline Matrix3d generic_quadratic() { return matrix({-0.3, 0.1, 0, 0.1, 0.2, -0.15, 0, -0.15, 0.05}); }
+/// A confining T without symmetry, with principal axes that are not the coordinate axes.
+inline Matrix3d generic_quadratic() { return matrix({0.6, 0.1, 0, 0.1, 0.3, -0.15, 0, -0.15, 0.2}); }
 
 /// Every law of the table, each on SL(3) and GL⁺(3) (`none` has nothing that resists compression and is left out
 /// there).
