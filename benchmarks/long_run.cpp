@@ -33,11 +33,11 @@ struct Watch {
   const Form<Sl3>& form;
   long n_steps;
   std::vector<Row> rows{};
-  mechanics::BodyObservables start{};
+  mechanics::ReducedObservables start{};
 
   template <class Workspace>
   Status sample(long k, const State<Sl3>& state, Workspace& w) {
-    mechanics::BodyObservables o;
+    mechanics::ReducedObservables o;
     if (Status status = reduced::observe(form.system, state, w.system, {.multiplier = false, .axes = false}, o);
         !status)
       return status;

@@ -3,7 +3,8 @@
 # shellcheck shell=bash disable=SC2034  # the lists are read by the scripts
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
-reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libcli11-dev)
+reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libcli11-dev
+  libmuparser-dev)
 continuum_packages=(libdeal.ii-dev libsuitesparse-dev)
 test_packages=(libgtest-dev libboost-dev python3-meshio python3-vtk9)
 log_directory=$root/build/log

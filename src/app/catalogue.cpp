@@ -1,37 +1,45 @@
 #include "app/catalogue.h"
 
+#include "app/ball_equilibria.h"
 #include "app/equilibria.h"
-#include "app/scene_to_model.h"
+#include "app/reduced_scene.h"
 #include "app/system_description.h"
-#include "reduced/pseudo_rigid_body.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {
 namespace {
 
-template <class Law, bool incompressible>
-using Body = reduced::PseudoRigidBody<Law, incompressible>;
+/// The pseudo-rigid body, in the form that the scene takes, with the method asked for.
+template <bool incompressible>
+std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
+  const ReducedScene s = reduced_scene(scene);
+  switch (form_of(s, incompressible)) {
+    case ReducedForm::elastic:
+    case ReducedForm::general:
+      return refuses_method(scene, general_body<incompressible>(s));
+    case ReducedForm::diagonal:
+      return refuses_method(scene, system_of<ReducedForm::diagonal, incompressible>(s));
+    case ReducedForm::dissipative:
+      return refuses_method(scene, system_of<ReducedForm::dissipative, incompressible>(s));
+  }
+  return {};
+}
 
-/// The pseudo-rigid body with the method asked for.
 std::optional<scene::Refusal> refuses_ball(const scene::Scene& scene) {
-  const auto ball = reduced::ReferenceBody::unit_ball();
-  return std::visit(
-      [&]<class Law>(const Law& law) {
-        return scene.body.incompressible ? refuses_method(scene, Body<Law, true>(law, ball))
-                                         : refuses_method(scene, Body<Law, false>(law, ball));
-      },
-      internal_law(scene));
+  return scene.body.incompressible ? refuses_body<true>(scene) : refuses_body<false>(scene);
 }
 
 /// The finite-element ball has the form of the incompressible body, with vectors of its own.
-using IncompressibleBody = Body<std::variant_alternative_t<0, materials::AnyLaw>, true>;
 template <class Method>
 constexpr bool for_continuum =
-    mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, IncompressibleBody>();
+    mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, ElasticBody<true>>();
 
 scene::Catalogue make_catalogue() {
-  scene::Catalogue catalogue{
-      .methods = {}, .systems = {}, .refuses_ball = refuses_ball, .equilibria = equilibria_columns({}, 1)};
+  scene::Catalogue catalogue{.methods = {},
+                             .systems = {},
+                             .refuses_ball = refuses_ball,
+                             .equilibria = equilibria_columns({}, 1),
+                             .ball_equilibria = ball_equilibria_columns()};
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_continuum<Method>});
   });

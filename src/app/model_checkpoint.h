@@ -40,6 +40,7 @@ inline RunIdentity run_identity(const scene::Scene& scene) {
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.output.directory = "-";
+  frozen.sweep_threads.reset();
   frozen.title.clear();
   return {scene::to_prm(frozen), scene::to_prm(stepping)};
 }

@@ -12,6 +12,7 @@
 ///   std::vector<std::string> columns(quantities) const;
 ///   Status row(time, state, system workspace, row);
 ///   void report(workspace, statistics) const;
+/// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,
 /// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
 /// workspace).
 
@@ -46,7 +47,7 @@ class ModelRun {
   ModelRun(Model& model, const RunContext& context)
       : model_(model),
         context_(context),
-        identity_(run_identity(context.scene)),
+        identity_(context.rows ? RunIdentity{} : run_identity(context.scene)),
         checkpoint_path_(context.directory.checkpoint(Model::name)),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
         stepping_(model, context, times_.end, times_.interval()),
@@ -80,7 +81,10 @@ class ModelRun {
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
     measure_constraint(state);
-    csv_->append(row_);
+    if (context_.rows)
+      context_.rows->values.insert(context_.rows->values.end(), row_.begin(), row_.end());
+    else
+      csv_->append(row_);
     if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
       if (context_.needs.graphics && frames_.has(k)) write_frame(k, time, state, system_workspace);
     position_.cursor = {k, 0};
@@ -182,6 +186,11 @@ class ModelRun {
 
   Status begin() {
     const std::vector<std::string> columns = model_.columns(context_.needs.quantities);
+    if (context_.rows) {
+      *context_.rows = {columns, {}};
+      last_save_ = Clock::now();
+      return stepping_.choose(state_, position_, statistics_);
+    }
     const auto csv_path = context_.directory.csv(Model::name);
     if (context_.resume && std::filesystem::exists(checkpoint_path_)) {
       if (Status status = restore(); !status) return status;
@@ -189,6 +198,8 @@ class ModelRun {
       const mechanics::Cursor& at = position_.cursor;
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
       csv_.emplace(io::CsvWriter::resume(csv_path, columns, n_samples_taken));
+      if constexpr (requires { model_.take_up(io::Table()); })
+        if (n_samples_taken > 0) model_.take_up(io::read_csv(csv_path));
       std::vector<io::PvdCollection::Frame> written;
       for (long j = 0; context_.needs.graphics && j < frames_.n_before(n_samples_taken); ++j)
         if (const auto path = context_.directory.frame(Model::name, static_cast<int>(j)); std::filesystem::exists(path))
@@ -253,6 +264,7 @@ class ModelRun {
   }
 
   void save(Snapshot<System>& snapshot) {
+    if (context_.rows) return;
     csv_->flush();
     to_checkpoint(identity_, snapshot).save(checkpoint_path_);
     last_save_ = Clock::now();
@@ -263,9 +275,10 @@ class ModelRun {
       return outcome(ModelOutcome::State::interrupted, "interrupted at t = " + physical_time(result.t), start);
     save(good_);
     if (result.outcome == Outcome::finished) return outcome(ModelOutcome::State::finished, "", start);
-    return outcome(
-        ModelOutcome::State::failed,
-        stopped(result.t, result.reason) + "; the state at t = " + physical_time(good_.state.t) + " is saved", start);
+    return outcome(ModelOutcome::State::failed,
+                   stopped(result.t, result.reason) +
+                       (context_.rows ? "" : "; the state at t = " + physical_time(good_.state.t) + " is saved"),
+                   start);
   }
 
   std::string stopped(double t, const std::string& reason) const {

@@ -46,7 +46,8 @@ class ModelStepping {
     mechanics::StepRequest request{.end = end_ - state.t,
                                    .window = model_.pilot_window(end_ - state.t),
                                    .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
-                                   .step_bound = std::min(bound, interval_),
+                                   .step_bound = std::min(bound, end_ - state.t),
+                                   .interval = interval_,
                                    .method = method,
                                    .give_up = io::interrupt_requested};
     if constexpr (mechanics::ConstrainedSystem<System>) {
@@ -111,7 +112,7 @@ class ModelStepping {
     position.method =
         request.method.value_or(explicit_fits ? mechanics::id_of<Explicit> : mechanics::id_of<mechanics::Rattle>);
     position.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
-    position.step = request.step_bound;
+    position.step = std::min(request.step_bound, request.interval);
     with_fitting_method<System>(position.method, [&]<class Method>(Method) {
       if constexpr (!Method::adaptive)
         position.step = std::min(

@@ -12,6 +12,8 @@
 #include "app/catalogue.h"
 #include "app/command_line.h"
 #include "app/run_command.h"
+#include "app/scene_to_run.h"
+#include "app/sweep.h"
 #include "io/build_info.h"
 #include "io/files.h"
 #include "scene/needs.h"
@@ -51,21 +53,29 @@ struct Launch {
                   std::strerror(errno) + "); build the preset release, or set Models = reduced");
 }
 
-scene::ReadScene read_and_validate(const Options& options) {
-  scene::ReadScene read = scene::read_scene(options.scene, options.overrides, program_catalogue());
-  read.scene = scene::validate(read.scene, read.origins);
-  return read;
+/// The scene as it was read and as it can be run; of a sweep, the first run, after all have been checked.
+struct Input {
+  scene::ReadScene raw, read;
+};
+
+Input read_and_validate(const Options& options) {
+  Input input{scene::read_scene(options.scene, options.overrides, program_catalogue()), {}};
+  input.read = input.raw;
+  input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
+  check_sweep(input.raw);
+  return input;
 }
 
 int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
   if (launch.rank > 0) return exit_done;  // one rank computes, and speaks for all
-  const scene::ReadScene read = read_and_validate(options);
+  const Input input = read_and_validate(options);
+  const scene::ReadScene& read = input.read;
   if (read.scene.models.continuum) {
     if (launch.n_ranks > 1)
       throw UserError("the continuum model runs in one process; start it without mpirun, or with -np 1");
     if (!executable.run_continuum) become_continuum_executable(argv);
   }
-  return run_scene(read, options, {argv, argv + argc}, executable);
+  return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
 }
 
 int dispatch(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
@@ -73,7 +83,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     case Command::run:
       return run(options, argc, argv, executable, launch);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options);
+      const scene::ReadScene read = read_and_validate(options).read;
       std::fputs(scene::describe(read.scene, scene::needs(read.scene)).c_str(), stdout);
       return exit_done;
     }

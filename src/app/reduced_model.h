@@ -1,64 +1,128 @@
 #pragma once
-/// The pseudo-rigid body of a scene, as ModelRun wants it.
+/// The pseudo-rigid body of a scene, in one of its forms, as ModelRun wants it.
 
-#include "app/scene_to_model.h"
+#include "app/reduced_scene.h"
+#include "app/run_context.h"
+#include "app/tension_watch.h"
 #include "io/ellipsoid_surface.h"
 #include "io/trajectory.h"
 #include "mechanics/step_size.h"
 #include "reduced/observe.h"
+#include "scene/scales.h"
 
 namespace pseudorigid::app {
 
-template <class Body>
+template <class BodySystem>
 class ReducedModel {
  public:
-  using System = Body;
-  using State = mechanics::State<Body>;
-  using Workspace = typename Body::Workspace;
+  using System = BodySystem;
+  using State = mechanics::State<System>;
+  using Workspace = typename System::Workspace;
   static constexpr const char* name = "reduced";
   /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
   static constexpr int steps_between_looks = 256;
   static constexpr double pilot_reserve = 1;
 
-  ReducedModel(Body body, const RunContext& context)
-      : body_(std::move(body)), context_(context), request_(context.request()) {}
-
-  const Body& system() const { return body_; }
-  State initial_state() const {
-    return {0, initial_deformation(context_.scene), initial_velocity(context_.scene, context_.units)};
+  ReducedModel(System system, const ReducedScene& scene, const RunContext& context)
+      : system_(std::move(system)),
+        center_(scene.center),
+        drag_on_center_(scene.dissipation.drag != 0),
+        start_(start_of<System>(scene)),
+        context_(context),
+        request_(context.request()),
+        tension_(context, scene::is_fluid(context.scene)) {
+    request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
   }
+
+  const System& system() const { return system_; }
+  State initial_state() const { return start_; }
   double constraint_scale() const { return 1; }
-  Eigen::Matrix3d configuration(const State& state) const { return state.q; }
-  double rate(const State& state) const { return mechanics::affine_rate(state.q, state.v); }
+  Eigen::Matrix3d configuration(const State& state) const { return system_.motion(state).q; }
+  double rate(const State& state) const {
+    const auto motion = system_.motion(state);
+    return mechanics::affine_rate(motion.q, motion.v);
+  }
   /// About ten pulsations: from there on the time error of regular motions grows linearly.
   double pilot_window(double end) const { return std::min(end, 20.0); }
 
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::reduced_columns(q); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
-    if (auto status = reduced::observe(body_, state, workspace, request_, observables_); !status) return status;
+    if (auto status = reduced::observe(system_, state, workspace, request_, observables_); !status) return status;
+    if (request_.bipolar)
+      if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
+        return status;
+    if (auto status = add_center_of_mass(state.t); !status) return status;
+    tension_.look(time, observables_.multiplier * context_.units.multiplier());
     io::reduced_row(time, observables_, context_.units, context_.needs.quantities, row);
     return {};
   }
 
+  /// Goes on with what the rows of an interrupted run say of the past.
+  void take_up(const io::Table& rows) {
+    const auto row = rows.row(rows.n_rows() - 1);
+    if (request_.bipolar) {
+      bipolar_.emplace();
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const std::string place = std::to_string(i + 1) + std::to_string(j + 1);
+          bipolar_->T(i, j) = row[rows.column_index("T" + place)];
+          bipolar_->S(i, j) = row[rows.column_index("S" + place)];
+        }
+    }
+    if (tension_.watches() && rows.has_column("multiplier"))
+      tension_.take_up(rows.column("time"), rows.column("multiplier"));
+  }
+
   mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
     double Lambda = 0;
-    if constexpr (!mechanics::unconstrained<Body>)
-      if (auto status = mechanics::multiplier_of_motion(body_, state, workspace, Lambda); !status) return status;
-    const Eigen::Matrix3d stress = body_.cauchy_stress(state.q, Lambda / body_.m_bar()) * context_.units.stress();
+    if constexpr (!mechanics::unconstrained<System>)
+      if (auto status = mechanics::multiplier_of_motion(system_, state, workspace, Lambda); !status) return status;
+    const auto& body = system_.body();
+    const Eigen::Matrix3d Q = system_.motion(state).q;
+    const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar()) * context_.units.stress();
     if (!sphere_) sphere_.emplace(12);
-    io::write_ellipsoid_vtu(path, *sphere_, {state.q, stress, Eigen::Vector3d::Zero(), context_.units.length});
+    io::write_ellipsoid_vtu(path, *sphere_,
+                            {.Q = Q,
+                             .shape = body.reference().shape,
+                             .cauchy_stress = stress,
+                             .center = center_.at(state.t).x * context_.units.length,
+                             .radius = context_.units.length});
     return {};
   }
 
   template <class MethodWorkspace>
-  void report(const MethodWorkspace&, io::Manifest::Model&) const {}
+  void report(const MethodWorkspace&, io::Manifest::Model& statistics) const {
+    tension_.report(statistics);
+  }
 
  private:
-  Body body_;
+  mechanics::Status add_center_of_mass(double t) {
+    const auto motion = center_.at(t);
+    if (!motion.x.allFinite() || !motion.v.allFinite())
+      return mechanics::Status::failure("the external potential has carried the centre of mass beyond all numbers");
+    const double mass = system_.body().reference().mass;
+    observables_.center = motion.x;
+    observables_.velocity = motion.v;
+    observables_.kinetic += mass * center_.kinetic(motion);
+    observables_.external += mass * center_.potential(motion);
+    if (drag_on_center_) {
+      const auto start = center_.at(0);
+      observables_.dissipated += mass * (center_.kinetic(start) + center_.potential(start) - center_.kinetic(motion) -
+                                         center_.potential(motion));
+    }
+    return {};
+  }
+
+  System system_;
+  reduced::CenterOfMass center_;
+  bool drag_on_center_;
+  State start_;
   const RunContext& context_;
   mechanics::ObservableRequest request_;
-  mechanics::BodyObservables observables_;
+  TensionWatch tension_;
+  mechanics::ReducedObservables observables_;
+  std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
   std::optional<io::CubedSphere> sphere_;
 };
 

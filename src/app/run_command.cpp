@@ -4,8 +4,12 @@
 #include <filesystem>
 
 #include "analysis/comparison_report.h"
+#include "app/ball_equilibria.h"
 #include "app/model_checkpoint.h"
 #include "app/run_models.h"
+#include "app/scene_to_model.h"
+#include "app/sweep.h"
+#include "app/sweep_rows.h"
 #include "io/csv.h"
 #include "io/files.h"
 #include "io/progress.h"
@@ -59,9 +63,12 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   std::string message;
   bool interrupted = false, complete = true;
   const scene::Needs& needs = context.needs;
+  const bool equilibria = context.scene.analysis == scene::Analysis::equilibrium;
   const std::string system(needs.system ? needs.system->file : "");
   if (needs.system) complete = run_model(system.c_str(), run_system, context, manifest, message, interrupted);
-  if (needs.reduced) complete = run_model("reduced", run_reduced, context, manifest, message, interrupted);
+  if (needs.reduced)
+    complete =
+        run_model("reduced", equilibria ? run_ball_equilibria : run_reduced, context, manifest, message, interrupted);
   if (complete && needs.continuum)
     complete = run_model("continuum", executable.run_continuum, context, manifest, message, interrupted);
   const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
@@ -82,9 +89,22 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   return exit_stopped;
 }
 
+int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, io::ManifestFile& manifest) {
+  ModelOutcome outcome = run_sweep(raw, context);
+  manifest.content().models["sweep"] = std::move(outcome.statistics);
+  if (outcome.state == ModelOutcome::State::finished) {
+    context.log->info("results are in {}", context.directory.path().string());
+    manifest.finish("done", exit_done);
+    return exit_done;
+  }
+  context.log->error("{} (--resume goes on from there)", outcome.message);
+  manifest.finish("interrupted", exit_stopped, outcome.message);
+  return exit_stopped;
+}
+
 /// Every checkpoint in the directory can be read and belongs to this scene.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
-  std::vector<std::string> models{"reduced", "continuum"};
+  std::vector<std::string> models{"reduced", "continuum", SweepRows::name};
   if (const auto* system = scene.catalogue->system(scene.system)) models.emplace_back(system->file);
   for (const std::string& model : models) {
     const auto path = directory.checkpoint(model);
@@ -119,8 +139,8 @@ void prepare(const io::RunDirectory& directory, const scene::ReadScene& read, co
 
 }  // namespace
 
-int run_scene(const scene::ReadScene& read, const Options& options, const std::vector<std::string>& command,
-              const Executable& executable) {
+int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
+              const std::vector<std::string>& command, const Executable& executable) {
   const scene::Scene& scene = read.scene;
   const scene::Needs needs = scene::needs(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
@@ -140,14 +160,10 @@ int run_scene(const scene::ReadScene& read, const Options& options, const std::v
     log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
-    const RunContext context{scene,
-                             needs,
-                             directory,
-                             io::ball_units(scene.body.radius, scene.body.density, scene.material.shear_modulus),
-                             log,
-                             options.resume,
-                             !quiet && io::Progress::stderr_is_terminal()};
-    return run_models(context, executable, manifest, quiet);
+    const RunContext context{
+        scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
+    return scene.sweep.empty() ? run_models(context, executable, manifest, quiet)
+                               : run_whole_sweep(raw, context, manifest);
   } catch (const io::WriteError& error) {
     log->error("{}; what was written before is kept, and --resume goes on from the last checkpoint", error.what());
     return exit_stopped;

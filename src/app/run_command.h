@@ -10,8 +10,9 @@
 
 namespace pseudorigid::app {
 
-/// Takes a scene that scene::validate returned (in `read`). Returns the exit code 0 or 3.
-int run_scene(const scene::ReadScene& read, const Options& options, const std::vector<std::string>& command,
-              const Executable& executable);
+/// Takes a scene that scene::validate returned (in `read`), and as it was before (`raw`; the runs of a sweep are
+/// validated each). Returns the exit code 0 or 3.
+int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
+              const std::vector<std::string>& command, const Executable& executable);
 
 }  // namespace pseudorigid::app

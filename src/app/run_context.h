@@ -5,6 +5,7 @@
 
 #include <spdlog/logger.h>
 
+#include "io/csv.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
 #include "io/units.h"
@@ -22,12 +23,13 @@ struct RunContext {
   std::shared_ptr<spdlog::logger> log;
   bool resume;
   bool show_progress;
+  io::Table* rows = nullptr;  ///< where the rows go instead of files, and no checkpoint is written (sweeps)
 
   /// The scene's times in internal units.
   double internal_time(double physical) const { return physical / units.time; }
   mechanics::ObservableRequest request() const {
     const scene::Quantities& q = needs.quantities;
-    return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine};
+    return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine, q.pressure, q.bipolar};
   }
 };
 

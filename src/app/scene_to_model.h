@@ -1,5 +1,6 @@
 #pragma once
-/// From the scene's values in the user's units to the models' values in internal units (length r, mass ρr³, time r/c).
+/// From the scene's values in the user's units to the models' values in internal units (length r, mass ρr³, time of
+/// scene/scales.h).
 
 #include <Eigen/Core>
 #include <optional>
@@ -8,6 +9,7 @@
 #include "materials/law_table.h"
 #include "mechanics/methods.h"
 #include "scene/entries.h"
+#include "scene/scales.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
@@ -19,6 +21,11 @@ inline Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
   return result;
 }
 
+/// Length r, mass ρr³, time as scene/scales.h says.
+inline io::Units units_of(const scene::Scene& scene) {
+  return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
+}
+
 /// Q₀ and Q̇₀ (per internal time).
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
@@ -27,11 +34,17 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// The law with μ = 1.
+/// The law in internal units: μ = 1 where the unit of time is that of shear waves, as it is without self-gravity.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
-  const auto& [law, shear_modulus, lame_lambda, mooney_fraction] = scene.material;
-  return materials::make_law(scene::law_kind.print(law),
-                             {1.0, lame_lambda / shear_modulus, scene.body.incompressible, mooney_fraction});
+  const auto& material = scene.material;
+  const double stress = units_of(scene).stress();
+  const bool has_shear_waves = !scene::is_fluid(scene) && scene.gravity_constant == 0;
+  const double mu = has_shear_waves ? 1.0 : material.shear_modulus / stress;
+  return materials::make_law(scene::law_kind.print(material.law),
+                             {.shear_modulus = mu,
+                              .lame_lambda = mu * (material.lame_lambda / material.shear_modulus),
+                              .incompressible = scene.body.incompressible,
+                              .mooney_fraction = material.mooney_fraction});
 }
 
 /// Empty for `auto`.

@@ -54,7 +54,8 @@ UnstructuredGrid ellipsoid_surface(const CubedSphere& sphere, const HomogeneousS
   std::vector<double> points, displacement;
   points.reserve(3 * n_points);
   displacement.reserve(3 * n_points);
-  for (const Eigen::Vector3d& X : sphere.points) {
+  for (const Eigen::Vector3d& direction : sphere.points) {
+    const Eigen::Vector3d X = state.shape * direction;
     const Eigen::Vector3d x = state.center + state.radius * (state.Q * X);
     const Eigen::Vector3d u = x - state.radius * X;
     points.insert(points.end(), {x[0], x[1], x[2]});

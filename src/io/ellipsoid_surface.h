@@ -1,5 +1,5 @@
 #pragma once
-/// The reduced body as a surface for ParaView: the unit sphere, cubed, mapped by x = x_c + r Q X.
+/// The reduced body as a surface for ParaView: the unit sphere, cubed, mapped by X = S ê, x = x_c + r Q X.
 ///
 /// Fields: displacement x − rX, pressure −tr σ/3, jacobian det Q, von_mises √(3/2 |dev σ|²); all but the first are
 /// homogeneous, as everything in a pseudo-rigid body is.
@@ -23,6 +23,7 @@ struct CubedSphere {
 /// One state of the reduced body in the user's units.
 struct HomogeneousState {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S, of the reference ellipsoid; Id is the ball
   Eigen::Matrix3d cauchy_stress = Eigen::Matrix3d::Zero();
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 1;

@@ -25,12 +25,13 @@ std::string duration_text(double seconds) {
 
 bool Progress::stderr_is_terminal() { return ::isatty(STDERR_FILENO) == 1; }
 
-Progress::Progress(std::string label, bool enabled) : label_(std::move(label)) {
+Progress::Progress(std::string label, bool enabled, std::string unit)
+    : label_(std::move(label)), unit_(std::move(unit)) {
   if (!enabled) next_look_ = std::numeric_limits<std::int64_t>::max();
 }
 
-std::string progress_text(double fraction, double steps_per_second, double seconds_left) {
-  return fmt::format("{:3.0f} %  {:.3g} steps/s  {} left", 100 * fraction, steps_per_second,
+std::string progress_text(double fraction, double steps_per_second, double seconds_left, std::string_view unit) {
+  return fmt::format("{:3.0f} %  {:.3g} {}/s  {} left", 100 * fraction, steps_per_second, unit,
                      duration_text(seconds_left));
 }
 
@@ -53,7 +54,7 @@ void Progress::draw(double fraction, Clock::time_point now) {
   const double done = fraction - start_fraction_;
   const double seconds_left = done > 0 ? seconds * (1 - fraction) / done : 0;
   fmt::print(stderr, "\r{}  {}\033[K", label_,
-             progress_text(fraction, static_cast<double>(n_steps_ - 1) / seconds, seconds_left));
+             progress_text(fraction, static_cast<double>(n_steps_ - 1) / seconds, seconds_left, unit_));
   std::fflush(stderr);
   last_draw_ = now;
   drawn_ = true;

@@ -5,12 +5,13 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace pseudorigid::io {
 
 class Progress {
  public:
-  explicit Progress(std::string label, bool enabled = stderr_is_terminal());
+  explicit Progress(std::string label, bool enabled = stderr_is_terminal(), std::string unit = "steps");
   ~Progress() { finish(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -29,7 +30,7 @@ class Progress {
   void look(double fraction);
   void draw(double fraction, Clock::time_point now);
 
-  std::string label_;
+  std::string label_, unit_;
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
   double start_fraction_ = -1;  ///< at the first step seen; a resumed run does not begin at 0
@@ -37,6 +38,7 @@ class Progress {
 };
 
 /// "42%  1.3e+05 steps/s  3 min left": the words of the line, apart from the terminal so that they can be tested.
-std::string progress_text(double fraction, double steps_per_second, double seconds_left);
+std::string progress_text(double fraction, double steps_per_second, double seconds_left,
+                          std::string_view unit = "steps");
 
 }  // namespace pseudorigid::io

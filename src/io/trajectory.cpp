@@ -1,5 +1,9 @@
 #include "io/trajectory.h"
 
+#include <array>
+#include <string>
+#include <utility>
+
 namespace pseudorigid::io {
 
 namespace {
@@ -28,6 +32,20 @@ void visit_body(const mechanics::BodyObservables& o, const scene::Quantities& qu
   if (quantities.axes) emit("volume_ratio", o.volume_ratio);
   if (quantities.multiplier) emit("multiplier", o.multiplier);
   if (quantities.axes) emit("a", o.semi_axes);
+}
+
+template <class Emit>
+void visit_reduced(const mechanics::ReducedObservables& o, const scene::Quantities& quantities, Emit&& emit) {
+  visit_body(o, quantities, emit);
+  if (quantities.pressure) emit("central_pressure", o.central_pressure);
+  if (quantities.bipolar) {
+    emit("A", o.axes);
+    emit("T", o.T);
+    emit("S", o.S);
+    for (const auto& [name, rates] : {std::pair{"Omega_star", &o.Omega_star}, std::pair{"Lambda_star", &o.Lambda_star}})
+      for (int k = 0; k < 3; ++k) emit((std::string(name) + std::array{"12", "13", "23"}[k]).c_str(), (*rates)[k]);
+    emit("bipolar_residual", o.bipolar_residual);
+  }
 }
 
 template <class Emit>
@@ -68,7 +86,7 @@ struct RowValues {
 
 std::vector<std::string> reduced_columns(const scene::Quantities& quantities) {
   ColumnNames columns;
-  visit_body({}, quantities, columns);
+  visit_reduced({}, quantities, columns);
   return columns.names;
 }
 
@@ -78,10 +96,10 @@ std::vector<std::string> continuum_columns(const scene::Quantities& quantities) 
   return columns.names;
 }
 
-void reduced_row(double physical_time, const mechanics::BodyObservables& internal, const Units& units,
+void reduced_row(double physical_time, const mechanics::ReducedObservables& internal, const Units& units,
                  const scene::Quantities& quantities, std::vector<double>& row) {
   row.assign(1, physical_time);
-  visit_body(to_physical(internal, units), quantities, RowValues{row});
+  visit_reduced(to_physical(internal, units), quantities, RowValues{row});
 }
 
 void continuum_row(double physical_time, const mechanics::ContinuumObservables& internal, const Units& units,

@@ -20,7 +20,7 @@ std::vector<std::string> continuum_columns(const scene::Quantities& quantities);
 
 /// The row of a sample, in the order of the columns; observables in internal units, the time in the user's (it is
 /// known exactly there). `row` is overwritten and its memory reused.
-void reduced_row(double physical_time, const mechanics::BodyObservables& internal, const Units& units,
+void reduced_row(double physical_time, const mechanics::ReducedObservables& internal, const Units& units,
                  const scene::Quantities& quantities, std::vector<double>& row);
 void continuum_row(double physical_time, const mechanics::ContinuumObservables& internal, const Units& units,
                    const scene::Quantities& quantities, std::vector<double>& row);

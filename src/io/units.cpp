@@ -1,12 +1,9 @@
 #include "io/units.h"
 
-#include <cmath>
-
 namespace pseudorigid::io {
 
-Units ball_units(double radius, double density, double shear_modulus) {
-  const double wave_speed = std::sqrt(shear_modulus / density);
-  return {.length = radius, .mass = density * radius * radius * radius, .time = radius / wave_speed};
+Units ball_units(double radius, double density, double time) {
+  return {.length = radius, .mass = density * radius * radius * radius, .time = time};
 }
 
 namespace {
@@ -28,6 +25,17 @@ void scale(mechanics::BodyObservables& o, const Units& units) {
 mechanics::BodyObservables to_physical(const mechanics::BodyObservables& internal, const Units& units) {
   auto physical = internal;
   scale(physical, units);
+  return physical;
+}
+
+mechanics::ReducedObservables to_physical(const mechanics::ReducedObservables& internal, const Units& units) {
+  auto physical = internal;
+  scale(physical, units);
+  physical.central_pressure *= units.stress();
+  physical.axes *= units.length;
+  physical.Omega_star /= units.time;
+  physical.Lambda_star /= units.time;
+  physical.bipolar_residual *= units.multiplier();
   return physical;
 }
 

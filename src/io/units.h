@@ -1,8 +1,8 @@
 #pragma once
 /// From the program's internal units to the units of the input.
 ///
-/// The program computes with length r, mass ρr³ and time r/c, c = √(μ/ρ); a quantity of dimension
-/// length^a mass^b time^d is multiplied by r^a (ρr³)^b (r/c)^d on its way to a file:
+/// The program computes with length r, mass ρr³ and a time t, which is r/c with c = √(μ/ρ) for an elastic ball; a
+/// quantity of dimension length^a mass^b time^d is multiplied by r^a (ρr³)^b t^d on its way to a file:
 ///   energy  mass·length²/time²     J, Z  mass·length²/time     Q̇  1/time     λ per m̄  1/time²     a_i  length
 
 #include "mechanics/body_observables.h"
@@ -19,10 +19,11 @@ struct Units {
   double multiplier() const { return 1 / (time * time); }
 };
 
-/// The units of a ball with radius r, density ρ and shear modulus μ, all positive.
-Units ball_units(double radius, double density, double shear_modulus);
+/// The units of a ball with radius r and density ρ, both positive, and this unit of time (scene/scales.h).
+Units ball_units(double radius, double density, double time);
 
 mechanics::BodyObservables to_physical(const mechanics::BodyObservables& internal, const Units& units);
+mechanics::ReducedObservables to_physical(const mechanics::ReducedObservables& internal, const Units& units);
 mechanics::ContinuumObservables to_physical(const mechanics::ContinuumObservables& internal, const Units& units);
 
 }  // namespace pseudorigid::io

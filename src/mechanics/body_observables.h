@@ -13,6 +13,7 @@ namespace pseudorigid::mechanics {
 /// What somebody will look at; the rest is not evaluated.
 struct ObservableRequest {
   bool energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
+  bool pressure = false, bipolar = false;
 };
 
 /// The axial vector ε_ijk A_jk.
@@ -38,6 +39,16 @@ struct BodyObservables {
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();         ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
 
   double energy() const { return kinetic + elastic + gravitational + external + dissipated; }
+};
+
+/// What only the reduced body has.
+struct ReducedObservables : BodyObservables {
+  double central_pressure = 0;                     ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
+  Eigen::Vector3d axes = Eigen::Vector3d::Ones();  ///< a_i of Q = TᵀAS, followed along the path, times r
+  Eigen::Matrix3d T = Eigen::Matrix3d::Identity(), S = T;
+  Eigen::Vector3d Omega_star = Eigen::Vector3d::Zero();   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
+  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Zero();  ///< likewise of Λ* = ṠSᵀ
+  double bipolar_residual = 0;                            ///< largest entry of the residual of (5.121), per m̄
 };
 
 /// What only the continuum has.

@@ -20,6 +20,7 @@ struct StepRequest {
   double tolerance = 0;              ///< of the configuration over [0, T]
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
+  double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
   std::optional<MethodId> method{};  ///< empty: the cheapest
   bool (*give_up)() = nullptr;       ///< asked after every pilot step; true ends the search
 };

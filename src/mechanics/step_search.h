@@ -114,7 +114,8 @@ class StepSearch {
 
   template <class Method>
   double limit() const {
-    return std::min(request_.rattle_limit * (Method::stability_limit / Rattle::stability_limit), request_.step_bound);
+    return std::min(request_.rattle_limit * (Method::stability_limit / Rattle::stability_limit),
+                    std::min(request_.step_bound, request_.interval));
   }
   template <class Method>
   double run_forces(double h) const {

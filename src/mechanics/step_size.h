@@ -63,9 +63,9 @@ inline std::string describe(const Trial& chosen, const StepRequest& request, con
     s << "steps of its own choice, local tolerance " << chosen.local_tolerance;
   else
     s << "steps of at most " << chosen.step << " internal time units ("
-      << (chosen.step < 0.99 * chosen.limit           ? "set by accuracy"
-          : request.step_bound <= chosen.limit * 1.01 ? "the bound given"
-                                                      : "set by stability")
+      << (chosen.step < 0.99 * chosen.limit                                       ? "set by accuracy"
+          : std::min(request.step_bound, request.interval) <= chosen.limit * 1.01 ? "the bound given"
+                                                                                  : "set by stability")
       << ")";
   s << ": estimated time error " << chosen.error << ", tolerance " << request.tolerance;
   if (chosen.at_round_off) s << ", which is below what double precision gives over this run";

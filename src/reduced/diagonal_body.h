@@ -78,8 +78,9 @@ class DiagonalBody {
   }
 
   const Body& body() const { return body_; }
+  static Eigen::Matrix3d matrix(const Vector& a) { return a.asDiagonal(); }
   mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
-    return {state.t, state.q.asDiagonal(), state.v.asDiagonal()};
+    return {state.t, matrix(state.q), matrix(state.v)};
   }
   double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
   /// The state of this form that begins with (Q, Q̇).

@@ -62,6 +62,7 @@ class DissipativeBody {
   Workspace make_workspace() const { return body_.make_workspace(); }
 
   const Body& body() const { return body_; }
+  static Eigen::Matrix3d matrix(const Vector& q) { return q.leftCols<3>(); }
   mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
@@ -75,8 +76,6 @@ class DissipativeBody {
   }
 
  private:
-  static Eigen::Matrix3d matrix(const Vector& q) { return q.leftCols<3>(); }
-
   Body body_;
   Dissipation dissipation_;
 };

@@ -3,8 +3,13 @@
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (PHYSICS section 1, with general E₀)
 
+#include <array>
+#include <optional>
+
 #include "mechanics/body_observables.h"
 #include "mechanics/singular_values.h"
+#include "reduced/bipolar.h"
+#include "reduced/local_path.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::reduced {
@@ -13,7 +18,7 @@ namespace pseudorigid::reduced {
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,
-                          mechanics::BodyObservables& o) {
+                          mechanics::ReducedObservables& o) {
   const auto& body = system.body();
   const mechanics::VectorState<Eigen::Matrix3d> motion = system.motion(state);
   const Eigen::Matrix3d &Q = motion.q, &Qdot = motion.v;
@@ -34,12 +39,42 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
   }
   if (request.axes) o.semi_axes = mechanics::singular_values(Q * body.reference().shape);
   if constexpr (!mechanics::unconstrained<System>) {
-    if (request.multiplier) {
+    if (request.multiplier || request.pressure || request.bipolar) {
       double Lambda = 0;
       if (auto status = mechanics::multiplier_of_motion(system, state, workspace, Lambda); !status) return status;
       o.multiplier = Lambda / body.m_bar();
+      o.central_pressure = 2.5 * Lambda / body.reference().volume;
     }
   }
+  return {};
+}
+
+/// The bipolar part of the observables, after `observe` has found the multiplier. `before` is the decomposition at the
+/// sample before, if any, and becomes that of this one.
+template <class System>
+mechanics::Status observe_bipolar(const System& system, const mechanics::State<System>& state,
+                                  typename System::Workspace& workspace, std::optional<Bipolar>& before,
+                                  mechanics::ReducedObservables& o) {
+  const mechanics::VectorState<Eigen::Matrix3d> motion = system.motion(state);
+  const Bipolar b = before ? decompose(motion.q, *before) : decompose(motion.q);
+  const BipolarRates r = rates(b, motion.v);
+  const auto upper = [](const Eigen::Matrix3d& X) { return Eigen::Vector3d(X(0, 1), X(0, 2), X(1, 2)); };
+  o.axes = b.a;
+  o.T = b.T;
+  o.S = b.S;
+  o.Omega_star = upper(r.Omega);
+  o.Lambda_star = upper(r.Lambda);
+  before = b;
+
+  LocalPath<System> path;
+  const double h = 0.01 / (1 + r.u.norm());
+  auto force = system.make_vector();
+  if (auto status = local_path(system, state, h, path); !status) return status;
+  if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;
+  std::array<mechanics::VectorState<Eigen::Matrix3d>, 9> motions;
+  for (std::size_t k = 0; k < path.size(); ++k) motions[k] = system.motion(path[k]);
+  o.bipolar_residual =
+      residual_of_5_121(motions, h, -System::matrix(force), o.multiplier, system.body().E0()).cwiseAbs().maxCoeff();
   return {};
 }
 

@@ -161,6 +161,7 @@ class PseudoRigidBody {
   /// As one of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇) and what
   /// dissipation has taken.
   const PseudoRigidBody& body() const { return *this; }
+  static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }
   double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
 

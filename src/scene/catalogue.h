@@ -94,6 +94,8 @@ struct Catalogue {
   std::function<std::optional<Refusal>(const Scene&)> refuses_ball{};
   /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
   std::vector<Column> equilibria{};
+  /// Those of the ball's relative equilibria.
+  std::vector<Column> ball_equilibria{};
 
   /// Null for the ball.
   const SystemDescription* system(std::string_view name) const {

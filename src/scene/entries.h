@@ -25,6 +25,24 @@ inline constexpr Choice<Law, 7> law_kind{{{
     {"saint-venant-kirchhoff (as printed)", Law::saint_venant_kirchhoff_as_printed},
     {"none", Law::none},
 }}};
+inline constexpr Choice<Family, 10> initial_family_kind{{{
+    {"none", Family::none},
+    {"maclaurin", Family::maclaurin},
+    {"spheroids", Family::spheroids},
+    {"spinning", Family::spinning},
+    {"jacobi", Family::jacobi},
+    {"dedekind", Family::dedekind},
+    {"riemann-s", Family::riemann_s},
+    {"riemann-s-dual", Family::riemann_s_dual},
+    {"riemann-planar", Family::riemann_planar},
+    {"riemann-planar-dual", Family::riemann_planar_dual},
+}}};
+/// Those that Analysis = equilibrium can write.
+inline constexpr Choice<Family, 9> family_kind = [] {
+  Choice<Family, 9> kind;
+  for (std::size_t i = 0; i < kind.table.size(); ++i) kind.table[i] = initial_family_kind.table[i + 1];
+  return kind;
+}();
 inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
 inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
@@ -42,15 +60,17 @@ inline constexpr Switches<Scene::Models, 2> models_kind{{{
     {"reduced", &Scene::Models::reduced},
     {"continuum", &Scene::Models::continuum},
 }}};
-inline constexpr Switches<Quantities, 6> quantities_kind{{{
+inline constexpr Switches<Quantities, 8> quantities_kind{{{
                                                              {"state", &Quantities::state},
                                                              {"energies", &Quantities::energies},
                                                              {"momenta", &Quantities::momenta},
                                                              {"multiplier", &Quantities::multiplier},
                                                              {"axes", &Quantities::axes},
                                                              {"nonaffine", &Quantities::nonaffine},
+                                                             {"pressure", &Quantities::pressure},
+                                                             {"bipolar", &Quantities::bipolar},
                                                          }},
-                                                         true};
+                                                         6};
 
 /// The systems by name, the ball first.
 inline Word system_kind(const Catalogue& catalogue) {
@@ -91,21 +111,31 @@ void visit_problem(S& scene, Visit& visit) {
               "mechanics, each with a subsection and a CSV file of its own."});
   visit(scene.analysis, analysis_kind,
         About{"Analysis", "",
-              "What to compute: the motion that follows from the initial state, or the critical points of the "
-              "potential (equilibria.csv; not offered for the ball) with their Morse indices, the rates of the "
+              "What to compute: the motion that follows from the initial state, or equilibria (equilibria.csv): of the "
+              "ball's reduced model a family of relative equilibria (see Equilibrium/Family) with their stability; of "
+              "the other systems the critical points of the potential with their Morse indices, the rates of the "
               "system's small motions, and the dimensions of stable and unstable manifolds, counted with the system's "
               "own dissipation or, where it has none, with a unit friction."});
 }
 
 template <SceneOrConst S, class Visit>
 void visit_body(S& scene, Visit& visit) {
-  auto& [radius, density, incompressible] = scene.body;
+  auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   visit(radius, positive, About{"Body/Radius", "length", "Radius r of the undeformed ball."});
   visit(density, positive, About{"Body/Density", "mass/length^3", "Density of the undeformed ball."});
   visit(incompressible, Boolean{},
         About{"Body/Incompressible", "",
               "Whether volume is preserved (det F = 1 everywhere, by a pressure). "
               "The continuum is offered for incompressible bodies."});
+  visit(semi_axes, Numbers{3, positive},
+        About{"Body/Semi-axes", "radius",
+              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are offered "
+              "for the reduced model."});
+  visit(inertia, AutoOrMatrix{},
+        About{"Body/Inertia", "mass*length^2",
+              "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: that of "
+              "the ellipsoid with these semi-axes. Another matrix stands for a body of another shape, with the volume "
+              "of that ellipsoid; self-gravity is not known for it."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -139,8 +169,28 @@ void visit_material(S& scene, Visit& visit) {
 }
 
 template <SceneOrConst S, class Visit>
+void visit_loads(S& scene, Visit& visit) {
+  visit(scene.dissipation.viscosity, not_negative,
+        About{"Material/Viscosity", "pressure*time",
+              "eta of the objective (Kelvin-Voigt) viscosity, Cauchy stress 2 eta d with d the symmetric velocity "
+              "gradient; it leaves rigid motions alone and keeps the angular momentum."});
+  visit(scene.dissipation.drag, not_negative,
+        About{"Material/Drag", "1/time",
+              "c of the force -c (density) (velocity) per volume; it damps every motion, rigid ones as well."});
+  visit(scene.gravity_constant, not_negative,
+        About{"Gravity/Constant", "length^3/(mass*time^2)",
+              "Newton's constant G: the body attracts itself. 0: it does not."});
+  visit(scene.loads.quadratic, Matrix{},
+        About{"Loads/Tidal matrix", "1/time^2",
+              "Symmetric T of the external potential energy x^T T x/2 per mass: a tide, a centrifugal force, a trap."});
+  visit(scene.loads.acceleration, Numbers{3},
+        About{"Loads/Acceleration", "length/time^2",
+              "Uniform acceleration b; it moves the centre of mass and has the energy -b.x per mass."});
+}
+
+template <SceneOrConst S, class Visit>
 void visit_initial_state(S& scene, Visit& visit) {
-  auto& [deformation, velocity] = scene.initial_state;
+  auto& [deformation, velocity, equilibrium, parameter, center, center_velocity] = scene.initial_state;
   visit(deformation, Matrix{},
         About{"Initial state/Deformation", "",
               "Q0: the ball starts as x = Q0 X; det Q0 > 0, and det Q0 = 1 within 1e-8 for an incompressible body "
@@ -149,6 +199,34 @@ void visit_initial_state(S& scene, Visit& visit) {
         About{"Initial state/Velocity", "1/time",
               "Qdot0: the ball starts with the velocity Qdot0 X; for an incompressible body "
               "|tr(Q0^-1 Qdot0)| r/c <= 1e-8 (it is then projected exactly)."});
+  visit(
+      equilibrium, initial_family_kind,
+      About{"Initial state/Equilibrium", "",
+            "A relative equilibrium to start from, of a family as in Equilibrium/Family: with its A, omega and Lambda "
+            "the start is Q0 = Deformation A and Qdot0 = Deformation (omega^ A - A Lambda^) + Velocity."});
+  visit(parameter, Number{},
+        About{"Initial state/Equilibrium parameter", "",
+              "Which member of the family: its parameter, as in Equilibrium/First. Ignored without Equilibrium."});
+  visit(center, Numbers{3}, About{"Initial state/Center", "length", "Where the centre of mass starts."});
+  visit(center_velocity, Numbers{3},
+        About{"Initial state/Center velocity", "length/time", "The velocity with which the centre of mass starts."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_equilibria(S& scene, Visit& visit) {
+  auto& [family, first, last, number, ratio] = scene.equilibria;
+  visit(family, family_kind,
+        About{"Equilibrium/Family", "",
+              "Family of relative equilibria that Analysis = equilibrium writes, under the scene's law and gravity: "
+              "maclaurin: spheroids that turn rigidly, by their eccentricity e; spheroids: the same by a3, in radii; "
+              "spinning: by their spin; jacobi: ellipsoids that turn rigidly, by a2/a1; dedekind: their duals, at rest "
+              "in space; riemann-s: spin and circulation about axis 3, by a2/a1 at the Axis ratio; riemann-planar: in "
+              "the plane of axes 2 and 3 (Riemann's types I to III); -dual: spin and circulation exchanged."});
+  visit(first, Number{}, About{"Equilibrium/First", "", "First value of the family's parameter."});
+  visit(last, Number{}, About{"Equilibrium/Last", "", "Last value of the family's parameter."});
+  visit(number, Integer{1, 1'000'000},
+        About{"Equilibrium/Number", "", "How many members, at equal distances in the parameter."});
+  visit(ratio, positive, About{"Equilibrium/Axis ratio", "", "a3/a1 of the Riemann families."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -198,11 +276,27 @@ void visit_output(S& scene, Visit& visit) {
       About{"Output/Quantities", "",
             "Groups of columns to compute and write; the time is always written. state: Q, Qdot, centre of mass, mean "
             "gradient; energies; momenta: J, Z; multiplier; axes: volume ratio and semi-axes; nonaffine: how far the "
-            "continuum is from an affine motion."});
+            "continuum is from an affine motion; all: these six. Of the reduced model, by name only: pressure at the "
+            "centre, for a fluid or a loaded body (central_pressure = 5/2 times the multiplier's force per volume); "
+            "bipolar: Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and "
+            "Lambda* in these frames, and bipolar_residual, the largest entry of what is left of the equation of "
+            "motion in them (Oliva 5.121), by differences along the path."});
   visit(graphics, graphics_kind,
         About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
   visit(frames, Integer{1},
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_sweep(S& scene, Visit& visit) {
+  visit(
+      scene.sweep, SweepParameters{},
+      About{"Sweep/Parameters", "",
+            "Runs the scene once for every combination of values, without files of their own, and writes sweep.csv, a "
+            "row for each: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the parameters as $(expression), for "
+            "instance $(1/sqrt(l)). For the reduced model and the other systems."});
+  visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
+        About{"Sweep/Threads", "", "How many runs go on at the same time; auto: one for each core."});
 }
 
 /// The entries of the systems of the catalogue.
@@ -226,11 +320,14 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_problem(scene, visit);
   visit_body(scene, visit);
   visit_material(scene, visit);
+  visit_loads(scene, visit);
   visit_initial_state(scene, visit);
+  visit_equilibria(scene, visit);
   visit_systems(scene, visit);
   visit_time(scene, visit);
   visit_continuum(scene, visit);
   visit_output(scene, visit);
+  visit_sweep(scene, visit);
 }
 
 /// The system that an entry belongs to: "ball", the name of another one, or "" for an entry of every scene.
@@ -238,7 +335,8 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   const std::string_view section = path.substr(0, path.find('/'));
   for (const SystemDescription& system : catalogue.systems)
     if (section == system.section) return system.name;
-  for (const std::string_view of_ball : {"Models", "Body", "Material", "Initial state", "Continuum"})
+  for (const std::string_view of_ball :
+       {"Models", "Body", "Material", "Gravity", "Loads", "Initial state", "Equilibrium", "Continuum"})
     if (section == of_ball) return ball;
   for (const std::string_view of_ball : {"Output/Quantities", "Output/Graphics", "Output/Frames"})
     if (path == of_ball) return ball;

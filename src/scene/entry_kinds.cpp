@@ -92,12 +92,30 @@ std::string Number::expected() const {
   return fmt::format("a number from {} to {}", print_number(low), print_number(high));
 }
 
-Problem AutoOrNumber::read(std::string_view text, std::optional<double>& value) const {
+namespace {
+
+/// The word `auto`, which is no value, or what `kind` reads.
+template <class T, class Kind>
+Problem read_unless_auto(std::string_view text, const Kind& kind, std::optional<T>& value) {
   if (text == "auto") return value.reset(), std::nullopt;
-  double read_value = 0;
-  if (auto problem = number.read(text, read_value)) return problem;
+  T read_value{};
+  if (auto problem = kind.read(text, read_value)) return problem;
   value = read_value;
   return std::nullopt;
+}
+
+}  // namespace
+
+Problem AutoOrNumber::read(std::string_view text, std::optional<double>& value) const {
+  return read_unless_auto(text, number, value);
+}
+
+Problem AutoOrInteger::read(std::string_view text, std::optional<int>& value) const {
+  return read_unless_auto(text, number, value);
+}
+
+Problem AutoOrMatrix::read(std::string_view text, std::optional<Matrix3>& value) const {
+  return read_unless_auto(text, Matrix{}, value);
 }
 
 Problem Integer::read(std::string_view text, int& value) const {

@@ -53,6 +53,7 @@ struct Number {
 };
 
 inline constexpr Number positive{.low = 0, .low_excluded = true};
+inline constexpr Number not_negative{.low = 0};
 
 /// The word `auto` (no value) or a number.
 struct AutoOrNumber {
@@ -75,6 +76,17 @@ struct Integer {
   std::string print(int value) const { return std::to_string(value); }
   std::string expected() const;
   std::vector<std::string_view> words() const { return {}; }
+};
+
+/// The word `auto` (no value) or a whole number.
+struct AutoOrInteger {
+  Integer number;
+
+  static constexpr std::string_view type = "auto or integer";
+  Problem read(std::string_view text, std::optional<int>& value) const;
+  std::string print(const std::optional<int>& value) const { return value ? number.print(*value) : "auto"; }
+  std::string expected() const { return "auto or " + number.expected(); }
+  std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
 struct Boolean {
@@ -103,6 +115,15 @@ struct Matrix {
   std::string print(const Matrix3& value) const { return print_matrix(value); }
   std::string expected() const;
   std::vector<std::string_view> words() const { return {}; }
+};
+
+/// The word `auto` (no value) or a matrix.
+struct AutoOrMatrix {
+  static constexpr std::string_view type = "auto or matrix";
+  Problem read(std::string_view text, std::optional<Matrix3>& value) const;
+  std::string print(const std::optional<Matrix3>& value) const { return value ? print_matrix(*value) : "auto"; }
+  std::string expected() const { return "auto or " + Matrix{}.expected(); }
+  std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
 /// Numbers separated by `,`: exactly n of them, or one or more.
@@ -183,19 +204,19 @@ struct Word {
 /// Splits at the separator and trims the parts; an empty text has no parts.
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
-/// A comma-separated list of words, each a switch (member of type bool) of the value; `all` stands for every word.
+/// A comma-separated list of words, each a switch (member of type bool) of the value; `all` stands for the first
+/// n_in_all of them, where that is not 0.
 template <class S, std::size_t n>
 struct Switches {
   NameTable<bool S::*, n> table;
-  bool knows_all = false;
+  std::size_t n_in_all = 0;
 
   static constexpr std::string_view type = "list";
   Problem read(std::string_view text, S& value) const {
-    const bool all = knows_all && text == "all";
-    for (const auto& [name, member] : table) value.*member = all;
-    if (all) return std::nullopt;
+    for (const auto& [name, member] : table) value.*member = false;
     for (const std::string_view word : parts_of(text, ',')) {
-      bool found = false;
+      bool found = word == "all" && n_in_all > 0;
+      for (std::size_t i = 0; found && i < n_in_all; ++i) value.*table[i].second = true;
       for (const auto& [name, member] : table)
         if (name == word) found = value.*member = true;
       if (!found) return unknown_word(word, words());
@@ -203,20 +224,17 @@ struct Switches {
     return std::nullopt;
   }
   std::string print(const S& value) const {
-    std::string list;
-    bool all = knows_all;
-    for (const auto& [name, member] : table) {
-      if (value.*member) list.append(list.empty() ? "" : ", ").append(name);
-      all = all && value.*member;
-    }
-    return all ? "all" : list;
+    bool all = n_in_all > 0;
+    for (std::size_t i = 0; i < n_in_all; ++i) all = all && value.*table[i].second;
+    std::string list = all ? "all" : "";
+    for (std::size_t i = all ? n_in_all : 0; i < n; ++i)
+      if (value.*table[i].second) list.append(list.empty() ? "" : ", ").append(table[i].first);
+    return list;
   }
-  std::string expected() const {
-    return (knows_all ? "all, or a" : "a") + (" comma-separated list out of " + joined(words_of(table)));
-  }
+  std::string expected() const { return "a comma-separated list out of " + joined(words()); }
   std::vector<std::string_view> words() const {
     auto words = words_of(table);
-    if (knows_all) words.insert(words.begin(), "all");
+    if (n_in_all > 0) words.insert(words.begin(), "all");
     return words;
   }
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "scene/entries.h"
+#include "scene/matrix3.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -32,6 +33,12 @@ void describe_models(const Scene& scene, Needs& needs) {
     sort_out(needs, needs.pressure_space,
              fmt::format("pressure space: degree {}, volume preserved everywhere", scene.continuum.degree - 1),
              "pressure space: the body is compressible");
+  const bool loaded = largest_entry(scene.loads.quadratic) != 0;
+  sort_out(needs, scene.gravity_constant != 0, "self-gravity of the ellipsoid",
+           "self-gravity: Gravity/Constant is 0; no elliptic integrals");
+  sort_out(needs, loaded, "quadratic external potential", "external potential: Loads/Tidal matrix is 0");
+  sort_out(needs, scene.dissipation.viscosity != 0 || scene.dissipation.drag != 0,
+           "dissipation, and the energy that it takes", "dissipation: neither viscosity nor drag");
   sort_out(needs, needs.comparison, "comparison of the two models", "comparison: only one model runs");
 }
 

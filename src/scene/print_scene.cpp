@@ -115,8 +115,14 @@ std::string columns_tables(const Catalogue& catalogue) {
     text +=
         columns_table(system.file, fmt::format("{} The first column is `time`.", system.documentation), system.columns);
   if (!catalogue.equilibria.empty())
-    text += columns_table("equilibria", "The critical points of the potential (Analysis = equilibrium), a row each.",
+    text += columns_table("equilibria",
+                          "Of the systems beside the ball: the critical points of the potential (Analysis = "
+                          "equilibrium), a row each.",
                           catalogue.equilibria);
+  if (!catalogue.ball_equilibria.empty())
+    text +=
+        columns_table("equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
+                      catalogue.ball_equilibria);
   return text;
 }
 
@@ -171,7 +177,9 @@ std::string to_prm(const Scene& scene, const Origins& origins) {
   visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
     if (!concerns(scene, about.path)) return;
     writer.enter_section_of(about);
-    writer.set(about, kind.print(member), origins.is_override(std::string(about.path)) ? "from --set" : "");
+    const auto expression = scene.expressions.find(about.path);
+    writer.set(about, expression != scene.expressions.end() ? expression->second : kind.print(member),
+               origins.is_override(std::string(about.path)) ? "from --set" : "");
   });
   return writer.finish();
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/entries.h"
+#include "scene/expressions.h"
 #include "scene/prm_reader.h"
 #include "scene/user_error.h"
 #include "scene/wording.h"
@@ -39,6 +40,13 @@ void set_entry(const Statement& statement, ReadScene& read) {
   visit_entries(read.scene, [&](auto& member, const auto& kind, const About& about) {
     if (about.path != statement.path) return;
     known = true;
+    read.scene.expressions.erase(statement.path);
+    const bool may_have_expression = kind.type != Text::type && about.path != "Sweep/Parameters";
+    if (may_have_expression && has_expression(*statement.value)) {  // waits for the parameters of the sweep
+      read.scene.expressions[statement.path] = *statement.value;
+      read.origins.record(statement.path, statement.where());
+      return;
+    }
     if (const Problem problem = kind.read(*statement.value, member))
       throw UserError(fmt::format("{}: {}: expected {}, {}", statement.where(), about.path, kind.expected(), *problem));
     read.origins.record(statement.path, statement.where());
@@ -93,7 +101,26 @@ ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::s
       check_subsection(statement, read.scene);
   });
   for (const std::string& text : overrides) set_entry(override_statement(text), read);
+  read.scene = with_parameters(read.scene, values_of_run(read.scene.sweep, 0), read.origins);
   return read;
+}
+
+Scene with_parameters(Scene scene, const ParameterValues& parameters, const Origins& origins) {
+  if (scene.expressions.empty()) return scene;
+  const auto expressions = scene.expressions;
+  visit_entries(scene, [&](auto& member, const auto& kind, const About& about) {
+    const auto found = expressions.find(about.path);
+    if (found == expressions.end()) return;
+    Problem problem;
+    try {
+      const std::string text = evaluated(found->second, parameters);
+      if ((problem = kind.read(text, member)))
+        throw UserError(fmt::format("expected {}, {}", kind.expected(), *problem));
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{}: {}: {}", origins.of(found->first), found->first, error.what()));
+    }
+  });
+  return scene;
 }
 
 }  // namespace pseudorigid::scene

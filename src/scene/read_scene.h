@@ -44,4 +44,7 @@ struct ReadScene {
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);
 
+/// The scene with its expressions evaluated for these parameters. Throws UserError as read_scene does.
+Scene with_parameters(Scene scene, const ParameterValues& parameters, const Origins& origins = {});
+
 }  // namespace pseudorigid::scene

@@ -7,6 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "scene/sweep.h"
 
 namespace pseudorigid::scene {
 
@@ -24,6 +27,19 @@ enum class Law {
   saint_venant_kirchhoff_as_printed,
   none
 };
+/// Families of relative equilibria (reduced/equilibrium_families.h).
+enum class Family {
+  none,
+  maclaurin,
+  spheroids,
+  spinning,
+  jacobi,
+  dedekind,
+  riemann_s,
+  riemann_s_dual,
+  riemann_planar,
+  riemann_planar_dual
+};
 enum class Mesh { builtin };
 enum class Graphics { none, vtu };
 
@@ -39,6 +55,8 @@ struct Quantities {
   bool multiplier = true;  ///< multiplier
   bool axes = true;        ///< volume_ratio, a1, a2, a3
   bool nonaffine = true;   ///< continuum only: non-affine fractions, min_jacobian
+  bool pressure = false;   ///< reduced only: central_pressure
+  bool bipolar = false;    ///< reduced only: A, T, S, Ω*, Λ*, residual of (5.121)
 };
 
 struct Catalogue;
@@ -58,15 +76,34 @@ struct Scene {
   struct Body {
     double radius = 1, density = 1;
     bool incompressible = true;
+    std::vector<double> semi_axes{1, 1, 1};  ///< of the reference body, in radii
+    std::optional<Matrix3> inertia;          ///< E₀; empty: that of the ellipsoid
   } body;
   struct Material {
     Law law = Law::neo_hookean;
     double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5;
   } material;
+  struct Dissipation {
+    double viscosity = 0, drag = 0;
+  } dissipation;  ///< entries of Material
+  double gravity_constant = 0;
+  struct Loads {
+    Matrix3 quadratic{};                        ///< T, per time²
+    std::vector<double> acceleration{0, 0, 0};  ///< b
+  } loads;
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀
     Matrix3 velocity{};               ///< Q̇₀, per time
+    Family equilibrium = Family::none;
+    double equilibrium_parameter = 0.5;
+    std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
   } initial_state;
+  struct Equilibria {
+    Family family = Family::maclaurin;
+    double first = 0.1, last = 0.99;
+    int number = 90;
+    double ratio = 0.5;  ///< a₃/a₁ of the Riemann families
+  } equilibria;
   struct Time {
     double end = 10;
     std::optional<double> step;     ///< empty: auto
@@ -85,6 +122,10 @@ struct Scene {
     Graphics graphics = Graphics::none;
     int frames = 20;
   } output;
+  Sweep sweep;                       ///< empty: one run
+  std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
+  /// Values written with expressions, path → text; the members hold what they are worth in the first run.
+  std::map<std::string, std::string, std::less<>> expressions;
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
   std::map<std::string, std::string, std::less<>> system_values;
 };

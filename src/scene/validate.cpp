@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "scene/entries.h"
 #include "scene/entry_kinds.h"
 #include "scene/matrix3.h"
+#include "scene/scales.h"
 #include "scene/sector.h"
 #include "scene/user_error.h"
 
@@ -17,6 +20,8 @@ namespace {
 constexpr double isochoric_tolerance = 1e-8;
 /// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
 constexpr double largest_condition = 1e12, largest_stretch = 1e12;
+/// E₀ goes with the squares of the semi-axes.
+constexpr double largest_axis = 1e6;
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
 
 constexpr const char* deformation_path = "Initial state/Deformation";
@@ -39,6 +44,7 @@ class Validator {
   void run() {
     check_ownership();
     check_time();
+    check_sweep();
     if (const SystemDescription* system = catalogue_of(scene_).system(scene_.system))
       check_system(*system);
     else
@@ -48,6 +54,9 @@ class Validator {
  private:
   void check_ball() {
     check_problem();
+    check_reference_body();
+    check_loads();
+    if (scene_.models.continuum) check_continuum_offers();
     check_output();
     check_deformation();
     check_velocity();
@@ -70,6 +79,16 @@ class Validator {
                                  owner_of(catalogue_of(scene_), path), scene_.system));
   }
 
+  void check_sweep() const {
+    if (scene_.sweep.empty()) return;
+    const bool is_ball = scene_.system == ball;
+    if (is_ball && scene_.models.continuum)
+      refuse("Models", "a sweep is offered for the reduced model and the other systems; set Models = reduced");
+    if (scene_.analysis != Analysis::motion) refuse("Analysis", "a sweep is offered for motions");
+    if (is_ball && scene_.output.graphics != Graphics::none)
+      refuse("Output/Graphics", "a sweep writes no pictures; set Graphics = none");
+  }
+
   void check_system(const SystemDescription& system) {
     scene_.models = {false, false};
     if (scene_.analysis == Analysis::equilibrium && !system.has_equilibria)
@@ -78,14 +97,16 @@ class Validator {
     if (const auto refusal = system.refuses(scene_)) refuse(refusal->path, refusal->sentence);
   }
 
-  double time_unit() const {  // r/c
-    return scene_.body.radius * std::sqrt(scene_.body.density / scene_.material.shear_modulus);
-  }
+  double time_unit() const { return time_scale(scene_); }
 
   void check_problem() const {
-    const auto& [radius, density, incompressible] = scene_.body;
-    if (scene_.analysis == Analysis::equilibrium)
-      refuse("Analysis", "equilibrium is offered for the other systems, not for the ball");
+    const double radius = scene_.body.radius, density = scene_.body.density;
+    const bool incompressible = scene_.body.incompressible;
+    if (scene_.analysis == Analysis::equilibrium && scene_.models.continuum)
+      refuse("Analysis", "equilibrium is offered for the reduced model and the other systems; set Models = reduced");
+    const bool wants_equilibrium =
+        scene_.analysis == Analysis::equilibrium || scene_.initial_state.equilibrium != Family::none;
+    if (wants_equilibrium) check_equilibrium();
     if (!scene_.models.reduced && !scene_.models.continuum)
       refuse("Models", "expected at least one of reduced, continuum");
     if (scene_.models.continuum && !incompressible)
@@ -111,6 +132,87 @@ class Validator {
                       print_number(radius), print_number(density), print_number(scene_.material.shear_modulus)));
     if (const auto& refuses = catalogue_of(scene_).refuses_ball)
       if (const auto refusal = refuses(scene_)) refuse(refusal->path, refusal->sentence);
+  }
+
+  /// Relative equilibria are known for the ball under potentials that depend on its shape alone.
+  void check_equilibrium() const {
+    if (scene_.body.inertia || scene_.body.semi_axes != std::vector<double>{1, 1, 1})
+      refuse("Body/Semi-axes", "relative equilibria are known for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
+    if (largest_entry(scene_.loads.quadratic) != 0)
+      refuse("Loads/Tidal matrix", "relative equilibria are known without external potential");
+    if (scene_.dissipation.drag != 0) refuse("Material/Drag", "drag leaves no relative equilibrium");
+    if (is_fluid(scene_) && scene_.gravity_constant == 0)
+      refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
+  }
+
+  void check_reference_body() const {
+    for (const double a : scene_.body.semi_axes)
+      if (a > largest_axis || a < 1 / largest_axis)
+        refuse("Body/Semi-axes",
+               fmt::format("expected semi-axes between {} and {} radii, got {}", print_number(1 / largest_axis),
+                           print_number(largest_axis), print_row(scene_.body.semi_axes)));
+    if (!scene_.body.incompressible && is_fluid(scene_))
+      refuse("Material/Law", "none is offered for incompressible bodies: nothing else resists a change of volume");
+    if (!scene_.body.inertia) return;
+    const Matrix3& E0 = *scene_.body.inertia;
+    require_symmetric("Body/Inertia", E0);
+    const double unit = largest_entry(E0);
+    const Matrix3 shape = unit > 0 ? scaled(1 / unit, E0) : E0;
+    const bool definite = shape[0][0] > 1 / largest_condition && det(shape) > 1 / largest_condition &&
+                          shape[0][0] * shape[1][1] - shape[0][1] * shape[1][0] > 1 / largest_condition;
+    if (!definite)
+      refuse("Body/Inertia",
+             "expected a positive definite matrix with a condition number up to 1e12, got " + print_matrix(E0));
+    if (scene_.gravity_constant != 0)
+      refuse("Body/Inertia", "self-gravity is known for ellipsoids only; set Inertia = auto and give the Semi-axes");
+  }
+
+  void check_loads() const {
+    require_symmetric("Loads/Tidal matrix", scene_.loads.quadratic);
+    const auto& loads = scene_.loads;
+    const double t = time_unit(), length = scene_.body.radius;
+    const auto require_moderate = [&](const char* path, double value, double unit) {
+      if (!(value / unit <= largest_stretch))
+        refuse(path, fmt::format("expected values up to {} in the body's own units, got {}",
+                                 print_number(largest_stretch * unit), print_number(value)));
+    };
+    const auto largest = [](const std::vector<double>& v) {
+      return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    };
+    require_moderate("Loads/Tidal matrix", largest_entry(loads.quadratic), 1 / (t * t));
+    require_moderate("Loads/Acceleration", largest(loads.acceleration), length / (t * t));
+    require_moderate("Initial state/Center", largest(scene_.initial_state.center), length);
+    require_moderate("Initial state/Center velocity", largest(scene_.initial_state.center_velocity), length / t);
+    require_moderate("Material/Viscosity", scene_.dissipation.viscosity, scene_.body.density * length * length / t);
+    require_moderate("Material/Drag", scene_.dissipation.drag, 1 / t);
+  }
+
+  /// What the reduced model has and the finite-element ball has not.
+  void check_continuum_offers() const {
+    const auto refuse_for_continuum = [&](const char* path, const char* what) {
+      refuse(path, fmt::format("{} is offered for the reduced model; set Models = reduced", what));
+    };
+    const auto zero = [](const std::vector<double>& v) { return v == std::vector<double>{0, 0, 0}; };
+    if (scene_.body.semi_axes != std::vector<double>{1, 1, 1})
+      refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
+    if (scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
+    if (scene_.gravity_constant != 0) refuse_for_continuum("Gravity/Constant", "self-gravity");
+    if (scene_.dissipation.viscosity != 0) refuse_for_continuum("Material/Viscosity", "viscosity");
+    if (scene_.dissipation.drag != 0) refuse_for_continuum("Material/Drag", "drag");
+    if (largest_entry(scene_.loads.quadratic) != 0) refuse_for_continuum("Loads/Tidal matrix", "a tide");
+    if (!zero(scene_.loads.acceleration)) refuse_for_continuum("Loads/Acceleration", "an acceleration");
+    if (!zero(scene_.initial_state.center)) refuse_for_continuum("Initial state/Center", "a motion of the centre");
+    if (!zero(scene_.initial_state.center_velocity))
+      refuse_for_continuum("Initial state/Center velocity", "a motion of the centre");
+  }
+
+  void require_symmetric(const char* path, const Matrix3& A) const {
+    Matrix3 transposed{};
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) transposed[i][j] = A[j][i];
+    if (largest_entry(combine(1, A, -1, transposed)) > round_off * largest_entry(A))
+      refuse(path, fmt::format("expected a symmetric matrix, got {}; its symmetric part is \"{}\"", print_matrix(A),
+                               print_matrix(combine(0.5, A, 0.5, transposed))));
   }
 
   void check_time() const {
@@ -166,7 +268,7 @@ class Validator {
   }
 
   Matrix3 isochoric_velocity() const {
-    const auto& [q, qdot] = scene_.initial_state;
+    const Matrix3 &q = scene_.initial_state.deformation, &qdot = scene_.initial_state.velocity;
     const Matrix3 projected = project_velocity(q, qdot);
     const double rate = divergence(q, qdot).value * time_unit();
     if (std::abs(rate) > isochoric_tolerance)

@@ -100,7 +100,7 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
 }
 
 TEST(Units, OfABallAreRadiusMassAndWaveTime) {
-  const Units units = ball_units(3, 5, 45);  // c = √(45/5) = 3
+  const Units units = ball_units(3, 5, 1);  // r/c with c = √(45/5) = 3
   EXPECT_DOUBLE_EQ(units.length, 3);
   EXPECT_DOUBLE_EQ(units.mass, 5 * 27);
   EXPECT_DOUBLE_EQ(units.time, 1);

@@ -57,9 +57,9 @@ inline State<Sl3> large_motion() {
 }
 
 template <class Body>
-mechanics::BodyObservables observed(const Body& body, const State<Body>& state) {
+mechanics::ReducedObservables observed(const Body& body, const State<Body>& state) {
   typename Body::Workspace workspace;
-  mechanics::BodyObservables o;
+  mechanics::ReducedObservables o;
   const auto status = reduced::observe(body, state, workspace, {}, o);
   EXPECT_TRUE(status) << status.reason();
   return o;

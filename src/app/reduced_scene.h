@@ -1,0 +1,71 @@
+#pragma once
+/// The reduced body of a scene, in internal units, and the form in which it is integrated.
+
+#include <optional>
+
+#include "materials/law_table.h"
+#include "reduced/center_of_mass.h"
+#include "reduced/diagonal_body.h"
+#include "reduced/dissipative_body.h"
+#include "reduced/potential.h"
+#include "reduced/pseudo_rigid_body.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::app {
+
+struct ReducedScene {
+  materials::AnyLaw law;
+  reduced::ReferenceBody body;
+  double gravity_constant;
+  Eigen::Matrix3d quadratic;
+  reduced::Dissipation dissipation;
+  reduced::CenterOfMass center;
+  mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
+};
+
+ReducedScene reduced_scene(const scene::Scene& scene);
+
+/// The forms, each the same body with what others need left out.
+enum class ReducedForm {
+  elastic,     ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
+  general,     ///< any sum of potentials
+  diagonal,    ///< neither turns nor circulates: three unknowns
+  dissipative  ///< viscosity or drag, and the energy that they take
+};
+
+template <bool incompressible>
+using ElasticBody = reduced::PseudoRigidBody<materials::CiarletGeymonat, incompressible>;
+template <bool incompressible>
+using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
+
+template <bool incompressible>
+GeneralBody<incompressible> general_body(const ReducedScene& s) {
+  return {reduced::Potential(s.law, s.body, s.gravity_constant, s.quadratic), s.body};
+}
+
+ReducedForm form_of(const ReducedScene& scene, bool incompressible);
+
+/// The system of that form; elastic only where form_of says so.
+template <ReducedForm form, bool incompressible>
+auto system_of(const ReducedScene& s) {
+  using Body = GeneralBody<incompressible>;
+  if constexpr (form == ReducedForm::elastic)
+    return ElasticBody<incompressible>(std::get<materials::CiarletGeymonat>(s.law), s.body);
+  else if constexpr (form == ReducedForm::general)
+    return general_body<incompressible>(s);
+  else if constexpr (form == ReducedForm::diagonal)
+    return reduced::DiagonalBody<Body>(general_body<incompressible>(s));
+  else
+    return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation);
+}
+
+/// The start in the coordinates of a form.
+template <class System>
+mechanics::State<System> start_of(const ReducedScene& s) {
+  if constexpr (requires { System::state_of(s.start); })
+    return System::state_of(s.start);
+  else
+    return s.start;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,191 @@
+#include "app/sweep.h"
+
+#include <fmt/format.h>
+#include <spdlog/sinks/null_sink.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+
+#include "app/run_models.h"
+#include "app/scene_to_model.h"
+#include "app/scene_to_run.h"
+#include "app/sweep_rows.h"
+#include "io/signals.h"
+#include "scene/entry_kinds.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+std::string describe_values(const scene::ParameterValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, scene::print_number(value));
+  return text;
+}
+
+scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values) {
+  return scene_to_run(scene::with_parameters(raw.scene, values, raw.origins), raw.origins);
+}
+
+/// What one run has to say.
+struct RunResult {
+  io::Table rows;
+  ModelOutcome outcome;
+};
+
+class SweepRun {
+ public:
+  SweepRun(const scene::ReadScene& raw, const RunContext& context)
+      : raw_(raw),
+        context_(context),
+        silent_(std::make_shared<spdlog::logger>("run of a sweep", std::make_shared<spdlog::sinks::null_sink_mt>())) {
+    silent_->set_level(spdlog::level::off);
+  }
+
+  RunResult run(int k) const {
+    RunResult result;
+    const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
+    const RunContext context{scene, context_.needs, context_.directory, units_of(scene), silent_,
+                             false, false,          &result.rows};
+    result.outcome = context_.needs.system ? run_system(context) : run_reduced(context);
+    return result;
+  }
+
+  /// The columns of sweep.csv, given those of the model.
+  std::vector<std::string> columns(const std::vector<std::string>& of_model) const {
+    std::vector<std::string> names{"run"};
+    for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
+    names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
+    for (std::size_t i = 1; i < of_model.size(); ++i)
+      for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
+    return names;
+  }
+
+  std::vector<double> row(int k, const RunResult& result) const {
+    std::vector<double> row{k + 1.0};
+    const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
+    for (const auto& parameter : raw_.scene.sweep) row.push_back(values.at(parameter.name));
+    const io::Table& table = result.rows;
+    const std::size_t n = table.n_rows();
+    row.push_back(result.outcome.state == ModelOutcome::State::finished);
+    row.push_back(n > 0 ? table.row(n - 1)[0] : 0);
+    const auto& counters = result.outcome.statistics.counters;
+    for (const char* name : {"steps", "forces", "estimated_time_error"}) {
+      const auto found = counters.find(name);
+      row.push_back(found != counters.end() ? found->second : 0);
+    }
+    for (std::size_t c = 1; c < table.columns.size(); ++c) {
+      double least = n > 0 ? table.row(0)[c] : 0, most = least;
+      for (std::size_t i = 1; i < n; ++i) {
+        least = std::min(least, table.row(i)[c]);
+        most = std::max(most, table.row(i)[c]);
+      }
+      row.insert(row.end(), {n > 0 ? table.row(n - 1)[c] : 0, least, most});
+    }
+    return row;
+  }
+
+ private:
+  const scene::ReadScene& raw_;
+  const RunContext& context_;
+  std::shared_ptr<spdlog::logger> silent_;
+};
+
+/// All runs from `first` on, by several threads that take the next one each.
+class Workers {
+ public:
+  Workers(const SweepRun& sweep, const scene::Sweep& parameters, const RunContext& context, SweepRows& rows)
+      : sweep_(sweep), parameters_(parameters), context_(context), rows_(rows), next_(rows.n_written()) {}
+
+  void work(int n_threads) {
+    {
+      std::vector<std::jthread> threads;
+      for (int i = 1; i < n_threads; ++i) threads.emplace_back([this] { work_alone(); });
+      work_alone();
+    }
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  int n_failed() const { return n_failed_; }
+
+ private:
+  void work_alone() {
+    const int n = scene::n_runs(parameters_);
+    try {
+      for (int k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
+        const RunResult result = sweep_.run(k);
+        if (result.outcome.state == ModelOutcome::State::interrupted) return;
+        if (result.outcome.state == ModelOutcome::State::failed) note_failure(k, result.outcome.message);
+        rows_.deliver(k, sweep_.row(k, result));
+      }
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      next_ = n;
+    }
+  }
+
+  void note_failure(int k, const std::string& message) {
+    const std::lock_guard lock(mutex_);
+    if (++n_failed_ <= 10)
+      context_.log->warn("run {} ({}): {}{}", k + 1, describe_values(scene::values_of_run(parameters_, k)), message,
+                         n_failed_ == 10 ? " (further failures are only in the column finished)" : "");
+  }
+
+  const SweepRun& sweep_;
+  const scene::Sweep& parameters_;
+  const RunContext& context_;
+  SweepRows& rows_;
+  std::atomic<int> next_;
+  std::mutex mutex_;
+  std::exception_ptr error_;
+  int n_failed_ = 0;
+};
+
+int n_threads_of(const scene::Scene& scene) {
+  if (scene.sweep_threads) return *scene.sweep_threads;
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+void check_sweep(const scene::ReadScene& raw) {
+  const int n = scene::n_runs(raw.scene.sweep);
+  for (int k = 0; k < n; ++k) {
+    const scene::ParameterValues values = scene::values_of_run(raw.scene.sweep, k);
+    try {
+      scene_of_run(raw, values);
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{} (in run {} of the sweep, {})", error.what(), k + 1, describe_values(values)));
+    }
+  }
+}
+
+ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
+  const SweepRun sweep(raw, context);
+  SweepRows rows(context, sweep.columns(sweep.run(0).rows.columns), n);
+  Workers workers(sweep, raw.scene.sweep, context, rows);
+  workers.work(n_threads);
+  rows.finish();
+
+  ModelOutcome outcome;
+  if (rows.n_written() < n) {
+    outcome.state = ModelOutcome::State::interrupted;
+    outcome.message = fmt::format("sweep interrupted after {} of {} runs", rows.n_written(), n);
+  }
+  auto& statistics = outcome.statistics;
+  statistics.counters["runs"] = rows.n_written();
+  statistics.counters["failed_runs"] = workers.n_failed();
+  statistics.counters["threads"] = n_threads;
+  statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  context.log->info("sweep: {} runs, {} of them stopped early, {} thread{}, {:.3g} s", rows.n_written(),
+                    workers.n_failed(), n_threads, n_threads == 1 ? "" : "s", statistics.timers["run"]);
+  return outcome;
+}
+
+}  // namespace pseudorigid::app

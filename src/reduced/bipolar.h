@@ -1,0 +1,127 @@
+#pragma once
+/// Bipolar decomposition along a motion (Oliva 5.7.1, 5.7.8): Q = TᵀAS with T, S ∈ SO(3), A = diag(a), and
+///
+///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,   u = T Q̇ Sᵀ = Ȧ − Ω*A + AΛ*
+///
+/// whose entries give Ȧ and, for i ≠ j,  Ω*_ij = −(a_j u_ij + a_i u_ji)/(a_j² − a_i²),  Λ*_ij = −(a_i u_ij + a_j
+/// u_ji)/(a_j² − a_i²). The corrected (5.121) is (5.120) in these frames, T(5.120)Sᵀ; per m̄, with N = SE₀Sᵀ/m̄ (Id for
+/// the ball),
+///
+///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
+///
+/// It is an observable, not the law that is integrated: where two axes coincide Ω* and Λ* are not defined. Axes are
+/// followed along the path and never sorted, for sorted ones have corners where they cross. Through a crossing the
+/// decomposition is continued by the frames nearest to those before, which is the smooth one wherever a smooth one
+/// exists; it does along analytic paths (Kato, Perturbation Theory for Linear Operators, II.6.1), while a path that is
+/// only smooth may have none (Montaldi), and states far apart may be joined wrongly.
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reduced/principal_axes.h"
+
+namespace pseudorigid::reduced {
+
+struct Bipolar {
+  Eigen::Matrix3d T, S;
+  Eigen::Vector3d a;
+};
+
+struct BipolarRates {
+  Eigen::Matrix3d Omega, Lambda;  ///< Ω*, Λ*
+  Eigen::Vector3d a_rate;
+  Eigen::Matrix3d u;
+};
+
+namespace detail {
+
+inline void exchange_axes(Bipolar& b, int i, int j) {
+  b.T.row(i).swap(b.T.row(j));
+  b.S.row(i).swap(b.S.row(j));
+  std::swap(b.a[i], b.a[j]);
+}
+/// TᵀAS does not change where a row of T and that of S both change their signs.
+inline void reverse_axis(Bipolar& b, int i) {
+  b.T.row(i) *= -1;
+  b.S.row(i) *= -1;
+}
+/// How much axis i is the axis j of before, and with which sign.
+inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
+  return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
+}
+
+}  // namespace detail
+
+/// Axes by falling length, det T = det S = 1; det Q > 0.
+inline Bipolar decompose(const Eigen::Matrix3d& Q) {
+  const PrincipalAxes axes = principal_axes(Q);
+  Bipolar b{axes.U.transpose(), axes.a.cwiseInverse().asDiagonal() * axes.A, axes.a};
+  for (const auto& [i, j] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
+    if (b.a[i] < b.a[j]) detail::exchange_axes(b, i, j);
+  if (b.T.determinant() < 0) detail::reverse_axis(b, 2);
+  return b;
+}
+
+/// The decomposition that continues the one of a state shortly before.
+inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
+  Bipolar b = decompose(Q);
+  constexpr std::array<std::array<int, 3>, 6> orders{
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  const auto agreement = [&](const std::array<int, 3>& order) {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += std::abs(detail::overlap(b, order[i], before, i));
+    return sum;
+  };
+  const auto best = *std::max_element(orders.begin(), orders.end(),
+                                      [&](const auto& x, const auto& y) { return agreement(x) < agreement(y); });
+  const Bipolar sorted = b;
+  for (int i = 0; i < 3; ++i) {
+    b.T.row(i) = sorted.T.row(best[i]);
+    b.S.row(i) = sorted.S.row(best[i]);
+    b.a[i] = sorted.a[best[i]];
+    if (detail::overlap(b, i, before, i) < 0) detail::reverse_axis(b, i);
+  }
+  return b;
+}
+
+/// Where two axes coincide to round-off, their part of Ω* and Λ* is 0.
+inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
+  BipolarRates r{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), {}, b.T * Qdot * b.S.transpose()};
+  r.a_rate = r.u.diagonal();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double difference = (b.a[j] - b.a[i]) * (b.a[j] + b.a[i]);
+      if (std::abs(difference) <= 1e-14 * (b.a[i] * b.a[i] + b.a[j] * b.a[j])) continue;
+      r.Omega(i, j) = -(b.a[j] * r.u(i, j) + b.a[i] * r.u(j, i)) / difference;
+      r.Lambda(i, j) = -(b.a[i] * r.u(i, j) + b.a[j] * r.u(j, i)) / difference;
+    }
+  return r;
+}
+
+/// The residual of (5.121) per m̄ at the middle of nine states at equal distances h in time, all of one motion: u̇ is the
+/// difference of order 8. `gradient` is ∂V/∂Q (less any other force) and `lambda` the multiplier per m̄ at the middle.
+template <class States>
+Eigen::Matrix3d residual_of_5_121(const States& states, double h, const Eigen::Matrix3d& gradient, double lambda,
+                                  const Eigen::Matrix3d& E0) {
+  constexpr std::array<double, 4> weights{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+  constexpr int middle = 4;
+  const Bipolar b = decompose(states[middle].q);
+  const BipolarRates r = rates(b, states[middle].v);
+  Eigen::Matrix3d u_rate = Eigen::Matrix3d::Zero();
+  for (const int side : {1, -1}) {
+    Bipolar along = b;
+    for (int k = 1; k <= middle; ++k) {
+      const auto& state = states[middle + side * k];
+      along = decompose(state.q, along);
+      u_rate += side * weights[k - 1] / h * along.T * state.v * along.S.transpose();
+    }
+  }
+  const double m_bar = E0.trace() / 3;
+  const Eigen::Matrix3d A_inverse = b.a.cwiseInverse().asDiagonal();
+  return (u_rate - r.Omega * r.u + r.u * r.Lambda) * (b.S * E0 * b.S.transpose() / m_bar) +
+         b.T * gradient * b.S.transpose() / m_bar - lambda * A_inverse;
+}
+
+}  // namespace pseudorigid::reduced

@@ -1,0 +1,32 @@
+#pragma once
+/// The unit of time that suits a scene of the ball: internal numbers are then of order 1.
+///
+///   1/t² = μ/(ρr²) + πGρ
+///
+/// that is r/c with c = √(μ/ρ) without self-gravity, and the free-fall time of a fluid. What has neither stiffness nor
+/// gravity takes the rate of its loads, of its motion, or of nothing but the length of the run.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "scene/matrix3.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+inline bool is_fluid(const Scene& scene) { return scene.material.law == Law::none; }
+
+inline double time_scale(const Scene& scene) {
+  const auto& body = scene.body;
+  const double gravity = std::numbers::pi * scene.gravity_constant * body.density;
+  if (!is_fluid(scene) && gravity == 0) return body.radius * std::sqrt(body.density / scene.material.shear_modulus);
+  const double stiffness =
+      is_fluid(scene) ? 0 : scene.material.shear_modulus / (body.density * body.radius * body.radius);
+  const double rate = std::max({std::sqrt(stiffness + gravity), std::sqrt(largest_entry(scene.loads.quadratic))});
+  if (rate > 0) return 1 / rate;
+  const double motion = largest_entry(scene.initial_state.velocity);
+  return motion > 0 ? 1 / motion : scene.time.end;
+}
+
+}  // namespace pseudorigid::scene

@@ -1,0 +1,267 @@
+"""The reduced body whole: its scenes of params/ with the numbers that their heads promise, equilibria, sweeps, loads."""
+import math
+import re
+import unittest
+
+from program_test import BODY_COLUMNS, ProgramTest, SOURCE, STOPPED, largest_difference, overrides
+
+#: 3/(5 π)…: units in which πGρ = 1
+FLUID = {"Models": "reduced", "Material/Law": "none", "Gravity/Constant": "$(1/pi)"}
+BALL = {"Models": "reduced", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
+        "Initial state/Velocity": "0.25, -1, 0.125; 0.6, -0.3, 0.2; 0, -0.08, 0.08",
+        "Time/End": 5, "Output/Samples": 50}
+
+
+class PseudoRigid(ProgramTest):
+    def run_params(self, name, *options):
+        """Runs a scene of params/ and returns its folder."""
+        self.scene((SOURCE / f"params/{name}.prm").read_text(), f"{name}.prm")
+        self.run_done("run", f"{name}.prm", *options)
+        return self.scratch / "output" / name
+
+    def run_scene(self, entries, *options, name="scene"):
+        self.scene(entries, f"{name}.prm")
+        return self.run_done("run", f"{name}.prm", *options)
+
+    def refuse(self, entries, *words):
+        self.scene(entries)
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(len(result.stderr.strip().splitlines()), 1)
+        for word in words:
+            self.assertIn(word, result.stderr)
+        self.assertFalse((self.scratch / "output").exists())
+
+    # The scenes of params/
+
+    def test_maclaurin(self):
+        table = self.table(self.run_params("maclaurin") / "equilibria.csv")
+        special = {(row[table.header.index("kind")], round(row[table.header.index("parameter")], 6)) for row in table.rows
+                   if row[table.header.index("kind")] > 0}
+        print(special)
+        self.assertLessEqual({(3, 0.812670), (1, 0.929956), (4, 0.952887)}, special)
+        for row in table.rows:  # PHYSICS.md 6, Omega^2/(pi G rho)
+            e = row[table.header.index("parameter")]
+            squared = 2 * math.sqrt(1 - e * e) * (3 - 2 * e * e) * math.asin(e) / e**3 - 6 * (1 - e * e) / e**2
+            self.assertAlmostEqual(row[table.header.index("omega3")] ** 2, squared, delta=1e-11 + 1e-15 / e**4)
+            self.assertEqual(row[table.header.index("stable")] == 1, e < 0.95288670)
+
+    def test_unstable_spheroid(self):
+        table = self.table(self.run_params("unstable_spheroid") / "reduced.csv")
+        self.assertEqual(table.header, BODY_COLUMNS + ["central_pressure"])
+        a1, a2, time = (table.column(name) for name in ("a1", "a2", "time"))
+        grown = [(t, math.log(x - y)) for t, x, y in zip(time, a1, a2) if 1e-4 < x - y < 1e-2]
+        rate = (grown[-1][1] - grown[0][1]) / (grown[-1][0] - grown[0][0])
+        promised = float(re.search(r"exp\((\S+) t\)", (SOURCE / "params/unstable_spheroid.prm").read_text())[1])
+        print(rate, promised)
+        self.assertAlmostEqual(rate, promised, delta=0.01 * promised)
+        for name in ("J3", "Z3", "energy"):
+            column = table.column(name)
+            self.assertLess(max(column) - min(column), 1e-9 * abs(column[0]), name)
+
+    def test_tide(self):
+        table = self.table(self.run_params("tide") / "reduced.csv")
+        head = (SOURCE / "params/tide.prm").read_text()
+        a1, a3 = map(float, re.search(r"tend to (\S+) and ([\d.]+\d)", head).groups())
+        self.assertAlmostEqual(table.column("a1")[-1], a1, delta=1e-4)
+        self.assertAlmostEqual(table.column("a3")[-1], a3, delta=1e-4)
+        energy, dissipated = table.column("energy"), table.column("dissipated")
+        self.assertLess(max(energy) - min(energy), 1e-7 * abs(energy[0]))
+        self.assertGreater(dissipated[-1], 1e-3)
+        self.assertTrue(all(b >= a for a, b in zip(dissipated, dissipated[1:])))
+
+    def test_gravitating_tumbler(self):
+        table = self.table(self.run_params("gravitating_tumbler") / "reduced.csv")
+        gap = [min(abs(x - y), abs(y - z), abs(z - x)) for x, y, z in zip(*(table.column(f"A{i}") for i in (1, 2, 3)))]
+        apart = [r for r, g in zip(table.column("bipolar_residual"), gap) if g > 0.05]
+        print(max(apart), len(apart), len(table))
+        self.assertGreater(len(apart), len(table) / 2)
+        self.assertLess(max(apart), 1e-9)
+        for k in range(len(table)):  # Q = T^T A S
+            row = dict(zip(table.header, table.rows[k]))
+            for i in (1, 2, 3):
+                for j in (1, 2, 3):
+                    q = sum(row[f"T{n}{i}"] * row[f"A{n}"] * row[f"S{n}{j}"] for n in (1, 2, 3))
+                    self.assertAlmostEqual(q, row[f"Q{i}{j}"], delta=1e-14)
+
+    def test_sweep_of_releases(self):
+        table = self.table(self.run_params("sweep_of_releases") / "sweep.csv")
+        self.assertEqual(len(table), 495)
+        self.assertEqual(table.header[:8], ["run", "b", "l", "finished", "time", "steps", "forces", "estimated_time_error"])
+        self.assertEqual(table.column("run"), [k + 1.0 for k in range(495)])
+        self.assertEqual(set(table.column("finished")), {1.0})
+        for b, l, least in zip(*(table.column(name) for name in ("b", "l", "a3_min"))):
+            if b == 0:  # PHYSICS.md 5
+                root = (-l * l + math.sqrt(l**4 + 8 * l)) / (2 * l)
+                self.assertAlmostEqual(least, root, delta=2e-4)  # samples are 0.01 apart
+        drift = [high - low for low, high in zip(table.column("energy_min"), table.column("energy_max"))]
+        self.assertLess(max(drift), 1e-6)
+
+    # Sweeps
+
+    def test_rows_of_a_sweep_are_those_of_single_runs(self):
+        sweep = {**BALL, "Initial state/Velocity": "$(w*0.25), -1, 0.125; 0.6, $(-w*0.3), 0.2; 0, -0.08, $(w*0.08)",
+                 "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8"}
+        # tr(Q^-1 Qdot) = w (0.2 − 0.3 + 0.1) = 0
+        self.run_scene({**sweep, "Sweep/Parameters": "w: 0.5, 1"})
+        table = self.table("output/scene/sweep.csv")
+        for row, w in zip(table.rows, (0.5, 1)):
+            entries = {path: str(value).replace("$(w*", f"$({w}*").replace("$(-w*", f"$(-{w}*") for path, value in sweep.items()}
+            self.run_scene(entries, name="single")
+            single = self.table("output/single/reduced.csv")
+            for name in single.header[1:]:
+                column = single.column(name)
+                for what, value in (("end", column[-1]), ("min", min(column)), ("max", max(column))):
+                    self.assertEqual(row[table.header.index(f"{name}_{what}")], value, name)
+
+    def test_a_sweep_does_not_depend_on_threads(self):
+        sweep = {**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 12", "Material/Shear modulus": "$(mu)"}
+        self.run_scene(sweep, *overrides({"Sweep/Threads": 1}), "--output", "one")
+        self.run_scene(sweep, *overrides({"Sweep/Threads": 3}), "--output", "three")
+        self.assertEqual(self.bytes("one/sweep.csv"), self.bytes("three/sweep.csv"))
+
+    def test_an_interrupted_sweep_goes_on(self):
+        sweep = {**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 300", "Material/Shear modulus": "$(mu)", "Time/End": 100,
+                 "Output/Samples": 500}
+        self.run_scene(sweep, "--output", "whole")
+        self.scene(sweep)
+        self.interrupt_when(["run", "scene.prm", "--output", "parts"], lambda: (self.scratch / "parts/sweep.csv").exists())
+        n_rows = len(self.table("parts/sweep.csv"))
+        self.assertLess(n_rows, 300)
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
+        self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("whole/sweep.csv"))
+
+    def test_a_sweep_of_another_system(self):
+        self.run_scene({"System": "double pendulum", "Double pendulum/Angles": "$(a), 0.1", "Sweep/Parameters": "a: 0.1, 0.2",
+                        "Time/End": 2, "Output/Samples": 20})
+        table = self.table("output/scene/sweep.csv")
+        self.assertEqual(table.column("a"), [0.1, 0.2])
+        self.assertIn("theta_max", table.header)
+
+    def test_what_a_sweep_refuses(self):
+        sweep = {**BALL, "Sweep/Parameters": "l: 1 .. 2 in 3"}
+        self.refuse({**sweep, "Models": "reduced, continuum"}, "Models", "sweep")
+        self.refuse({**sweep, "Sweep/Parameters": "l: 1 .. 2"}, "Sweep/Parameters", "expected")
+        self.refuse({**sweep, "Sweep/Parameters": "l: 1; l: 2"}, "occurs twice")
+        self.refuse({**sweep, "Sweep/Parameters": "2l: 1, 2"}, "Sweep/Parameters")
+        self.refuse({**sweep, "Material/Shear modulus": "$(m)"}, "Material/Shear modulus", "cannot be evaluated")
+        self.refuse({**sweep, "Material/Shear modulus": "$(1/(l-1))"}, "not a finite number")
+        self.refuse({**sweep, "Material/Shear modulus": "$(1.5-l)"}, "number > 0", "run 2 of the sweep", "l = 1.5")
+        self.refuse({**sweep, "Material/Shear modulus": "$(l"}, "no closing parenthesis")
+        self.refuse({**sweep, "Initial state/Deformation": "$(l), 0, 0; 0, 1, 0; 0, 0, 1"}, "det", "run 2 of the sweep")
+
+    def test_expressions_without_a_sweep(self):
+        self.run_scene({**BALL, "Initial state/Deformation": "$(5/4), 0, 0; 0, 1, 0; 0, 0, $(4/5)"}, name="expressed")
+        self.run_scene(BALL)
+        self.assertEqual(self.bytes("output/expressed/reduced.csv"), self.bytes("output/scene/reduced.csv"))
+        self.run_done("run", "output/expressed/used.prm", "--output", "again")
+        self.assertEqual(self.bytes("again/reduced.csv"), self.bytes("output/scene/reduced.csv"))
+
+    # Equilibria
+
+    def test_equilibria_as_initial_states_stay(self):
+        families = {"maclaurin": 0.6, "jacobi": 0.8, "dedekind": 0.7, "riemann-s": 0.9, "riemann-s-dual": 0.9, "spinning": 0.4}
+        for family, parameter in families.items():
+            self.run_scene({**FLUID, "Initial state/Equilibrium": family, "Initial state/Equilibrium parameter": parameter,
+                            "Equilibrium/Axis ratio": 0.6, "Time/End": 10, "Time/Tolerance": 1e-10, "Output/Samples": 20})
+            table = self.table("output/scene/reduced.csv")
+            for name in ("a1", "a2", "a3", "multiplier", "kinetic", "J3", "Z3"):
+                column = table.column(name)
+                self.assertLess(max(column) - min(column), 1e-9, (family, name))
+
+    def test_an_elastic_spheroid(self):
+        """PHYSICS.md 4: Omega^2 = kappa (1 − l^3), kappa = 5."""
+        self.run_scene({"Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "spheroids",
+                        "Equilibrium/First": 0.5, "Equilibrium/Last": 0.9, "Equilibrium/Number": 5})
+        table = self.table("output/scene/equilibria.csv")
+        members = [row for row in table.rows if row[1] == 0]
+        self.assertEqual(len(members), 5)
+        for row in members:
+            l = row[table.header.index("a3")]
+            self.assertAlmostEqual(row[table.header.index("omega3")] ** 2, 5 * (1 - l**3), delta=1e-12)
+            frequencies = [abs(row[table.header.index(f"rate_{k}_im")]) for k in range(1, 11)]
+            pulsation = math.sqrt(2 * 5 * (l**3 + 2) / (2 * l**3 + 1))
+            self.assertLess(min(abs(f - pulsation) for f in frequencies), 1e-10)
+
+    def test_what_equilibria_refuse(self):
+        analysis = {**FLUID, "Analysis": "equilibrium"}
+        self.refuse({**analysis, "Models": "reduced, continuum"}, "Models = reduced")
+        self.refuse({**analysis, "Gravity/Constant": 0}, "Gravity/Constant", "relative equilibrium")
+        self.refuse({**analysis, "Body/Semi-axes": "1, 1, 2"}, "Semi-axes")
+        self.refuse({**analysis, "Loads/Tidal matrix": "1, 0, 0; 0, 1, 0; 0, 0, 1"}, "Tidal matrix")
+        self.refuse({**FLUID, "Initial state/Equilibrium": "maclaurin", "Initial state/Equilibrium parameter": 1.5},
+                    "Equilibrium parameter", "no such equilibrium")
+        self.refuse({**FLUID, "Initial state/Equilibrium": "maclaurine"}, "did you mean", "maclaurin")
+
+    # Loads, bodies, units
+
+    def test_units_of_a_gravitating_body(self):
+        """Length, mass and time scaled by 1e±6: the same dimensionless motion."""
+        def scene(length, mass, time):
+            rate, speed = 1 / time, length / time
+            return {**BALL, "Body/Radius": repr(length), "Body/Density": repr(mass / length**3),
+                    "Material/Law": "saint-venant-kirchhoff", "Material/Shear modulus": repr(mass / (length * time**2)),
+                    "Material/Lame lambda": repr(mass / (length * time**2)), "Material/Viscosity": repr(0.01 * mass / (length * time)),
+                    "Material/Drag": repr(0.02 * rate), "Gravity/Constant": repr(0.3 * length**3 / (mass * time**2)),
+                    "Loads/Tidal matrix": f"{0.1 * rate**2!r}, 0, 0; 0, 0, 0; 0, 0, 0", "Loads/Acceleration": f"0, 0, {-speed * rate!r}",
+                    "Initial state/Center": f"{length!r}, 0, 0", "Initial state/Center velocity": f"0, {speed!r}, 0",
+                    "Initial state/Velocity": f"{0.25 * rate!r}, {-rate!r}, {0.125 * rate!r}; {0.6 * rate!r}, {-0.3 * rate!r}, "
+                                              f"{0.2 * rate!r}; 0, {-0.08 * rate!r}, {0.08 * rate!r}",
+                    "Time/End": repr(5 * time), "Time/Tolerance": 1e-11, "Output/Quantities": "all, pressure"}
+        self.run_scene(scene(1.0, 1.0, 1.0), name="reference")
+        reference = self.table("output/reference/reduced.csv")
+        for length, mass, time in ((1e6, 1e-6, 1e3), (1e-6, 1e6, 1e-6)):
+            self.run_scene(scene(length, mass, time), name="scaled")
+            table = self.table("output/scaled/reduced.csv")
+            units = {"time": time, "x": length, "v": length / time, "Qdot": 1 / time, "J": mass * length**2 / time,
+                     "Z": mass * length**2 / time, "multiplier": time**-2, "a": length, "Q": 1, "volume_ratio": 1,
+                     "central_pressure": mass / (length * time**2)}
+            scale = [units.get(name.rstrip("123"), mass * length**2 / time**2) for name in table.header]
+            table.rows = [[x / s for x, s in zip(row, scale)] for row in table.rows]
+            self.assertLess(largest_difference(reference, table), 1e-9, (length, mass, time))
+
+    def test_reference_ellipsoid_is_the_stretched_ball(self):
+        """A fluid has no memory of its reference shape: the ellipsoid S at Q = Id is the ball at Q = S."""
+        velocity = [[0.1, -0.5, 0.2], [0.4, -0.2, 0.1], [0.3, 0.0, 0.1]]
+        axes = (1.25, 1.0, 0.8)
+        rows = lambda A: "; ".join(", ".join(repr(x) for x in row) for row in A)
+        common = {**FLUID, "Time/End": 4, "Time/Tolerance": 1e-11, "Output/Samples": 20}
+        self.run_scene({**common, "Body/Semi-axes": "1.25, 1, 0.8", "Initial state/Velocity": rows(velocity)}, name="ellipsoid")
+        self.run_scene({**common, "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
+                        "Initial state/Velocity": rows([[x * a for x, a in zip(row, axes)] for row in velocity])}, name="ball")
+        ellipsoid, ball = self.table("output/ellipsoid/reduced.csv"), self.table("output/ball/reduced.csv")
+        for name in ("a1", "a2", "a3", "kinetic", "gravitational", "J1", "J2", "J3"):
+            for x, y in zip(ellipsoid.column(name), ball.column(name)):
+                self.assertAlmostEqual(x, y, delta=1e-9, msg=name)
+
+    def test_a_fluid_under_tension_is_reported(self):
+        """Spinning fast without gravity, a fluid sphere is pulled apart: lambda < 0 from the start (PHYSICS.md 2, 13)."""
+        entries = {**FLUID, "Gravity/Constant": 0.01, "Initial state/Velocity": "0, -1, 0; 1, 0, 0; 0, 0, 0", "Time/End": 1}
+        result = self.run_scene(entries)
+        self.assertIn("tension at t =", result.stdout + result.stderr)
+        self.assertIn("first_tension_time", self.json("output/scene/manifest.json")["models"]["reduced"]["counters"])
+
+    def test_followed_axes_survive_a_resume(self):
+        entries = {**BALL, "Time/Step": 1e-3, "Time/Method": "rattle-4", "Output/Quantities": "bipolar", "Time/End": 400,
+                   "Output/Samples": 4000}
+        self.run_scene(entries, "--output", "whole")
+        self.scene(entries)
+        self.interrupt_when(["run", "scene.prm", "--output", "parts"], lambda: (self.scratch / "parts/checkpoint-reduced.bin").exists())
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
+        self.assertEqual(self.bytes("parts/reduced.csv"), self.bytes("whole/reduced.csv"))
+
+    def test_what_only_the_reduced_model_offers(self):
+        both = {**BALL, "Models": "reduced, continuum"}
+        for path, value in (("Gravity/Constant", 1), ("Material/Viscosity", 1), ("Material/Drag", 1),
+                            ("Loads/Tidal matrix", "1, 0, 0; 0, 0, 0; 0, 0, 0"), ("Loads/Acceleration", "0, 0, 1"),
+                            ("Body/Semi-axes", "1, 1, 2"), ("Initial state/Center", "1, 0, 0")):
+            self.refuse({**both, path: value}, path, "set Models = reduced")
+        self.refuse({**BALL, "Loads/Tidal matrix": "0, 1, 0; 0, 0, 0; 0, 0, 0"}, "symmetric")
+        self.refuse({**BALL, "Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, -1"}, "Body/Inertia", "positive definite")
+        self.refuse({**BALL, "Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1", "Gravity/Constant": 1}, "ellipsoids")
+        self.refuse({**BALL, "Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method")
+        self.refuse({**BALL, "Body/Incompressible": "false", "Material/Law": "none"}, "Material/Law")
+
+
+if __name__ == "__main__":
+    unittest.main()
