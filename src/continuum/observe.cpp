@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "continuum/elastic_ball.h"
-#include "mechanics/singular_values.h"
+#include "mechanics/principal_axes.h"
 
 namespace pseudorigid::continuum {
 namespace {

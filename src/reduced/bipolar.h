@@ -20,7 +20,7 @@
 #include <array>
 #include <cmath>
 
-#include "reduced/principal_axes.h"
+#include "mechanics/principal_axes.h"
 
 namespace pseudorigid::reduced {
 
@@ -56,7 +56,7 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
 
 /// Axes by falling length, det T = det S = 1; det Q > 0.
 inline Bipolar decompose(const Eigen::Matrix3d& Q) {
-  const PrincipalAxes axes = principal_axes(Q);
+  const mechanics::PrincipalAxes axes = mechanics::principal_axes(Q);
   Bipolar b{axes.U.transpose(), axes.a.cwiseInverse().asDiagonal() * axes.A, axes.a};
   for (const auto& [i, j] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
     if (b.a[i] < b.a[j]) detail::exchange_axes(b, i, j);

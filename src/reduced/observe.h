@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "mechanics/body_observables.h"
-#include "mechanics/singular_values.h"
+#include "mechanics/principal_axes.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -67,7 +67,8 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   before = b;
 
   LocalPath<System> path;
-  const double h = 0.01 / (1 + r.u.norm());
+  // The frames turn fast where two axes come close.
+  const double h = 0.01 / (1 + r.u.norm() + r.Omega.norm() + r.Lambda.norm());
   auto force = system.make_vector();
   if (auto status = local_path(system, state, h, path); !status) return status;
   if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;

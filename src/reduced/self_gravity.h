@@ -17,8 +17,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "mechanics/principal_axes.h"
 #include "reduced/ellipsoid_integrals.h"
-#include "reduced/principal_axes.h"
 
 namespace pseudorigid::reduced {
 
@@ -27,20 +27,20 @@ struct SelfGravity {
 
   double energy(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
-    const auto axes = principal_axes(scale * F);
+    const auto axes = mechanics::principal_axes(scale * F);
     return -strength / 3 * scale * axes.a.cwiseAbs2().dot(ellipsoid_integrals<false>(axes.a).d);
   }
 
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& F) const {
     const double scale = unit_scale(F);
-    const auto [U, A, a] = principal_axes(scale * F);
+    const auto [U, A, a] = mechanics::principal_axes(scale * F);
     const Eigen::Vector3d d = ellipsoid_integrals<false>(a).d;
     return scale * (strength / 3 * scale * detail::product(U, d.asDiagonal() * A));
   }
 
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {
     const double scale = unit_scale(F);
-    const auto [U, A, a] = principal_axes(scale * F);
+    const auto [U, A, a] = mechanics::principal_axes(scale * F);
     const auto [d, t] = ellipsoid_integrals(a);
     const Eigen::Matrix3d h = U.transpose() * (scale * H), half = h * A.transpose(), c = half + half.transpose();
     const Eigen::Vector3d x = a.cwiseAbs2();

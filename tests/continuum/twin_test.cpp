@@ -47,7 +47,7 @@ class Twin : public ::testing::TestWithParam<int> {
                                     const Matrix3d& Qdot) {
     const auto o = observed(ball, affine_state(ball, Q, Qdot), {.multiplier = false});
     Body::Workspace workspace;
-    mechanics::BodyObservables expected;
+    mechanics::ReducedObservables expected;
     ASSERT_TRUE(reduced::observe(body, {0, Q, Qdot}, workspace, {}, expected));
     EXPECT_NEAR(o.kinetic, expected.kinetic, tolerance * expected.kinetic);
     EXPECT_NEAR(o.elastic, expected.elastic, tolerance * std::max(1.0, expected.elastic));

@@ -18,9 +18,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::mechanics {
 
 struct PrincipalAxes {
   Eigen::Matrix3d U;  ///< columns: directions of the axes, in no order
@@ -185,4 +186,11 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   return {U, W.transpose(), {length(0), length(1), length(2)}};
 }
 
-}  // namespace pseudorigid::reduced
+/// σ₁ ≥ σ₂ ≥ σ₃ of F, to cond(F)·ε each.
+inline Eigen::Vector3d singular_values(const Eigen::Matrix3d& F) {
+  Eigen::Vector3d sigma = principal_axes(F).a;
+  std::sort(sigma.begin(), sigma.end(), std::greater<>());
+  return sigma;
+}
+
+}  // namespace pseudorigid::mechanics
