@@ -29,7 +29,7 @@ struct PrincipalAxes {
   Eigen::Vector3d a;  ///< lengths of the semi-axes
 };
 
-namespace detail {
+namespace detail::axes {
 
 /// MN by entries: Eigen's packets of two doubles would have to wait for the single ones just stored, a quarter of the
 /// time
@@ -151,7 +151,7 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
   }
 }
 
-}  // namespace detail
+}  // namespace detail::axes
 
 /// Entries of F are to be within 10^±20 (their eighth powers occur). A matrix that is not finite gives axes that are
 /// not.
@@ -159,13 +159,13 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;
   Eigen::Matrix3d W = F.transpose(), U = Eigen::Matrix3d::Identity();
-  auto G = detail::gram(W);
-  if (!detail::orthogonal(G, round_off)) {
-    U = detail::eigenvectors(G);
-    W = detail::product(F.transpose(), U);
+  auto G = detail::axes::gram(W);
+  if (!detail::axes::orthogonal(G, round_off)) {
+    U = detail::axes::eigenvectors(G);
+    W = detail::axes::product(F.transpose(), U);
     for (int turn = 0; turn < max_turns; ++turn) {
-      G = detail::gram(W);
-      if (detail::orthogonal(G, round_off)) break;
+      G = detail::axes::gram(W);
+      if (detail::axes::orthogonal(G, round_off)) break;
       const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
       const auto angle = [&](int i, int j, int k) {  // none where both are zero: coinciding axes
         return product[k] == 0 ? 0 : product[k] / (square[j] - square[i]);
@@ -173,12 +173,12 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
       const Eigen::Vector3d theta(angle(1, 2, 0), angle(2, 0, 1), angle(0, 1, 2));
       const double largest = theta.cwiseAbs().maxCoeff();
       if (largest < small) {
-        const Eigen::Matrix3d R = detail::cayley(theta);
-        U = detail::product(U, R);
-        W = detail::product(W, R);
-        if (largest < its_root && detail::orthogonal(G, its_root)) break;  // θ² is round-off
+        const Eigen::Matrix3d R = detail::axes::cayley(theta);
+        U = detail::axes::product(U, R);
+        W = detail::axes::product(W, R);
+        if (largest < its_root && detail::axes::orthogonal(G, its_root)) break;  // θ² is round-off
       } else {
-        detail::sweep(W, U, round_off);
+        detail::axes::sweep(W, U, round_off);
       }
     }
   }

@@ -35,7 +35,7 @@ struct SelfGravity {
     const double scale = unit_scale(F);
     const auto [U, A, a] = mechanics::principal_axes(scale * F);
     const Eigen::Vector3d d = ellipsoid_integrals<false>(a).d;
-    return scale * (strength / 3 * scale * detail::product(U, d.asDiagonal() * A));
+    return scale * (strength / 3 * scale * mechanics::detail::axes::product(U, d.asDiagonal() * A));
   }
 
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& F, const Eigen::Matrix3d& H) const {

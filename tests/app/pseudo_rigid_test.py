@@ -5,7 +5,7 @@ import subprocess
 import sys
 import unittest
 
-from program_test import BODY_COLUMNS, SOURCE, largest_difference, overrides
+from program_test import BODY_COLUMNS, SOURCE, STOPPED, largest_difference, overrides
 from stopped_run import StoppedRunTest
 
 #: Units in which πGρ = 1.
@@ -135,8 +135,7 @@ class PseudoRigid(StoppedRunTest):
                  "Output/Samples": 500}
         self.run_scene(sweep, "--output", "whole")
         self.scene(sweep)
-        self.interrupt("sweep", "parts")
-        self.check_interrupted("parts")
+        self.assertEqual(self.interrupt("sweep", "parts"), STOPPED)
         self.assertLess(len(self.table("parts/sweep.csv")), 300)
         self.run_done("run", "scene.prm", "--output", "parts", "--resume")
         self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("whole/sweep.csv"))
