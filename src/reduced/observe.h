@@ -3,7 +3,9 @@
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (PHYSICS section 1, with general E₀)
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "mechanics/body_observables.h"
@@ -67,8 +69,9 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   before = b;
 
   LocalPath<System> path;
-  // The frames turn fast where two axes come close.
-  const double h = 0.01 / (1 + r.u.norm() + r.Omega.norm() + r.Lambda.norm());
+  // Where two axes come close, the frames can turn as fast as |u| over their distance.
+  const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
+  const double rate = r.u.norm(), h = 0.02 / (1 + rate + std::min(rate / gap, 1e4));
   auto force = system.make_vector();
   if (auto status = local_path(system, state, h, path); !status) return status;
   if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;

@@ -45,8 +45,13 @@ void describe_models(const Scene& scene, Needs& needs) {
 void describe_output(const Scene& scene, Needs& needs) {
   needs.skipped.push_back("tangent stiffness and preconditioners for it: RATTLE is explicit in the elastic force");
   std::vector<std::string_view> evaluated, unwanted;
-  for (const auto& [name, member] : quantities_kind.table)
-    (needs.quantities.*member ? evaluated : unwanted).push_back(name);
+  for (std::size_t i = 0; i < quantities_kind.table.size(); ++i) {
+    const auto& [name, member] = quantities_kind.table[i];
+    if (needs.quantities.*member)
+      evaluated.push_back(name);
+    else if (i < quantities_kind.n_in_all)
+      unwanted.push_back(name);
+  }
   if (!evaluated.empty()) needs.needed.push_back("quantities: " + joined(evaluated));
   if (!unwanted.empty())
     needs.skipped.push_back("quantities: " + joined(unwanted) + " (not among Output/Quantities" +
@@ -97,6 +102,9 @@ void describe_system(const SystemDescription& system, const Scene& scene, Needs&
 
 Needs needs(const Scene& scene) {
   Needs needs;
+  if (!scene.sweep.empty())
+    needs.needed.push_back(
+        fmt::format("sweep: {} runs, {}", n_runs(scene.sweep), SweepParameters{}.print(scene.sweep)));
   if (const SystemDescription* system = catalogue_of(scene).system(scene.system)) {
     needs.system = system;
     describe_system(*system, scene, needs);
@@ -112,6 +120,10 @@ Needs needs(const Scene& scene) {
   needs.quantities.nonaffine = needs.quantities.nonaffine && needs.continuum;
   if (needs.continuum) needs.sector = sector(scene);
   describe_models(scene, needs);
+  sort_out(needs, scene.analysis == Analysis::equilibrium,
+           fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
+                       family_kind.print(scene.equilibria.family)),
+           "relative equilibria: Analysis is motion");
   describe_output(scene, needs);
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
   return needs;
