@@ -38,7 +38,7 @@ struct CiarletGeymonat {
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
-    const T J = determinant(F, cof);
+    const T J = settled_at_one(determinant(F, cof));
     const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
     return entrywise([&](const T& f, const T& c) { return mu * f + s * c; }, F, cof);
   }

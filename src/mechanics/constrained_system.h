@@ -46,6 +46,14 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
+/// A system may also know g(q + q_rounding) to well below the round-off of q, as `constraint(q, q_rounding, g)`, where
+/// q_rounding is what compensated sums have kept back from q. Its constraint is then met by that sum.
+template <class S>
+inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
+    const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
+  { s.constraint(q, q_rounding, r) } -> std::same_as<Status>;
+};
+
 /// Position and velocity at a time: the whole state of a mechanical system. Systems with the same vectors (constrained
 /// form and explicit-multiplier form, say) share it.
 template <class Vector>

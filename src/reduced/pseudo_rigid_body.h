@@ -74,6 +74,16 @@ class PseudoRigidBody {
     if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
+  /// ln det(Q + Q_rounding) to about 1e-19.
+  mechanics::Status constraint(const Vector& Q, const Vector& Q_rounding, Multiplier& g) const requires incompressible {
+    materials::Tensor<long double> q;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) q(i, j) = static_cast<long double>(Q(i, j)) + Q_rounding(i, j);
+    const long double J = materials::determinant(q);
+    if (!admissible(static_cast<double>(J))) return inadmissible(static_cast<double>(J));
+    g = materials::log_near_one(J);
+    return {};
+  }
   void constraint_rate(const Vector& Q, const Vector& v, Multiplier& r) const {
     if constexpr (incompressible) {
       const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
@@ -90,7 +100,7 @@ class PseudoRigidBody {
   void add_reaction(const Vector& Q, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) {
       const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
-      f += materials::to_matrix((lambda / materials::determinant(q, cof)) * cof);
+      f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
   /// d/dt of the reaction along Q̇ = v:  (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
