@@ -170,20 +170,27 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Spheroids by their spin, each found from the one before; the first from a slow sphere. Past the fold of the spin
-/// there are none.
+/// Spheroids by their spin, each found from the one before, in a few steps of the spin; the first from the sphere at
+/// rest. Past the fold of the spin there are none.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
+  constexpr int n_steps = 8;  // so that Newton's iteration does not leave for another branch
   SteadyMotion last;
   (void)motion_of_shape(
       body, Eigen::Vector3d::Ones(),
       [&](const Eigen::Vector3d& a, SteadyMotion& m) { return spheroid_motion(body, a[0], a[2], m); }, last);
   const auto motion = [&](double spin, SteadyMotion& m) {
     m = last;
-    mechanics::Status status =
-        find_steady_motion(body, {Target{quantities::omega_3, spin}, Target{quantities::Lambda_3, 0}}, m);
-    if (status) last = m;
-    return status;
+    const double from = last.omega[2];
+    for (int k = 1; k <= n_steps; ++k) {
+      const double step = from + (spin - from) * k / n_steps;
+      if (mechanics::Status status =
+              find_steady_motion(body, {Target{quantities::omega_3, step}, Target{quantities::Lambda_3, 0}}, m);
+          !status)
+        return status;
+    }
+    last = m;
+    return mechanics::Status();
   };
   return equilibrium_family(body, Omega, {{quantities::Lambda_3, 0}, quantities::omega_3}, motion);
 }

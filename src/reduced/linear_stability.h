@@ -82,7 +82,7 @@ inline Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible)
   return null_space(flat(m.A.inverse().transpose()).transpose());
 }
 
-/// The turns (H, Ḣ) at ζ = e_k, in scaled time.
+/// The turns (H, Ḣ) at ζ = e_k, in scaled time, of length 1: turns about the axis of a needle move little.
 inline Eigen::MatrixXd symmetry_directions(const SteadyMotion& m, const Eigen::MatrixXd& T, double scale) {
   const Eigen::Index n = T.cols();
   Eigen::MatrixXd N(2 * n, 6);
@@ -93,7 +93,7 @@ inline Eigen::MatrixXd symmetry_directions(const SteadyMotion& m, const Eigen::M
     N.col(3 + k) << T.transpose() * flat(m.A * hat(zeta)),
         T.transpose() * flat(-m.A * hat(m.Lambda.cross(zeta))) / scale;
   }
-  return N;
+  return N.colwise().normalized();
 }
 
 /// Orthonormal basis of the span.

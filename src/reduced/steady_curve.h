@@ -68,14 +68,20 @@ class SteadyCurve {
     return point_near(u, slope(parameter, u, tangent) < 0 ? PlaneVector(-tangent) : tangent, point);
   }
 
-  /// A point of the branch that crosses this curve at `crossing`, at a distance along it; negative: to the other side.
+  /// A point of the branch that crosses this curve at `crossing`, at a distance along it; positive: to where the first
+  /// of the coordinates that change grows; negative: to the other side.
   mechanics::Status switch_branch(const CurvePoint& crossing, double distance, CurvePoint& point) const {
     PlaneVector F;
     PlaneMatrix DF;
     evaluate(crossing.u, F, DF);
     const NullDirections null = null_directions(DF);
-    const PlaneVector across =
+    PlaneVector across =
         (null.first.dot(crossing.tangent) * null.second - null.second.dot(crossing.tangent) * null.first).normalized();
+    for (int i = 0; i < 8; ++i)
+      if (std::abs(across[i]) > 0.1) {
+        if (across[i] < 0) across = -across;
+        break;
+      }
     return point_near(crossing.u + distance * across, distance < 0 ? PlaneVector(-across) : across, point);
   }
 

@@ -10,7 +10,7 @@
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3): λ = 0 in place of the second)
 ///
 /// Turning space and the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, makes A = diag(a₁, a₂, a₃). The motion Q(t)ᵀ,
-/// (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is steady too (Dedekind's duality).
+/// (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is steady too (Dedekind's duality); its J and Z are −Z and −J of this one.
 
 #include <Eigen/Dense>
 #include <algorithm>
