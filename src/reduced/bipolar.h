@@ -52,6 +52,25 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
+/// Where axes coincide to round-off, TᵀAS does not change if their rows of T and S turn alike in their plane: the turns
+/// that bring them nearest to those of before. Three coincident axes need a few sweeps.
+inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
+  constexpr int n_sweeps = 8;
+  constexpr double round_off = 4e-15;
+  for (int sweep = 0; sweep < n_sweeps; ++sweep)
+    for (const auto& [i, j] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}}) {
+      if (std::abs(b.a[i] - b.a[j]) > round_off * b.a[i]) continue;
+      const double x = overlap(b, i, before, i) + overlap(b, j, before, j);
+      const double y = overlap(b, j, before, i) - overlap(b, i, before, j), length = std::hypot(x, y);
+      if (length == 0) continue;
+      for (Eigen::Matrix3d* R : {&b.T, &b.S}) {
+        const Eigen::RowVector3d u = R->row(i), v = R->row(j);
+        R->row(i) = (x * u + y * v) / length;
+        R->row(j) = (x * v - y * u) / length;
+      }
+    }
+}
+
 }  // namespace detail
 
 /// Axes by falling length, det T = det S = 1; det Q > 0.
@@ -64,26 +83,37 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q) {
   return b;
 }
 
-/// The decomposition that continues the one of a state shortly before.
+/// The decomposition that continues the one of a state shortly before: of all orders and signs of the axes with
+/// det T = 1, and where axes coincide of all frames in their plane, the nearest.
 inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
-  Bipolar b = decompose(Q);
   constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
-  const auto agreement = [&](const std::array<int, 3>& order) {
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += std::abs(detail::overlap(b, order[i], before, i));
-    return sum;
-  };
-  const auto best = *std::max_element(orders.begin(), orders.end(),
-                                      [&](const auto& x, const auto& y) { return agreement(x) < agreement(y); });
-  const Bipolar sorted = b;
-  for (int i = 0; i < 3; ++i) {
-    b.T.row(i) = sorted.T.row(best[i]);
-    b.S.row(i) = sorted.S.row(best[i]);
-    b.a[i] = sorted.a[best[i]];
-    if (detail::overlap(b, i, before, i) < 0) detail::reverse_axis(b, i);
+  const Bipolar falling = decompose(Q);
+  Bipolar nearest = falling;
+  double best_agreement = -HUGE_VAL;
+  for (const auto& order : orders) {
+    Bipolar b;
+    Eigen::Vector3d agreement;
+    for (int i = 0; i < 3; ++i) {
+      b.T.row(i) = falling.T.row(order[i]);
+      b.S.row(i) = falling.S.row(order[i]);
+      b.a[i] = falling.a[order[i]];
+      agreement[i] = detail::overlap(b, i, before, i);
+      if (agreement[i] < 0) detail::reverse_axis(b, i);
+    }
+    agreement = agreement.cwiseAbs().eval();
+    if (b.T.determinant() < 0) {
+      int weakest = 0;
+      agreement.minCoeff(&weakest);
+      detail::reverse_axis(b, weakest);
+      agreement[weakest] *= -1;
+    }
+    if (agreement.sum() <= best_agreement) continue;
+    best_agreement = agreement.sum();
+    nearest = b;
   }
-  return b;
+  detail::turn_coincident_axes(nearest, before);
+  return nearest;
 }
 
 /// Where two axes coincide to round-off, their part of Ω* and Λ* is 0.
