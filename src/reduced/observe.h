@@ -71,7 +71,7 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   LocalPath<System> path;
   // Where two axes come close, the frames can turn as fast as |u| over their distance.
   const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
-  const double rate = r.u.norm(), h = 0.02 / (1 + rate + std::min(rate / gap, 1e4));
+  const double rate = r.u.norm(), h = 0.02 / (1 + rate + rate / std::max(gap, 1e-4));
   auto force = system.make_vector();
   if (auto status = local_path(system, state, h, path); !status) return status;
   if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;

@@ -71,8 +71,7 @@ class BadInput(RefusedInputTest):
 
     def test_what_the_design_names_but_is_not_offered(self):
         self.refused_entries({"Analysis": "modes"}, "Analysis", "expected motion or equilibrium")
-        self.refused_entries({"Analysis": "equilibrium"}, "Analysis", "not for the ball")
-        self.refused_lines("subsection Body\n  set Radius", "subsection Gravity\n  set Constant", "scene.prm:2:", "Gravity")
+        self.refused_entries({"Analysis": "equilibrium", "Models": "reduced, continuum"}, "Analysis", "set Models = reduced")
 
     # Values.
 

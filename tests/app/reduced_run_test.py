@@ -163,7 +163,7 @@ class ReducedRun(ProgramTest):
         print(len(libraries), "libraries:", *(os.path.basename(path) for path in libraries))
 
     def test_memory_and_time_of_1000_steps(self):
-        self.scene({**SCENE, "Time/End": 50, "Output/Samples": 1000, "Time/Tolerance": 1e-7})
+        self.scene({**SCENE, "Time/End": 50, "Output/Samples": 1000, "Time/Method": "rattle-8", "Time/Tolerance": 1e-7})
         # The kernel counts what a forked child holds before it becomes the program, so a small parent has to fork it.
         parent = "import os, sys; os.spawnv(os.P_WAIT, sys.argv[1], sys.argv[1:]); import resource as r; " \
                  "u = r.getrusage(r.RUSAGE_CHILDREN); print(u.ru_maxrss, u.ru_utime + u.ru_stime)"

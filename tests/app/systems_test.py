@@ -90,7 +90,7 @@ class SystemScenes(SystemTest):
     def test_heavy_top(self):
         table = self.motion("heavy_top", {"Output/Samples": 1600})
         for name in ("energy", "J3", "J_body3"):
-            self.assertLess(drift(table, name) / table.column(name)[0], 1e-9, name)
+            self.assertLess(drift(table, name) / table.column(name)[0], 1e-7, name)  # of a Tolerance of 1e-6
         theta, phi = table.column("theta"), without_jumps(table.column("phi"))
         self.assertAlmostEqual(theta[0], math.pi / 6, delta=1e-12)
         # Where θ̇ = 0 energy and momenta give, with u = cos θ:  J_body3² (u₀ − u) = 2 I₁ m g l (1 − u²).
