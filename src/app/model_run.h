@@ -16,7 +16,9 @@
 /// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
 /// workspace).
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -80,6 +82,8 @@ class ModelRun {
     const double time = context_.scene.time.end * (static_cast<double>(k) / static_cast<double>(times_.n_samples));
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
+    if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
+      return Status::failure("the motion has grown beyond what numbers can hold");
     measure_constraint(state);
     if (context_.rows)
       context_.rows->values.insert(context_.rows->values.end(), row_.begin(), row_.end());

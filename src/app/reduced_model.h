@@ -48,6 +48,7 @@ class ReducedModel {
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::reduced_columns(q); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (auto status = check_size(state); !status) return status;
     if (auto status = reduced::observe(system_, state, workspace, request_, observables_); !status) return status;
     if (request_.bipolar)
       if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
@@ -97,6 +98,13 @@ class ReducedModel {
   }
 
  private:
+  /// As for the initial state, scene/validate.cpp.
+  static mechanics::Status check_size(const State& state) {
+    constexpr double largest_stretch = 1e12;
+    if (System::matrix(state.q).cwiseAbs().maxCoeff() <= largest_stretch) return {};
+    return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
+  }
+
   mechanics::Status add_center_of_mass(double t) {
     const auto motion = center_.at(t);
     if (!motion.x.allFinite() || !motion.v.allFinite())

@@ -27,7 +27,8 @@ Problem read_values(std::string_view text, SweepParameter& parameter) {
   int n = 0;
   if (!first || !last) return got(text);
   if (Integer{2, largest_number_of_runs}.read(trimmed(text.substr(in + 4)), n))
-    return fmt::format("the number of values in {} must be a whole number >= 2", quote(text));
+    return fmt::format("the number of values in {} must be a whole number from 2 to {}", quote(text),
+                       largest_number_of_runs);
   parameter.values = {*first, *last};
   parameter.n_values = n;
   return std::nullopt;
