@@ -216,6 +216,17 @@ TEST(LinearStability, IsThatOfTheEquationOfMotion) {
   }
 }
 
+TEST(LinearStability, OfAFreeBodyIsThatOfItsEquationOfMotion) {
+  const SteadyBody body("ciarlet-geymonat", 0.5, false);
+  const auto family = type_s(body.isotropic(false), {0.8, 0.8, 1}, 0.6);
+  ASSERT_EQ(family.points.size(), 1u);
+  const auto& p = family.points[0];
+  const Eigen::VectorXcd all = rates_by_differences(body.moving_freely(), p.motion);
+  ASSERT_EQ(p.stability.rates.size(), 10u);
+  for (const Rate& rate : p.stability.rates)
+    EXPECT_LT((all.array() - rate.s).abs().minCoeff(), 1e-7) << rate.s << ": differences are good to 1e-9";
+}
+
 TEST(LinearStability, OfTheSphereAtRest) {
   // PHYSICS section 3: √10 for every law, x² = 10 + 0.8γ, Kelvin 16πGρ/15. Five modes, ten rates.
   const auto check = [](const SteadyBody& body, double square) {
