@@ -28,7 +28,8 @@
 /// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
 /// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
 /// up. On relative equilibria H is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right
-/// to round-off without θ, which is left out.
+/// to round-off without θ, which is left out. What round-off takes of the momenta is given back too
+/// (momentum_keeper.h).
 ///
 /// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
 ///
@@ -45,6 +46,7 @@
 
 #include "mechanics/conservative_system.h"
 #include "mechanics/fixed_point_monitor.h"
+#include "mechanics/momentum_keeper.h"
 #include "mechanics/orbit_complement.h"
 #include "mechanics/rattle.h"
 #include "mechanics/second_order_field.h"
@@ -84,7 +86,8 @@ struct EnergyMomentumWorkspace {
         residual(lambda),
         delta(lambda),
         history{lambda, lambda},
-        orbit(system) {}
+        orbit(system),
+        momenta(system) {}
 
   typename S::Workspace system;
   Vector dq, dv, dq_before, dv_before;                      // Δq, Δv; of the iteration before
@@ -95,6 +98,7 @@ struct EnergyMomentumWorkspace {
   Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
   MultiplierHistory<S> history;                             // of λ, at the middle of the steps
   OrbitComplement<S> orbit;
+  MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V(q₀), θ
   int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
   double energy_gained = 0;       // by round-off, since the first step
@@ -112,6 +116,7 @@ struct EnergyMomentumWorkspace {
     visit(history.n_known);
     visit(energy_gained);
     visit(potential_noise);
+    momenta.visit_memory(visit);
     if constexpr (VectorSpace<Vector>::compensated) {
       visit(local_values(q_rounding));
       visit(local_values(v_rounding));
@@ -160,6 +165,7 @@ struct EnergyMomentum {
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     using Verdict = detail::ConvergenceMonitor::Verdict;
     w.V_start = system.potential_energy(state.q);
+    w.momenta.begin(system, state);
     if (w.potential_noise < 0) w.potential_noise = noise_of_potential(system, state.q);
     predict(h, state, w);
     detail::FixedPointMonitor monitor;
@@ -377,6 +383,7 @@ struct EnergyMomentum {
     const double K_start = system.kinetic_energy(state.v);
     add(1.0, w.dq, state.q, w.q_rounding);
     add(1.0, w.dv, state.v, w.v_rounding);
+    w.momenta.keep(system, state, w.v_rounding);
     w.energy_gained += (system.potential_energy(state.q) - w.V_start) + (system.kinetic_energy(state.v) - K_start);
     w.acceleration = w.dv;
     scale(1 / h, w.acceleration);
