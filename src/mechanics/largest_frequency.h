@@ -123,6 +123,22 @@ inline double upper_ritz_value(const std::vector<double>& alpha, const std::vect
 
 }  // namespace detail
 
+namespace detail {
+
+/// How many independent displacements the constraints leave, where that can be known; the iteration has then seen all,
+/// and what would follow is round-off that may grow without bound.
+template <ConstrainedSystem S>
+int most_directions(const S& system) {
+  if constexpr (VectorSpace<typename S::Vector>::dense) {
+    auto vector = system.make_vector();
+    auto multiplier = system.make_multiplier();
+    return static_cast<int>(local_values(vector).size()) - static_cast<int>(local_values(multiplier).size());
+  }
+  return std::numeric_limits<int>::max();
+}
+
+}  // namespace detail
+
 /// ω from at most `n_iterations` steps of Lanczos, two forces each. The residual is added to the Ritz value, so that
 /// few iterations rather err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
 /// iteration has seen every mode; 0 where nothing oscillates.
@@ -139,6 +155,7 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
 
   std::vector<double> alpha, beta;
   double norm = x.norm(), largest = 0;
+  n_iterations = std::min(n_iterations, detail::most_directions(system));
   for (int j = 0; j < n_iterations && norm > 1e-6 * largest; ++j) {
     x.scale_by(1 / norm);
     if (Status status = stiffness.apply(x.u, next); !status) return {std::move(status)};

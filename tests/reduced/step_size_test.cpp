@@ -164,6 +164,22 @@ TEST(StepSize, OfABodyAtRestIsTheStabilityLimit) {
   EXPECT_NEAR(choice.step, request.rattle_limit, 0.1 * request.rattle_limit);
 }
 
+/// SL(3) has eight directions. Iterations beyond them once met a state (t = 84 of this motion) where round-off grew to
+/// a frequency of 2e7, and the step fell to a millionth.
+TEST(StepSize, FrequencyStaysThatOfTheBodyAlongALongMotion) {
+  const Sl3 body = neo_hookean_sl3();
+  const auto start = moving<Sl3>(diagonal(1.05, 1, 1 / 1.05), matrix({0, -0.9, 0.1, 0.9, 0, 0, 0.1, 0, 0}));
+  const auto r = run<mechanics::Rattle4>(body, start, 200, 4000, 1);
+  ASSERT_TRUE(r.finished()) << r.result.reason;
+  Sl3::Workspace workspace;
+  for (const auto& state : r.states) {
+    const auto frequency = mechanics::largest_frequency(body, state, workspace, 24);
+    ASSERT_TRUE(frequency.status) << frequency.status.reason();
+    EXPECT_GT(frequency.omega, 2.5) << state.t;  // √10 at rest
+    EXPECT_LT(frequency.omega, 4) << state.t;
+  }
+}
+
 TEST(StepSize, HalvesTheStepWhereAPilotRunFails) {
   const auto initial = benchmark_state<Sl3>();
   auto request = request_for(initial, 1e-4);
