@@ -73,7 +73,7 @@ void integrals(benchmark::State& loop) {
   in_turn(loop, semi_axes(), [](const Vector3d& a) { return ellipsoid_integrals<false>(a).d.sum(); });
 }
 void axes(benchmark::State& loop) {
-  in_turn(loop, bodies(), [](const Matrix3d& F) { return mechanics::principal_axes(F).a.sum(); });
+  in_turn(loop, bodies(), [](const Matrix3d& F) { return pseudorigid::mechanics::principal_axes(F).a.sum(); });
 }
 void energy(benchmark::State& loop) {
   in_turn(loop, bodies(), [](const Matrix3d& F) { return gravity.energy(F); });

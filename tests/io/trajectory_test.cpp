@@ -47,20 +47,20 @@ TEST(Trajectory, HeadersAreThoseOfTheContract) {
 }
 
 TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
-  const scene::Quantities nothing{false, false, false, false, false, false};
+  const scene::Quantities nothing{false, false, false, false, false, false, false, false};
   EXPECT_EQ(reduced_columns(nothing), std::vector<std::string>{"time"});
   const ContinuumObservables o = distinct_observables();
   const std::vector<std::string> all = continuum_columns(everything);
   std::vector<double> full_row, row;
   continuum_row(7, o, {}, everything, full_row);
-  for (int mask = 0; mask < 64; ++mask) {
-    const scene::Quantities some{bool(mask & 1), bool(mask & 2),  bool(mask & 4),
-                                 bool(mask & 8), bool(mask & 16), bool(mask & 32)};
+  for (int mask = 0; mask < 256; ++mask) {
+    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),  bool(mask & 8),
+                                 bool(mask & 16), bool(mask & 32), bool(mask & 64), bool(mask & 128)};
     const std::vector<std::string> columns = continuum_columns(some);
     continuum_row(7, o, {}, some, row);
     ASSERT_EQ(columns.size(), row.size());
     for (std::size_t i = 0; i < row.size(); ++i) EXPECT_EQ(row[i], value(all, full_row, columns[i])) << columns[i];
-    reduced_row(7, o, {}, some, row);
+    reduced_row(7, mechanics::ReducedObservables{o}, {}, some, row);
     EXPECT_EQ(row.size(), reduced_columns(some).size());
   }
 }

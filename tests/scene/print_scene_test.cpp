@@ -54,7 +54,23 @@ Scene any_scene(std::mt19937_64& random) {
   const auto positive_number = [&] { return std::max(std::abs(any_number(random)), 1e-300); };
   scene.title = "Number " + std::to_string(random());
   scene.models = {random() % 2 == 0, random() % 2 == 0};
-  scene.body = {positive_number(), positive_number(), random() % 2 == 0};
+  scene.body = {positive_number(),
+                positive_number(),
+                random() % 2 == 0,
+                {positive_number(), positive_number(), positive_number()},
+                {}};
+  if (random() % 2 == 0) scene.body.inertia = Matrix3{{{any_number(random), 0, 1}, {0, 2, 0}, {1, 0, 3}}};
+  scene.dissipation = {positive_number(), positive_number()};
+  scene.gravity_constant = positive_number();
+  scene.loads.acceleration = {any_number(random), any_number(random), any_number(random)};
+  scene.initial_state.equilibrium = initial_family_kind.table[random() % initial_family_kind.table.size()].second;
+  scene.initial_state.equilibrium_parameter = any_number(random);
+  scene.initial_state.center = {any_number(random), 0, any_number(random)};
+  scene.equilibria = {family_kind.table[random() % family_kind.table.size()].second, any_number(random),
+                      any_number(random), 1 + static_cast<int>(random() % 1000), positive_number()};
+  if (random() % 2 == 0)
+    scene.sweep = {{"x", {any_number(random), any_number(random)}, 2 + static_cast<int>(random() % 9)},
+                   {"y_2", {any_number(random), any_number(random), any_number(random)}, {}}};
   scene.material = {law_kind.table[random() % law_kind.table.size()].second, positive_number(), positive_number(),
                     std::uniform_real_distribution<>(0, 1)(random)};
   for (auto* matrix : {&scene.initial_state.deformation, &scene.initial_state.velocity})
@@ -122,7 +138,7 @@ TEST_F(PrintScene, EveryDefaultIsAllowedAndEveryEntryIsDocumented) {
     EXPECT_FALSE(kind.expected().empty()) << about.path;
     EXPECT_TRUE(about.documentation.ends_with(".")) << about.path;
   });
-  EXPECT_EQ(n_entries, 28);
+  EXPECT_EQ(n_entries, 46);
 }
 
 TEST_F(PrintScene, JsonHoldsEveryEntry) {

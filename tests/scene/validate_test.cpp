@@ -137,7 +137,8 @@ TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
   Scene scene;
   scene.models.continuum = false;
   scene.body.incompressible = false;
-  scene.initial_state = {diagonal(2, 3, 4), diagonal(1, 1, 1)};
+  scene.initial_state.deformation = diagonal(2, 3, 4);
+  scene.initial_state.velocity = diagonal(1, 1, 1);
   const Scene valid = validate(scene);
   EXPECT_EQ(valid.initial_state.deformation, scene.initial_state.deformation);
   EXPECT_EQ(valid.initial_state.velocity, scene.initial_state.velocity);
@@ -145,7 +146,8 @@ TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
 
 TEST_F(ValidateTest, TheVelocityIsJudgedInUnitsOfTheScene) {
   Scene scene;
-  scene.body = {.radius = 1e-3, .density = 1000};
+  scene.body.radius = 1e-3;
+  scene.body.density = 1000;
   scene.material.shear_modulus = 1e9;  // r/c = 1e-6
   scene.initial_state.velocity = diagonal(0.9e-2, 0, 0);
   EXPECT_NO_THROW(validate(scene));
