@@ -71,7 +71,8 @@ inline Table reduced_run(const Motion& motion, const std::vector<double>& t, con
   Table table{.columns = pseudorigid::io::reduced_columns(quantities), .values = {}};
   std::vector<double> row;
   for (const double time : t) {
-    pseudorigid::io::reduced_row(time, pseudorigid::mechanics::ReducedObservables{observe(motion, time, 1)}, {}, quantities, row);
+    pseudorigid::io::reduced_row(time, pseudorigid::mechanics::ReducedObservables{observe(motion, time, 1)}, {},
+                                 quantities, row);
     table.values.insert(table.values.end(), row.begin(), row.end());
   }
   return table;
