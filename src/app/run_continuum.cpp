@@ -1,5 +1,6 @@
 #include "app/model_run.h"
 #include "app/run_models.h"
+#include "app/run_modes.h"
 #include "continuum/elastic_ball.h"
 #include "continuum/nodal_fields.h"
 #include "io/trajectory.h"
@@ -95,6 +96,7 @@ class ContinuumModel {
 }  // namespace
 
 ModelOutcome run_continuum(const RunContext& context) {
+  if (context.scene.analysis == scene::Analysis::modes) return run_modes(context);
   ContinuumModel model(context);
   return ModelRun(model, context).run();
 }

@@ -19,9 +19,10 @@ namespace {
 
 /// Every name that a run may give to a file of its directory, but for the CSV files of systems, which prepare_fresh is
 /// told, and the checkpoints and graphics matched below.
-constexpr std::array<std::string_view, 13> owned_names{
-    "used.prm",  "manifest.json",  "log.txt",     "reduced.csv",   "continuum.csv", "comparison.csv", "modes.csv",
-    "sweep.csv", "equilibria.csv", "reduced.pvd", "continuum.pvd", "report.html",   "comparison.json"};
+constexpr std::array<std::string_view, 14> owned_names{
+    "used.prm",       "manifest.json", "log.txt",     "reduced.csv",    "continuum.csv",
+    "comparison.csv", "modes.csv",     "sweep.csv",   "equilibria.csv", "reduced.pvd",
+    "continuum.pvd",  "modes.pvd",     "report.html", "comparison.json"};
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
@@ -68,7 +69,7 @@ bool RunDirectory::owns_graphics(std::string_view name) {
   const auto frame_of = [&](std::string_view model) {
     return matches(name, model, ".vtu") || matches(name, model, ".pvtu");
   };
-  return frame_of("reduced-") || frame_of("continuum-");
+  return frame_of("reduced-") || frame_of("continuum-") || frame_of("modes-");
 }
 
 void RunDirectory::require_writable() const {

@@ -13,8 +13,11 @@
 
 namespace pseudorigid::scene {
 
-inline constexpr Choice<Analysis, 2> analysis_kind{
-    {{{"motion", Analysis::motion}, {"equilibrium", Analysis::equilibrium}}}};
+inline constexpr Choice<Analysis, 3> analysis_kind{{{
+    {"motion", Analysis::motion},
+    {"modes", Analysis::modes},
+    {"equilibrium", Analysis::equilibrium},
+}}};
 /// The names are those of the laws' own table, materials/law_table.h.
 inline constexpr Choice<Law, 7> law_kind{{{
     {"neo-hookean", Law::neo_hookean},
@@ -109,13 +112,17 @@ void visit_problem(S& scene, Visit& visit) {
         About{"System", "",
               "What moves: an elastic ball, compared in two models, or one of the finite-dimensional systems of "
               "mechanics, each with a subsection and a CSV file of its own."});
-  visit(scene.analysis, analysis_kind,
-        About{"Analysis", "",
-              "What to compute: the motion that follows from the initial state, or equilibria (equilibria.csv): of the "
-              "ball's reduced model a family of relative equilibria (see Equilibrium/Family) with their stability; of "
-              "the other systems the critical points of the potential with their Morse indices, the rates of the "
-              "system's small motions, and the dimensions of stable and unstable manifolds, counted with the system's "
-              "own dissipation or, where it has none, with a unit friction."});
+  visit(
+      scene.analysis, analysis_kind,
+      About{
+          "Analysis", "",
+          "What to compute: the motion that follows from the initial state; modes (modes.csv): the lowest frequencies "
+          "of "
+          "small motions about rest of the ball's continuum, see Modes/Number; or equilibria (equilibria.csv): of the "
+          "ball's reduced model a family of relative equilibria (see Equilibrium/Family) with their stability; of "
+          "the other systems the critical points of the potential with their Morse indices, the rates of the "
+          "system's small motions, and the dimensions of stable and unstable manifolds, counted with the system's "
+          "own dissipation or, where it has none, with a unit friction."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -230,6 +237,20 @@ void visit_equilibria(S& scene, Visit& visit) {
 }
 
 template <SceneOrConst S, class Visit>
+void visit_modes(S& scene, Visit& visit) {
+  visit(
+      scene.modes.number, Integer{1, 100},
+      About{
+          "Modes/Number", "",
+          "How many frequencies Analysis = modes writes, the lowest ones, a row each of modes.csv: index; omega, the "
+          "mean of the 2n+1 copies that a mode of degree n has; kind: 1 spheroidal, 2 toroidal; degree n; overtone: 0 "
+          "is the fundamental of its kind and degree; multiplicity 2n+1; spread: (largest - smallest copy)/omega, "
+          "which is the mesh's error alone; exact: omega of the incompressible sphere; reduced: that of the "
+          "pseudo-rigid ball, where it has such a mode, else 0. Rigid motions are left out. Graphics shows a mode of "
+          "each row (modes.pvd), the first Frames of them, with a largest displacement of one radius."});
+}
+
+template <SceneOrConst S, class Visit>
 void visit_time(S& scene, Visit& visit) {
   auto& [end, step, method, tolerance] = scene.time;
   visit(end, positive, About{"Time/End", "time", "The motion is computed from time 0 to this time."});
@@ -323,6 +344,7 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_loads(scene, visit);
   visit_initial_state(scene, visit);
   visit_equilibria(scene, visit);
+  visit_modes(scene, visit);
   visit_systems(scene, visit);
   visit_time(scene, visit);
   visit_continuum(scene, visit);
@@ -336,7 +358,7 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   for (const SystemDescription& system : catalogue.systems)
     if (section == system.section) return system.name;
   for (const std::string_view of_ball :
-       {"Models", "Body", "Material", "Gravity", "Loads", "Initial state", "Equilibrium", "Continuum"})
+       {"Models", "Body", "Material", "Gravity", "Loads", "Initial state", "Equilibrium", "Modes", "Continuum"})
     if (section == of_ball) return ball;
   for (const std::string_view of_ball : {"Output/Quantities", "Output/Graphics", "Output/Frames"})
     if (path == of_ball) return ball;

@@ -24,7 +24,9 @@ std::string continuum_line(const Scene& scene, const Sector& sector) {
 }
 
 void describe_models(const Scene& scene, Needs& needs) {
-  sort_out(needs, needs.reduced, "reduced model: the pseudo-rigid body, 9 unknowns", "reduced model: not among Models");
+  sort_out(needs, needs.reduced, "reduced model: the pseudo-rigid body, 9 unknowns",
+           scene.analysis == Analysis::modes ? "reduced model: its frequencies are known in closed form (modes.csv)"
+                                             : "reduced model: not among Models");
   sort_out(needs, needs.continuum, continuum_line(scene, needs.sector),
            "continuum: not among Models; no mesh, no deal.II, MPI or PETSc");
   sort_out(needs, needs.constraint, "constraint: volume is preserved, det Q = 1 with its multiplier",
@@ -110,7 +112,8 @@ Needs needs(const Scene& scene) {
     describe_system(*system, scene, needs);
     return needs;
   }
-  needs.reduced = scene.models.reduced;
+  const bool modes = scene.analysis == Analysis::modes;
+  needs.reduced = scene.models.reduced && !modes;
   needs.continuum = scene.models.continuum;
   needs.constraint = scene.body.incompressible;
   needs.pressure_space = needs.continuum && scene.body.incompressible;
@@ -123,7 +126,12 @@ Needs needs(const Scene& scene) {
   sort_out(needs, scene.analysis == Analysis::equilibrium,
            fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
                        family_kind.print(scene.equilibria.family)),
-           "relative equilibria: Analysis is motion");
+           fmt::format("relative equilibria: Analysis is {}", analysis_kind.print(scene.analysis)));
+  sort_out(
+      needs, modes,
+      fmt::format("modes: the {} lowest frequencies about rest, of all eight parities at the planes of the octant",
+                  scene.modes.number),
+      fmt::format("modes: Analysis is {}; no stiffness, no eigenvalue solver", analysis_kind.print(scene.analysis)));
   describe_output(scene, needs);
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
   return needs;
@@ -135,11 +143,11 @@ std::string describe(const Scene& scene, const Needs& needs) {
     text += fmt::format("{} of the {}, until time {}\n", analysis_kind.print(scene.analysis), scene.system,
                         print_number(scene.time.end));
   else
-    text += fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}, until time {}\n",
-                        analysis_kind.print(scene.analysis),
-                        scene.body.incompressible ? "an incompressible" : "a compressible",
-                        print_number(scene.body.radius), print_number(scene.body.density),
-                        print_number(scene.material.shear_modulus), print_number(scene.time.end));
+    text +=
+        fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}{}\n", analysis_kind.print(scene.analysis),
+                    scene.body.incompressible ? "an incompressible" : "a compressible", print_number(scene.body.radius),
+                    print_number(scene.body.density), print_number(scene.material.shear_modulus),
+                    scene.analysis == Analysis::modes ? "" : ", until time " + print_number(scene.time.end));
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }

@@ -17,7 +17,7 @@ namespace pseudorigid::scene {
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-enum class Analysis { motion, equilibrium };
+enum class Analysis { motion, modes, equilibrium };
 enum class Law {
   neo_hookean,
   mooney_rivlin,
@@ -104,6 +104,9 @@ struct Scene {
     int number = 90;
     double ratio = 0.5;  ///< a₃/a₁ of the Riemann families
   } equilibria;
+  struct Modes {
+    int number = 8;
+  } modes;
   struct Time {
     double end = 10;
     std::optional<double> step;     ///< empty: auto

@@ -91,6 +91,8 @@ class Validator {
 
   void check_system(const SystemDescription& system) {
     scene_.models = {false, false};
+    if (scene_.analysis == Analysis::modes)
+      refuse("Analysis", fmt::format("modes are offered for the ball, not for System = {}", system.name));
     if (scene_.analysis == Analysis::equilibrium && !system.has_equilibria)
       refuse("Analysis", fmt::format("equilibrium is not offered for System = {}, which has no critical points to find",
                                      system.name));
@@ -107,6 +109,7 @@ class Validator {
     const bool wants_equilibrium =
         scene_.analysis == Analysis::equilibrium || scene_.initial_state.equilibrium != Family::none;
     if (wants_equilibrium) check_equilibrium();
+    if (scene_.analysis == Analysis::modes) check_modes();
     if (!scene_.models.reduced && !scene_.models.continuum)
       refuse("Models", "expected at least one of reduced, continuum");
     if (scene_.models.continuum && !incompressible)
@@ -143,6 +146,19 @@ class Validator {
     if (scene_.dissipation.drag != 0) refuse("Material/Drag", "drag leaves no relative equilibrium");
     if (is_fluid(scene_) && scene_.gravity_constant == 0)
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
+  }
+
+  /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
+  void check_modes() const {
+    if (!scene_.models.continuum) refuse("Analysis", "modes are those of the continuum; set Models = continuum");
+    const auto& state = scene_.initial_state;
+    if (state.deformation != identity3 || state.equilibrium != Family::none)
+      refuse(deformation_path, "modes are small motions about rest, Q0 = 1; leave the entry out");
+    if (largest_entry(state.velocity) != 0)
+      refuse(velocity_path, "modes are small motions about rest; leave the entry out");
+    if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)
+      refuse("Continuum/Symmetry",
+             "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto");
   }
 
   void check_reference_body() const {

@@ -55,16 +55,17 @@ class Scenes(ProgramTest):
         k, n_cells = int(used["Degree"]), 8 * 4 * 8 ** int(used["Refinements"])
         return n_cells * (k + 1) ** 3, n_cells * k**3, 12
 
-    def check_pictures(self, folder, files, grid):
+    def check_pictures(self, folder, files, grid, fields={"displacement": [3], "jacobian": [1], "pressure": [1],
+                                                          "von_mises": [1]}):
         reader = SOURCE / "tests/support/check_vtu.py"
-        result = subprocess.run([sys.executable, reader, "--expect-fields", "displacement,pressure,jacobian,von_mises", *files],
+        result = subprocess.run([sys.executable, reader, "--expect-fields", ",".join(fields), *files],
                                 cwd=folder, capture_output=True, text=True, timeout=100)
         self.assertEqual(result.returncode, 0, result.stderr)
         read = [json.loads(line) for line in result.stdout.splitlines()]
         self.assertEqual(len(read), len(files))
         for picture in read:
             self.assertEqual((picture["points"], picture["cells"], *picture["cell_types"]), grid, picture["file"])
-            self.assertEqual(picture["fields"], {"displacement": [3], "jacobian": [1], "pressure": [1], "von_mises": [1]})
+            self.assertEqual(picture["fields"], fields)
             low, high = picture["bounds"]
             for a, b in zip(low, high):  # the whole body, seen from its centre
                 self.assertAlmostEqual(a, -b, delta=1e-9 * b)
@@ -83,6 +84,38 @@ class Scenes(ProgramTest):
 
     def test_compressible_reduced(self):
         self.check_scene("compressible_reduced", ["reduced"])
+
+    def test_modes(self):
+        """PHYSICS.md 3, in other units: radius 2, density 3 and shear modulus 0.75 have c/r = 1/4."""
+        self.scene((SOURCE / "params/modes.prm").read_text(), "modes.prm")
+        result = self.run_done("run", "modes.prm", *overrides({
+            "Body/Radius": 2, "Body/Density": 3, "Material/Shear modulus": 0.75, "Continuum/Degree": 3, "Modes/Number": 5,
+            "Output/Frames": 3}))
+        folder = self.scratch / "output/modes"
+        table = self.table(folder / "modes.csv")
+        self.assertEqual(table.header, ["index", "omega", "kind", "degree", "overtone", "multiplicity", "spread", "exact",
+                                        "reduced"])
+        self.assertEqual(table.column("index"), [1, 2, 3, 4, 5])
+        self.assertEqual(list(zip(*(table.column(name) for name in ("kind", "degree", "overtone", "multiplicity")))),
+                         [(2, 2, 0, 5), (1, 2, 0, 5), (2, 3, 0, 7), (1, 1, 0, 3), (1, 3, 0, 7)])
+        exact = [4 * omega for omega in table.column("exact")]
+        for x, known in zip((exact[0], exact[1], exact[3], exact[4]),
+                            (2.501132620409, 2.665622189236, 3.870238580222, 4.001936825190)):
+            self.assertAlmostEqual(x, known, delta=1e-11)
+        for omega, spread, x in zip(table.column("omega"), table.column("spread"), exact):
+            self.assertAlmostEqual(4 * omega, x, delta=4e-3)
+            self.assertLess(spread, 1e-3)
+        reduced = table.column("reduced")
+        self.assertAlmostEqual(4 * reduced[1], 10**0.5, delta=1e-14)
+        self.assertEqual(reduced[:1] + reduced[2:], [0, 0, 0, 0])
+        files = [f"graphics/modes-{j:06}.vtu" for j in range(3)]
+        self.assertEqual(self.pvd(folder / "modes.pvd"), list(zip((1, 2, 3), files)))
+        self.check_pictures(folder, files, self.expected_grid("continuum", {"Degree": 3, "Refinements": 0}),
+                            {"displacement": [3]})
+        self.assertFalse((folder / "continuum.csv").exists() or (folder / "reduced.csv").exists())
+        log = (folder / "log.txt").read_text()
+        self.assertIn("S2", log)
+        self.assertIn("the 5 lowest frequencies", log)
 
     def test_every_scene_has_a_test(self):
         # Those of other systems have theirs in systems_test.py, others of the reduced body in pseudo_rigid_test.py.
