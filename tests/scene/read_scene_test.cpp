@@ -114,6 +114,9 @@ TEST_F(ReadSceneTest, OverridesReachEntriesOutsideSubsectionsAndMayHoldEqualsSig
 TEST_F(ReadSceneTest, SwitchesOfQuantitiesAndModels) {
   EXPECT_TRUE(read("", {"Output/Quantities=all"}).scene.output.quantities.momenta);
   EXPECT_FALSE(read("", {"Output/Quantities="}).scene.output.quantities.momenta);
+  EXPECT_FALSE(read("", {"Output/Quantities=all"}).scene.output.quantities.bipolar);
+  const auto more = read("", {"Output/Quantities=all, bipolar"}).scene.output.quantities;
+  EXPECT_TRUE(more.momenta && more.bipolar && !more.pressure);
   EXPECT_FALSE(read("", {"Models=continuum"}).scene.models.reduced);
   EXPECT_TRUE(read("set Models = reduced", {"Models=continuum,reduced"}).scene.models.continuum);
 }
