@@ -20,7 +20,9 @@ std::string continuum_line(const Scene& scene, const Sector& sector) {
   const auto& [degree, refinements, mesh, symmetry] = scene.continuum;
   return fmt::format("continuum: finite elements of degree {} on the {} mesh, refined {} time{}", degree,
                      mesh_kind.print(mesh), refinements, refinements == 1 ? "" : "s") +
-         fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason);
+         (scene.analysis == Analysis::modes
+              ? ", one octant in all its parities"
+              : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
 void describe_models(const Scene& scene, Needs& needs) {
@@ -45,6 +47,12 @@ void describe_models(const Scene& scene, Needs& needs) {
 }
 
 void describe_output(const Scene& scene, Needs& needs) {
+  if (scene.analysis == Analysis::modes) {
+    needs.skipped.push_back("time loop, initial state and observables: modes are small motions about rest");
+    sort_out(needs, needs.graphics, fmt::format("graphics: up to {} shapes (vtu)", scene.output.frames),
+             "graphics: Output/Graphics is none; no folder is made");
+    return;
+  }
   needs.skipped.push_back("tangent stiffness and preconditioners for it: RATTLE is explicit in the elastic force");
   std::vector<std::string_view> evaluated, unwanted;
   for (std::size_t i = 0; i < quantities_kind.table.size(); ++i) {
