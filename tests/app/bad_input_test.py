@@ -70,7 +70,7 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Models": ""}, "Models", "at least one of reduced, continuum")
 
     def test_what_the_design_names_but_is_not_offered(self):
-        self.refused_entries({"Analysis": "mode"}, "Analysis", "did you mean modes")
+        self.refused_entries({"Analysis": "mode"}, "Analysis", 'did you mean "modes"?')
         self.refused_entries({"Analysis": "modes", "Models": "reduced"}, "Analysis", "set Models = continuum")
         self.refused_entries({"Analysis": "modes", "System": "double pendulum"}, "Analysis", "offered for the ball")
         self.refused_entries({"Analysis": "modes", "Models": "continuum", "Continuum/Symmetry": "none"},

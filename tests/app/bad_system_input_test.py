@@ -104,7 +104,7 @@ class BadSystemInput(RefusedInputTest):
                                ("Jacobi geodesic/Potential", "morse", "harmonic or kepler"))
 
     def test_unknown_system(self):
-        self.refused_by_system("torus", ("Time/Method", "rk4", "explicit-8"), ("Analysis", "modes", "motion or equilibrium"))
+        self.refused_by_system("torus", ("Time/Method", "rk4", "explicit-8"), ("Analysis", "modes", "offered for the ball"))
         for system in ("pendulum", "", "ball, torus", "Torus"):
             self.scene({"System": system, "Time/End": 1})
             self.refused("run", "scene.prm", fragments=("scene.prm:1: System: expected one of ball, mass points", system))
