@@ -72,7 +72,6 @@ class BadInput(RefusedInputTest):
     def test_what_the_design_names_but_is_not_offered(self):
         self.refused_entries({"Analysis": "mode"}, "Analysis", 'did you mean "modes"?')
         self.refused_entries({"Analysis": "modes", "Models": "reduced"}, "Analysis", "set Models = continuum")
-        self.refused_entries({"Analysis": "modes", "System": "double pendulum"}, "Analysis", "offered for the ball")
         self.refused_entries({"Analysis": "modes", "Models": "continuum", "Continuum/Symmetry": "none"},
                              "Continuum/Symmetry", "set Symmetry = auto")
         self.refused_entries({"Analysis": "modes", "Models": "continuum",
