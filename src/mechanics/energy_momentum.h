@@ -181,8 +181,8 @@ struct EnergyMomentum {
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
       // C at first goes along; θ is held when noise stops the increments, C when they are small or stop once more.
-      if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-12 * step)) {
-        w.hold = increment <= 1e-12 * step ? 2 : w.hold + 1;
+      if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
+        w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
       }
       verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
