@@ -9,7 +9,7 @@ import subprocess
 import sys
 import tempfile
 
-KINDS = {1: "fold", 2: "branch point", 3: "index", 4: "instability"}
+KINDS = {1: "fold", 3: "index", 4: "instability"}
 FLUID = {"Material/Law": "none", "Gravity/Constant": "$(1/pi)"}  # πGρ = 1
 
 

@@ -140,7 +140,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
       {"index", "", "number of the row, by rising parameter"},
       {"kind", "",
        "0: a member of the family; special points of it, between two members: 1 fold (its spin or circulation has an "
-       "extremum), 2 branch point, 3 index (n_negative changes: where dissipation decides), 4 instability (a growth "
+       "extremum), 3 index (n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth "
        "rate begins or ends)"},
       {"parameter", "",
        "the family's: eccentricity (maclaurin), a3 in radii (spheroids), spin [1/time] (spinning), a2/a1 of the "
