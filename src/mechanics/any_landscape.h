@@ -2,6 +2,7 @@
 /// A landscape of any system behind one type, so that the search for critical points is compiled once and not once a
 /// system. It refers to what the landscape refers to.
 
+#include <concepts>
 #include <memory>
 #include <utility>
 
@@ -14,8 +15,9 @@ class AnyLandscape {
   using Matrix = Eigen::MatrixXd;
 
  public:
-  template <Landscape L>
-  explicit AnyLandscape(L landscape) : held_(std::make_unique<Model<L>>(std::move(landscape))) {}
+  template <class L>
+  requires(!std::same_as<L, AnyLandscape> && Landscape<L>) AnyLandscape(L landscape)
+      : held_(std::make_unique<Model<L>>(std::move(landscape))) {}
 
   int n_coordinates() const { return held_->n_coordinates(); }
   int n_constraints() const { return held_->n_constraints(); }

@@ -8,12 +8,9 @@
 /// Morse index and nullity are those of H. Where the damping is strongly dissipative and H regular, the point is
 /// hyperbolic, and its unstable manifold has the dimension of the Morse index (5.8.3).
 
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <complex>
+#include <Eigen/Core>
 
-#include "mechanics/landscape.h"
+#include "mechanics/any_landscape.h"
 
 namespace pseudorigid::mechanics {
 
@@ -31,85 +28,8 @@ struct CriticalPoint {
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 
-namespace detail {
-
-/// Eigenvalues count as zero below this part of the largest: Hessians by differences are good to about 1e-12.
-inline constexpr double zero_curvature = 1e-8;
-/// And below this, the round-off of terms of order 1 that cancel: no force at all leaves 1e-170 behind.
-inline constexpr double round_off_curvature = 1e-14;
-/// A zero of H splits into rates of the size of the square root of its error where there is little damping.
-inline constexpr double zero_rate = 1e-6;
-
-/// T: a basis of ker G with TᵀMT = Id.
-inline Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
-  Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
-  if (G.rows() > 0) {
-    const Eigen::MatrixXd normals = factor.matrixL().solve(G.transpose());
-    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(normals);
-    Z = (qr.householderQ() * Z).rightCols(M.rows() - qr.rank()).eval();
-  }
-  return factor.matrixU().solve(Z);
-}
-
-/// Without damping: z² = −κ for each eigenvalue κ of H, 0 where that counts as zero.
-inline void linearise_undamped(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& H, double zero,
-                               const Eigen::MatrixXd& T, CriticalPoint& p) {
-  const Eigen::Index n = H.eigenvalues().size();
-  p.rates.resize(2 * n);
-  p.directions.resize(T.rows(), 2 * n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const double kappa = H.eigenvalues()[k], size = std::abs(kappa) <= zero ? 0 : std::sqrt(std::abs(kappa));
-    const std::complex<double> z = kappa < 0 ? std::complex(size, 0.0) : std::complex(0.0, size);
-    p.rates.segment<2>(2 * k) << z, -z;
-    p.directions.middleCols<2>(2 * k) = (T * H.eigenvectors().col(k)).replicate<1, 2>();
-  }
-  p.n_unstable = p.n_stable = p.morse_index;
-}
-
-/// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
-inline void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
-  const Eigen::Index n = H.rows();
-  Eigen::MatrixXd A(2 * n, 2 * n);  // of (y, ẏ)
-  A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  p.rates = solver.eigenvalues();
-  p.directions = T * solver.eigenvectors().topRows(n).colwise().normalized();
-  const double zero = zero_rate * (n > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
-  p.n_unstable = static_cast<int>((p.rates.real().array() > zero).count());
-  p.n_stable = static_cast<int>((p.rates.real().array() < -zero).count());
-}
-
-}  // namespace detail
-
 /// Describes the critical point (q, λ). `added_damping` is a covector force −C v beside the system's own.
-template <Landscape L>
-Status describe_critical_point(const L& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
-                               const Eigen::MatrixXd& added_damping, CriticalPoint& p) {
-  Eigen::MatrixXd M, G, hessian, C;
-  landscape.mass(q, M);
-  landscape.constraint_gradient(q, G);
-  if (Status status = landscape.hessian(q, lambda, hessian); !status) return status;
-  if (Status status = landscape.damping(q, C); !status) return status;
-  const Eigen::MatrixXd T = detail::tangent_basis(M, G);
-  const Eigen::MatrixXd H = T.transpose() * hessian * T, D = T.transpose() * (C + added_damping) * T;
-  if (!H.allFinite() || !D.allFinite())
-    return Status::failure("the mass or the second derivative of the potential is singular at a critical point");
-
-  p.q = q;
-  p.lambda = lambda;
-  p.V = landscape.potential(q);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(H);
-  p.hessian_eigenvalues = spectrum.eigenvalues();
-  const double largest = p.hessian_eigenvalues.size() > 0 ? p.hessian_eigenvalues.cwiseAbs().maxCoeff() : 0;
-  const double zero = std::max(detail::zero_curvature * largest, detail::round_off_curvature);
-  p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
-  p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
-  if (D.isZero(0))
-    detail::linearise_undamped(spectrum, zero, T, p);
-  else
-    detail::linearise(H, D, T, p);
-  return {};
-}
+Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
+                               const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 
 }  // namespace pseudorigid::mechanics

@@ -11,7 +11,6 @@
 /// keeps each u together with its w = M u. So only M⁻¹ is needed, and ⟨u, u'⟩_M = uᵀw' also where M⁻¹ has zeros
 /// (components that are held fixed: u = 0 there, whatever w is).
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -113,13 +112,7 @@ class TangentStiffness {
 
 /// Largest eigenvalue of the Lanczos matrix (diagonal alpha, beside it beta) and the residual of its vector,
 /// |β_n s_n|: some eigenvalue lies that near.
-inline double upper_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta) {
-  const auto n = static_cast<Eigen::Index>(alpha.size());
-  const Eigen::Map<const Eigen::VectorXd> diagonal(alpha.data(), n), beside(beta.data(), n);
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
-  ritz.computeFromTridiagonal(diagonal, beside.head(n - 1));
-  return ritz.eigenvalues()(n - 1) + std::abs(beside(n - 1) * ritz.eigenvectors()(n - 1, n - 1));
-}
+double upper_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
 }  // namespace detail
 

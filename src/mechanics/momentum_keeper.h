@@ -7,7 +7,7 @@
 ///
 /// It is tangent to the constraints, which the symmetries leave as they are.
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,6 +17,14 @@
 #include "mechanics/conservative_system.h"
 
 namespace pseudorigid::mechanics {
+
+namespace detail {
+
+/// α of Σ_j gram_ij α_j = lost_i. Symmetries that move nothing, or together nothing (a turn of space and of the body
+/// about a common axis), have no part in it.
+Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
+
+}  // namespace detail
 
 template <ConservativeSystem S>
 class MomentumKeeper {
@@ -66,8 +74,6 @@ class MomentumKeeper {
       system.symmetry(static_cast<int>(i), state.q, state.v, xi_[i], unused_);
   }
 
-  /// Symmetries that move nothing, or together nothing (a turn of space and of the body about a common axis), have no
-  /// part in α.
   void give_back(const S& system, const Eigen::VectorXd& lost, State<S>& state, Vector& v_rounding) {
     const Eigen::Index n = lost.size();
     Eigen::MatrixXd gram(n, n);
@@ -75,10 +81,7 @@ class MomentumKeeper {
       system.apply_mass(xi_[static_cast<std::size_t>(i)], momentum_);
       for (Eigen::Index j = 0; j < n; ++j) gram(i, j) = dot(momentum_, xi_[static_cast<std::size_t>(j)]);
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(n, n);
-    solver.setThreshold(1e-8);
-    solver.compute(gram);
-    const Eigen::VectorXd alpha = solver.solve(lost);
+    const Eigen::VectorXd alpha = detail::least_solution(gram, lost);
     for (Eigen::Index i = 0; i < n; ++i) add(alpha[i], xi_[static_cast<std::size_t>(i)], state.v, v_rounding);
   }
 
