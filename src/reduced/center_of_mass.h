@@ -6,8 +6,7 @@
 ///
 /// so x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1).
 
-#include <Eigen/Dense>
-#include <unsupported/Eigen/MatrixFunctions>
+#include <Eigen/Core>
 
 namespace pseudorigid::reduced {
 
@@ -22,19 +21,7 @@ struct CenterOfMass {
   };
 
   /// Not finite where an unstable T has carried it beyond all numbers.
-  Motion at(double t) const {
-    if (quadratic.isZero(0) && drag == 0)
-      return {position + t * (velocity + t / 2 * acceleration), velocity + t * acceleration};
-    Eigen::Matrix<double, 7, 7> A = Eigen::Matrix<double, 7, 7>::Zero();
-    A.block<3, 3>(0, 3).setIdentity();
-    A.block<3, 3>(3, 0) = -quadratic;
-    A.block<3, 3>(3, 3) = -drag * Eigen::Matrix3d::Identity();
-    A.block<3, 1>(3, 6) = acceleration;
-    Eigen::Matrix<double, 7, 1> start;
-    start << position, velocity, 1;
-    const Eigen::Matrix<double, 7, 1> now = (t * A).exp() * start;
-    return {now.head<3>(), now.segment<3>(3)};
-  }
+  Motion at(double t) const;
 
   /// Energies per mass.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }

@@ -38,20 +38,7 @@ inline SteadyMotion motion_of(const PlaneVector& u) {
 
 /// The motion turned such that A = diag(a) with a > 0 and the plane of ω and Λ is as near as can be to that of axes 2
 /// and 3. A motion in that form is left as it is. Needs det A > 0.
-inline SteadyMotion to_principal_plane(const SteadyMotion& m) {
-  SteadyMotion p = m;
-  if (!m.A.isDiagonal(0) || !(m.A.diagonal().minCoeff() > 0)) {
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double side = svd.matrixU().determinant() > 0 ? 1 : -1;  // both sides have the same, as det A > 0
-    p = {svd.singularValues().asDiagonal(), side * svd.matrixU().transpose() * m.omega,
-         side * svd.matrixV().transpose() * m.Lambda, m.lambda};
-  }
-  Eigen::Index normal = 0;
-  (p.omega.cwiseAbs2() + p.Lambda.cwiseAbs2()).minCoeff(&normal);
-  Eigen::Matrix3d P;  // the cyclic permutation that takes axis `normal` to axis 1
-  for (int i = 0; i < 3; ++i) P.row(i) = Eigen::Vector3d::Unit((i + normal) % 3).transpose();
-  return {P * p.A * P.transpose(), P * p.omega, P * p.Lambda, p.lambda};
-}
+SteadyMotion to_principal_plane(const SteadyMotion& m);
 
 /// A quantity of the motion, as a function of u.
 using PlaneDual = mechanics::Dual<double, 8>;
@@ -110,13 +97,7 @@ namespace detail {
 
 /// Newton's step DF⁻¹F without the components of F that are round-off: at a bifurcation they would be divided by a
 /// singular value near 0 and carry the point away along the other branch.
-inline PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off) {
-  const Eigen::JacobiSVD<PlaneMatrix> svd(DF, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  PlaneVector components = svd.matrixU().transpose() * F;
-  for (int i = 0; i < 8; ++i)
-    components[i] = std::abs(components[i]) <= round_off ? 0 : components[i] / svd.singularValues()[i];
-  return svd.matrixV() * components;
-}
+PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
 /// Newton's iteration on equations(u, F, DF), until |F| no longer falls; that must be at round-off of terms of size
 /// `scale`. Steps are limited, so that axes stay in range.

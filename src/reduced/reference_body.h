@@ -29,10 +29,7 @@ struct ReferenceBody {
     return {volume / 5 * Eigen::Matrix3d(a.cwiseAbs2().asDiagonal()), volume, volume, a.asDiagonal()};
   }
   /// Any other body, of which only inertia and volume are known. E₀ is symmetric and positive definite.
-  static ReferenceBody of_inertia(const Eigen::Matrix3d& E0, double volume) {
-    const Eigen::Matrix3d SST = 5 / volume * E0;
-    return {E0, volume, volume, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(SST).operatorSqrt(), false};
-  }
+  static ReferenceBody of_inertia(const Eigen::Matrix3d& E0, double volume);
 };
 
 }  // namespace pseudorigid::reduced

@@ -18,6 +18,19 @@ struct CurvePoint {
   double determinant = 0;  ///< of [DF; t₀ᵀ], with t₀ of the point that this one was reached from
 };
 
+namespace detail {
+
+/// The null direction of the first seven rows, the one of their smallest singular value, and that value over the
+/// largest one.
+struct NullDirections {
+  PlaneVector first, second;
+  double second_singular_value;
+  PlaneVector project(const PlaneVector& x) const { return first.dot(x) * first + second.dot(x) * second; }
+};
+NullDirections null_directions(const PlaneMatrix& DF);
+
+}  // namespace detail
+
 template <SmoothPotential V>
 class SteadyCurve {
  public:
@@ -64,7 +77,7 @@ class SteadyCurve {
     PlaneVector F;
     PlaneMatrix DF;
     evaluate(u, F, DF);
-    const PlaneVector tangent = null_directions(DF).first;
+    const PlaneVector tangent = detail::null_directions(DF).first;
     return point_near(u, slope(parameter, u, tangent) < 0 ? PlaneVector(-tangent) : tangent, point);
   }
 
@@ -74,7 +87,7 @@ class SteadyCurve {
     PlaneVector F;
     PlaneMatrix DF;
     evaluate(crossing.u, F, DF);
-    const NullDirections null = null_directions(DF);
+    const detail::NullDirections null = detail::null_directions(DF);
     PlaneVector across =
         (null.first.dot(crossing.tangent) * null.second - null.second.dot(crossing.tangent) * null.first).normalized();
     for (int i = 0; i < 8; ++i)
@@ -115,21 +128,10 @@ class SteadyCurve {
     F[6] = c.value() - condition_.value;
     DF.row(6) = c.derivatives().transpose();
   }
-  /// The null direction of the first seven rows, the one of their smallest singular value, and that value over the
-  /// largest one.
-  struct NullDirections {
-    PlaneVector first, second;
-    double second_singular_value;
-    PlaneVector project(const PlaneVector& x) const { return first.dot(x) * first + second.dot(x) * second; }
-  };
-  static NullDirections null_directions(const PlaneMatrix& DF) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(DF.topRows<7>(), Eigen::ComputeFullV);
-    return {svd.matrixV().col(7), svd.matrixV().col(6), svd.singularValues()[6] / svd.singularValues()[0]};
-  }
   /// At a branch point both directions are null, and the curve goes on along `along`.
   static PlaneVector tangent(const PlaneMatrix& DF, const PlaneVector& along) {
     constexpr double branch_point = 1e-6;
-    const NullDirections null = null_directions(DF);
+    const detail::NullDirections null = detail::null_directions(DF);
     const PlaneVector t = null.second_singular_value > branch_point ? null.first : null.project(along).normalized();
     return t.dot(along) < 0 ? PlaneVector(-t) : t;
   }
