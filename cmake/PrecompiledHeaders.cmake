@@ -1,0 +1,31 @@
+# Precompiled headers: what many files include and nobody here edits, parsed once. Every source still includes what it
+# uses, and is compiled without them where the option is off.
+#
+# Off with a compiler launcher: ccache keeps nothing of what is compiled with them.
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  set(precompile OFF)
+else()
+  set(precompile ON)
+endif()
+option(PSEUDORIGID_PRECOMPILE "Precompile headers of libraries" ${precompile})
+
+# pseudorigid_precompiled_headers(NAME HEADERS <header>… [LIBS target…]): a set of them. The flags and definitions with
+# which it is made must be those with which it is used, so LIBS are those that bring definitions.
+function(pseudorigid_precompiled_headers name)
+  cmake_parse_arguments(SET "" "" "HEADERS;LIBS" ${ARGN})
+  if(NOT PSEUDORIGID_PRECOMPILE)
+    return()
+  endif()
+  set(source ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "")
+  add_library(precompiled_${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(precompiled_${name} PRIVATE pseudorigid_options ${SET_LIBS})
+  target_precompile_headers(precompiled_${name} PRIVATE ${SET_HEADERS})
+endfunction()
+
+# pseudorigid_precompiled(TARGET NAME): compiles the target with that set.
+function(pseudorigid_precompiled target name)
+  if(PSEUDORIGID_PRECOMPILE)
+    target_precompile_headers(${target} REUSE_FROM precompiled_${name})
+  endif()
+endfunction()
