@@ -70,12 +70,16 @@ class ContinuumModel {
   template <class MethodWorkspace>
   void report(const MethodWorkspace& w, io::Manifest::Model& statistics) const {
     auto& c = statistics.counters;
-    c["cells"] = ball_.space().n_cells();
-    c["unknowns"] = 3.0 * ball_.space().n_nodes();
-    c["multipliers"] = static_cast<double>(ball_.space().n_cells()) * ball_.space().n_pressure();
+    c["cells"] = static_cast<double>(ball_.space().n_global_cells());
+    c["unknowns"] = 3.0 * static_cast<double>(ball_.space().n_global_nodes());
+    c["multipliers"] = static_cast<double>(ball_.space().n_global_cells()) * ball_.space().n_pressure();
     c["images"] = ball_.space().mesh().sector().n_images();
     c["gram_iterations"] = static_cast<double>(w.counters.n_gram_iterations);
-    c["gram_factorizations"] = static_cast<double>(w.system.gram.n_factorizations());
+    const auto gram = w.system.gram.statistics();
+    c["gram_solves"] = static_cast<double>(gram.n_solves);
+    c["gram_iterations_at_most"] = static_cast<double>(gram.n_iterations_at_most);
+    c["gram_renewals"] = static_cast<double>(gram.n_renewals);
+    c["gram_bytes"] = static_cast<double>(gram.memory);
     c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
   }
 

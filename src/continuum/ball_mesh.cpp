@@ -1,12 +1,15 @@
 #include "continuum/ball_mesh.h"
 
 #include <deal.II/base/geometry_info.h>
+#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+
+#include "continuum/ranks.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -86,10 +89,31 @@ dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, co
   return s > 0 ? inside + s * onto_sphere(cube / s) : inside;
 }
 
+/// A mesh in one process does without p4est, which wants MPI to run.
+std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
+  if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
+  return std::make_unique<dealii::Triangulation<3>>();
+}
+
+/// Faces of the coarse mesh that lie in the plane x_i = 0 get the id i, the others `surface_id`.
+void mark_boundary(dealii::Triangulation<3>& coarse) {
+  for (const auto& cell : coarse.cell_iterators_on_level(0))
+    for (const auto& face : cell->face_iterators()) {
+      if (!face->at_boundary()) continue;
+      dealii::types::boundary_id id = BallMesh::surface_id;
+      for (unsigned int d = 0; d < 3; ++d) {
+        bool in_plane = true;
+        for (unsigned int v = 0; v < 4; ++v) in_plane = in_plane && face->vertex(v)[d] == 0;
+        if (in_plane) id = d;
+      }
+      face->set_boundary_id(id);
+    }
+}
+
 }  // namespace
 
-BallMesh::BallMesh(const Sector& sector, int n_refinements)
-    : sector_(sector), triangulation_(std::make_unique<dealii::Triangulation<3>>()) {
+BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator)
+    : sector_(sector), triangulation_(empty_triangulation(communicator)) {
   std::map<Corner, unsigned int> numbers;
   std::vector<dealii::Point<3>> vertices;
   std::vector<dealii::CellData<3>> cells;
@@ -104,11 +128,19 @@ BallMesh::BallMesh(const Sector& sector, int n_refinements)
   }
   dealii::GridTools::consistently_order_cells(cells);
   triangulation_->create_triangulation(vertices, cells, {});
-  for (const auto& cell : triangulation_->active_cell_iterators()) {
+  for (const auto& cell : cells) {
     auto& corners = coarse_vertices_.emplace_back();
-    for (unsigned int v = 0; v < 8; ++v) corners[v] = cell->vertex(v);
+    for (unsigned int v = 0; v < 8; ++v) corners[v] = vertices[cell.vertices[v]];
   }
+  mark_boundary(*triangulation_);
   triangulation_->refine_global(n_refinements);
+}
+
+std::size_t BallMesh::global_number(const dealii::Triangulation<3>::cell_iterator& cell) const {
+  const dealii::CellId id = cell->id();
+  std::size_t number = id.get_coarse_cell_id();
+  for (const auto child : id.get_child_indices()) number = 8 * number + child;
+  return number;
 }
 
 dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterator& cell,

@@ -9,6 +9,8 @@
 ///
 /// which is exact on the sphere and on the planes (coordinates that are zero stay exactly zero). Other sectors are
 /// reflections of the octant, so that all of them are the same discretisation.
+///
+/// With several ranks the cells are distributed over them (p4est); every rank then holds its own and their neighbours.
 
 #include <deal.II/grid/tria.h>
 
@@ -26,11 +28,16 @@ struct Sector {
 
 class BallMesh {
  public:
-  /// The sector of the unit ball, refined `n_refinements` times.
-  BallMesh(const Sector& sector, int n_refinements);
+  /// The sector of the unit ball, refined `n_refinements` times, over the ranks of a communicator.
+  BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
 
   const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }
+  MPI_Comm communicator() const { return triangulation_->get_communicator(); }
   const Sector& sector() const { return sector_; }
+  /// Boundary id of the free surface; the faces on the symmetry plane x_i = 0 have the id i.
+  static constexpr dealii::types::boundary_id surface_id = 3;
+  /// Number of an active cell among all, from its place in the hierarchy: the same on any number of ranks.
+  std::size_t global_number(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
   /// Position of the point ξ ∈ [0,1]³ of an active cell.
   dealii::Point<3> position(const dealii::Triangulation<3>::cell_iterator& cell, const dealii::Point<3>& xi) const;

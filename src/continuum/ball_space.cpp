@@ -6,6 +6,8 @@
 
 #include <stdexcept>
 
+#include "continuum/ranks.h"
+
 namespace pseudorigid::continuum {
 namespace {
 
@@ -33,6 +35,7 @@ double derivative(const ReferenceCell& ref, const Value& value, const std::array
 BallSpace::BallSpace(BallMesh mesh, int degree)
     : mesh_(std::move(mesh)), degree_(degree), reference_(degree), element_(degree) {
   number_nodes();
+  number_multipliers();
   place_nodes();
   lump_mass();
 }
@@ -40,28 +43,37 @@ BallSpace::BallSpace(BallMesh mesh, int degree)
 void BallSpace::number_nodes() {
   dof_handler_ = std::make_unique<dealii::DoFHandler<3>>(mesh_.triangulation());
   dof_handler_->distribute_dofs(element_);
+  dealii::IndexSet on_own_cells;
+  dealii::DoFTools::extract_locally_active_dofs(*dof_handler_, on_own_cells);
+  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
+      components_of(dof_handler_->locally_owned_dofs()), components_of(on_own_cells), communicator());
+
   const auto hierarchic = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree_);
   std::vector<dealii::types::global_dof_index> indices(element_.dofs_per_cell);
   for (const auto& cell : dof_handler_->active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
     cell->get_dof_indices(indices);
     auto& nodes = cell_nodes_.emplace_back(indices.size());
-    for (unsigned int i = 0; i < indices.size(); ++i) nodes[i] = indices[hierarchic[i]];
+    for (unsigned int i = 0; i < indices.size(); ++i)
+      nodes[i] = partitioner_->global_to_local(3 * indices[hierarchic[i]]) / 3;
   }
-  const MPI_Comm communicator = mesh_.triangulation().get_communicator();
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(*dof_handler_, relevant);
-  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-      components_of(dof_handler_->locally_owned_dofs()), components_of(relevant), communicator);
-  multiplier_partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-      dealii::complete_index_set(n_cells() * n_pressure()), communicator);
+}
+
+void BallSpace::number_multipliers() {
+  const dealii::types::global_dof_index n_own = static_cast<std::size_t>(n_cells()) * n_pressure();
+  const dealii::IndexSet own = n_ranks(communicator()) == 1 ? dealii::complete_index_set(n_own)
+                                                            : dealii::Utilities::MPI::create_ascending_partitioning(
+                                                                  communicator(), n_own)[this_rank(communicator())];
+  multiplier_partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(own, communicator());
 }
 
 void BallSpace::place_nodes() {
   X_.reinit(partitioner_);
-  std::vector<bool> placed(n_nodes(), false);
+  std::vector<bool> placed((partitioner_->locally_owned_size() + partitioner_->n_ghost_indices()) / 3, false);
   const int n = reference_.n;
   unsigned int c = 0;
   for (const auto& cell : mesh_.triangulation().active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
     for (int i = 0; i < n * n * n; ++i) {
       const dealii::Point<3> xi(reference_.nodes[i % n], reference_.nodes[i / n % n], reference_.nodes[i / n / n]);
       const dealii::Point<3> X = mesh_.position(cell, xi);
@@ -76,6 +88,7 @@ void BallSpace::place_nodes() {
     }
     ++c;
   }
+  X_.update_ghost_values();
 }
 
 void BallSpace::lump_mass() {
@@ -93,11 +106,13 @@ void BallSpace::lump_mass() {
           reference_.node_weights[ijk[0]] * reference_.node_weights[ijk[1]] * reference_.node_weights[ijk[2]];
       for (int c = 0; c < 3; ++c) mass_.local_element(3 * nodes[i] + c) += weight * determinant(jacobian);
     }
+  mass_.compress(dealii::VectorOperation::add);
   inverse_mass_.reinit(partitioner_);
   for (unsigned int i = 0; i < inverse_mass_.locally_owned_size(); ++i) {
     const bool held = mesh_.sector().reflect[i % 3] && X_.local_element(i) == 0;
     inverse_mass_.local_element(i) = held ? 0 : 1 / mass_.local_element(i);
   }
+  inverse_mass_.update_ghost_values();
 }
 
 }  // namespace pseudorigid::continuum

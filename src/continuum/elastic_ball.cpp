@@ -7,9 +7,11 @@
 
 namespace pseudorigid::continuum {
 
-ElasticBall::ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law)
-    : space_(BallMesh(sector, n_refinements), degree),
+ElasticBall::ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+                         MPI_Comm communicator, std::optional<GramMethod> gram_method)
+    : space_(BallMesh(sector, n_refinements, communicator), degree),
       kernels_(make_cell_kernels(space_, law)),
+      gram_method_(gram_method.value_or(fitting_gram_method(space_))),
       volume_(sector.n_images() * kernels_->reference_volume()),
       least_cell_volume_(kernels_->least_cell_volume()) {
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());

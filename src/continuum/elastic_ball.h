@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
 #include "continuum/ball_space.h"
 #include "continuum/cell_kernels.h"
@@ -27,8 +28,10 @@ class ElasticBall {
   };
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
-  /// The sector of the unit ball with degree k = 2 … 6 after n_refinements uniform refinements of the octant's 4 cells.
-  ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law);
+  /// The sector of the unit ball with degree k = 2 … 6 after n_refinements uniform refinements of the octant's 4 cells,
+  /// over the ranks of a communicator.
+  ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+              MPI_Comm communicator = MPI_COMM_SELF, std::optional<GramMethod> gram_method = std::nullopt);
 
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const;
   void apply_inverse_mass(const Vector& f, Vector& a) const;
@@ -51,7 +54,7 @@ class ElasticBall {
 
   Vector make_vector() const { return space_.make_vector(); }
   Multiplier make_multiplier() const { return space_.make_multiplier(); }
-  Workspace make_workspace() const { return {GramSolver(space_, *kernels_)}; }
+  Workspace make_workspace() const { return {GramSolver(space_, *kernels_, gram_method_)}; }
 
   /// x = A X at every node: positions for A = Q₀, velocities for A = Q̇₀.
   Vector affine_field(const Eigen::Matrix3d& A) const;
@@ -75,6 +78,7 @@ class ElasticBall {
 
   BallSpace space_;
   std::unique_ptr<CellKernels> kernels_;
+  GramMethod gram_method_;
   Eigen::Matrix3d E0_;
   double volume_, least_cell_volume_;
 };

@@ -2,120 +2,129 @@
 
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+
+#include "continuum/dense_gram.h"
+#include "continuum/gram_krylov.h"
+#include "continuum/ranks.h"
+#include "continuum/two_level_gram.h"
 
 namespace pseudorigid::continuum {
-namespace {
 
-/// G M^{-1/2} as a sparse matrix: one row a multiplier function, one column a position component.
-Eigen::SparseMatrix<double, Eigen::RowMajor> scaled_constraint_matrix(const BallSpace& space,
-                                                                      const CellKernels& kernels, const Vector& x) {
-  const unsigned int n_columns_per_row = 3 * space.nodes_per_cell();
-  const Eigen::Index n_rows = static_cast<Eigen::Index>(space.n_cells()) * space.n_pressure();
-  Eigen::SparseMatrix<double, Eigen::RowMajor> G(n_rows, 3 * space.n_nodes());
-  G.resizeNonZeros(n_rows * n_columns_per_row);
-  for (Eigen::Index row = 0; row <= n_rows; ++row) G.outerIndexPtr()[row] = static_cast<int>(row * n_columns_per_row);
-
-  std::vector<unsigned int> column(n_columns_per_row), order(n_columns_per_row);
-  kernels.constraint_rows(x, [&](unsigned int cell, std::span<const double> rows) {
-    const auto& nodes = space.cell_nodes(cell);
-    for (unsigned int k = 0; k < n_columns_per_row; ++k) column[k] = 3 * nodes[k / 3] + k % 3;
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](unsigned int a, unsigned int b) { return column[a] < column[b]; });
-    for (unsigned int j = 0; j < space.n_pressure(); ++j) {
-      const std::size_t offset = (static_cast<std::size_t>(cell) * space.n_pressure() + j) * n_columns_per_row;
-      for (unsigned int k = 0; k < n_columns_per_row; ++k) {
-        const unsigned int c = column[order[k]];
-        G.innerIndexPtr()[offset + k] = static_cast<int>(c);
-        G.valuePtr()[offset + k] = rows[static_cast<std::size_t>(j) * n_columns_per_row + order[k]] *
-                                   std::sqrt(space.inverse_mass().local_element(c));
-      }
+class GramSolver::Impl {
+ public:
+  Impl(const BallSpace& space, const CellKernels& kernels, GramMethod method)
+      : space_(space), kernels_(kernels), reaction_(space.make_vector()) {
+    if (method == GramMethod::dense) {
+      preconditioner_ = std::make_unique<DenseGram>(space, kernels);
+    } else {
+      preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
+      krylov_.emplace(
+          space.make_multiplier(), [this](Vector& result, const Vector& lambda) { multiply(result, lambda); },
+          [this](Vector& result, const Vector& r) { preconditioner_->apply(result, r); });
     }
-  });
-  return G;
-}
-
-}  // namespace
-
-GramSolver::GramSolver(const BallSpace& space, const CellKernels& kernels)
-    : space_(&space), kernels_(&kernels), factor_(std::make_unique<Cholesky>()), reaction_(space.make_vector()) {}
-
-mechanics::Status GramSolver::factorize(const Vector& x) {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> G = scaled_constraint_matrix(*space_, *kernels_, x);
-  const Eigen::SparseMatrix<double> S = G * G.transpose();
-  const bool first = n_factorizations_++ == 0;
-  factor_entries_ = S.nonZeros();
-  bool regular;
-  if (S.rows() <= n_dense) {
-    const Eigen::LLT<Eigen::MatrixXd> cholesky{Eigen::MatrixXd(S)};
-    dense_inverse_ = cholesky.solve(Eigen::MatrixXd::Identity(S.rows(), S.rows()));
-    regular = cholesky.info() == Eigen::Success;
-  } else {
-    if (first) factor_->analyzePattern(S);  // the pattern is that of the mesh and does not change
-    factor_->factorize(S);
-    regular = factor_->info() == Eigen::Success;
   }
-  stale_ = !regular;
-  if (regular) return {};
-  return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
-}
 
-void GramSolver::apply_factor(Vector& result, const Vector& r) const {
-  const Eigen::Index n = static_cast<Eigen::Index>(r.locally_owned_size());
-  const Eigen::Map<const Eigen::VectorXd> in(r.begin(), n);
-  Eigen::Map<Eigen::VectorXd> out(result.begin(), n);
-  if (n <= n_dense)
-    out.noalias() = dense_inverse_ * in;
-  else
-    out = factor_->solve(in);
-}
-
-mechanics::SolveReport GramSolver::iterate(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
-  struct MixedGram {
-    GramSolver& self;
-    const Vector &q1, &q0;
-    void vmult(Vector& result, const Vector& multiplier) const {
-      self.reaction_ = 0.0;
-      self.kernels_->add_reaction(q0, multiplier, self.reaction_);
-      self.reaction_.scale(self.space_->inverse_mass());
-      self.kernels_->constraint_rate(q1, self.reaction_, result);
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+    if (stale_)
+      if (mechanics::Status status = renew(q0); !status) return {std::move(status), 0};
+    mechanics::SolveReport report = iterate(q1, q0, r, lambda);
+    if (!report.status) {
+      if (mechanics::Status status = renew(q1); !status) return {std::move(status), report.iterations};
+      mechanics::SolveReport second = iterate(q1, q0, r, lambda);
+      second.iterations += report.iterations;
+      report = std::move(second);
+    } else {
+      stale_ = preconditioner_->stale_after(report.iterations);
     }
-  };
-  struct Preconditioner {
-    const GramSolver& self;
-    void vmult(Vector& result, const Vector& r) const { self.apply_factor(result, r); }
-  };
-  lambda = 0.0;
-  const double norm = r.l2_norm();
-  if (norm == 0) return {};
-  if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
-  dealii::SolverControl control(40, reduction * norm, false, false);
-  dealii::SolverGMRES<Vector> gmres(control, dealii::SolverGMRES<Vector>::AdditionalData(42, true));
-  try {
-    gmres.solve(MixedGram{*this, q1, q0}, lambda, r, Preconditioner{*this});
-  } catch (const dealii::SolverControl::NoConvergence&) {
-    return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
-            static_cast<int>(control.last_step())};
+    ++statistics_.n_solves;
+    statistics_.n_iterations += report.iterations;
+    statistics_.n_iterations_at_most = std::max<long>(statistics_.n_iterations_at_most, report.iterations);
+    return report;
   }
-  return {{}, static_cast<int>(control.last_step())};
+
+  Statistics statistics() const {
+    Statistics statistics = statistics_;
+    statistics.memory = preconditioner_->memory();
+    return statistics;
+  }
+
+ private:
+  mechanics::Status renew(const Vector& x) {
+    mechanics::Status status = preconditioner_->renew(x);
+    ++statistics_.n_renewals;
+    stale_ = !status;
+    return status;
+  }
+
+  /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ
+  void multiply(Vector& result, const Vector& lambda) {
+    reaction_ = 0.0;
+    kernels_.add_reaction(*q0_, lambda, reaction_);
+    reaction_.scale(space_.inverse_mass());
+    kernels_.constraint_rate(*q1_, reaction_, result);
+  }
+
+  mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+    lambda = 0.0;
+    const double norm = r.l2_norm();
+    if (norm == 0) return {};
+    if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
+    q1_ = &q1;
+    q0_ = &q0;
+    return krylov_ ? krylov_->solve(&q1 == &q0, r, reduction, lambda) : iterate_in_process(r, norm, lambda);
+  }
+
+  /// Without PETSc, which would have to be started.
+  mechanics::SolveReport iterate_in_process(const Vector& r, double norm, Vector& lambda) {
+    struct Gram {
+      Impl& self;
+      void vmult(Vector& result, const Vector& multiplier) const { self.multiply(result, multiplier); }
+    };
+    struct Preconditioner {
+      const GramPreconditioner& self;
+      void vmult(Vector& result, const Vector& r) const { self.apply(result, r); }
+    };
+    constexpr int n_iterations_at_most = 40;
+    dealii::SolverControl control(n_iterations_at_most, reduction * norm, false, false);
+    dealii::SolverGMRES<Vector> gmres(control,
+                                      dealii::SolverGMRES<Vector>::AdditionalData(n_iterations_at_most + 2, true));
+    try {
+      gmres.solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
+    } catch (const dealii::SolverControl::NoConvergence&) {
+      return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
+              static_cast<int>(control.last_step())};
+    }
+    return {{}, static_cast<int>(control.last_step())};
+  }
+
+  const BallSpace& space_;
+  const CellKernels& kernels_;
+  std::unique_ptr<GramPreconditioner> preconditioner_;
+  std::optional<GramKrylov> krylov_;
+  Vector reaction_;
+  const Vector *q1_ = nullptr, *q0_ = nullptr;
+  bool stale_ = true;
+  Statistics statistics_;
+};
+
+GramMethod fitting_gram_method(const BallSpace& space) {
+  const bool alone = n_ranks(space.communicator()) == 1;
+  const std::size_t n_multipliers = space.n_global_cells() * space.n_pressure();
+  return alone && n_multipliers <= GramSolver::n_dense ? GramMethod::dense : GramMethod::two_level;
 }
+
+GramSolver::GramSolver(const BallSpace& space, const CellKernels& kernels, GramMethod method)
+    : impl_(std::make_unique<Impl>(space, kernels, method)) {}
+GramSolver::~GramSolver() = default;
+GramSolver::GramSolver(GramSolver&&) noexcept = default;
 
 mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
-  if (stale_)
-    if (mechanics::Status status = factorize(q0); !status) return {std::move(status), 0};
-  mechanics::SolveReport report = iterate(q1, q0, r, lambda);
-  if (!report.status) {
-    if (mechanics::Status status = factorize(q1); !status) return {std::move(status), report.iterations};
-    mechanics::SolveReport second = iterate(q1, q0, r, lambda);
-    second.iterations += report.iterations;
-    return second;
-  }
-  stale_ = report.iterations > n_iterations_of_stale_factor;
-  return report;
+  return impl_->solve(q1, q0, r, lambda);
 }
+
+GramSolver::Statistics GramSolver::statistics() const { return impl_->statistics(); }
 
 }  // namespace pseudorigid::continuum

@@ -1,30 +1,15 @@
 #include "continuum/largest_eigenpairs.h"
 
-#include <deal.II/base/config.h>
-
 #include <algorithm>
 #include <random>
 #include <string>
 
-#ifndef DEAL_II_WITH_SLEPC
-#error "the modes of the continuum need a deal.II with SLEPc (the package slepc-dev, found when deal.II is configured)"
-#endif
 #include <slepceps.h>
+
+#include "continuum/petsc_session.h"
 
 namespace pseudorigid::continuum {
 namespace {
-
-/// SLEPc, and with it PETSc and MPI, for the rest of the process, unless somebody has started them already. Signals
-/// remain the program's own.
-void start_slepc() {
-  if (SlepcInitializeCalled) return;
-  PetscOptionsSetValue(nullptr, "-no_signal_handler", "true");
-  struct Session {
-    Session() { SlepcInitialize(nullptr, nullptr, nullptr, nullptr); }
-    ~Session() { SlepcFinalize(); }
-  };
-  static const Session session;
-}
 
 PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
   void* context;
@@ -101,7 +86,7 @@ PetscErrorCode take(EPS solver, PetscInt n, std::vector<EigenPair>& found) {
 
 mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known) {
-  start_slepc();
+  start_petsc();
   const auto n = static_cast<PetscInt>(size);
   const PetscInt wanted = std::min<PetscInt>(n_wanted, n - static_cast<PetscInt>(known.size()));
   if (wanted <= 0) return {};

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <variant>
 
+#include "continuum/node_gradients.h"
 #include "materials/eigen_tensor.h"
 
 namespace pseudorigid::continuum {
@@ -25,26 +26,6 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
     if (wanted) result.push_back(signs);
   }
   return result;
-}
-
-/// Nodal values of a cell, one column a node.
-Eigen::Matrix3Xd gather(const BallSpace& space, const Vector& x, unsigned int cell) {
-  const auto& nodes = space.cell_nodes(cell);
-  Eigen::Matrix3Xd values(3, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (int c = 0; c < 3; ++c) values(c, i) = x.local_element(3 * nodes[i] + c);
-  return values;
-}
-
-/// ∂x/∂ξ at node i of a cell.
-Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
-  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
-  for (int d = 0, stride = 1; d < 3; ++d, stride *= ref.n) {
-    const int position = i / stride % ref.n, first = i - position * stride;
-    for (int j = 0; j < ref.n; ++j)
-      gradient.col(d) += ref.differentiate_at_nodes[position * ref.n + j] * x.col(first + j * stride);
-  }
-  return gradient;
 }
 
 /// Repeats values of the sector, n_components per point, for all its images; vectors change sign with the coordinates.
@@ -80,7 +61,8 @@ mechanics::Status add_cell(const ElasticBall& ball, const materials::AnyLaw& law
                            const Vector& multiplier, unsigned int cell, NodalFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
-  const Eigen::Matrix3Xd X = gather(space, space.reference_positions(), cell), x = gather(space, position, cell);
+  const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
+                         x = nodal_values(space, position, cell);
   std::vector<double> lambda(n_nodes);
   ball.kernels().multiplier_at_nodes(multiplier, cell, lambda);
   for (int i = 0; i < n_nodes; ++i) {
@@ -110,7 +92,7 @@ void add_hexahedra(int n, std::int64_t first_node, bool mirrored, std::vector<st
 NodalGrid nodal_grid(const BallSpace& space) {
   NodalGrid grid;
   for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
-    const Eigen::Matrix3Xd X = gather(space, space.reference_positions(), cell);
+    const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);
     grid.points.insert(grid.points.end(), X.data(), X.data() + X.size());
   }
   const Sector& sector = space.mesh().sector();

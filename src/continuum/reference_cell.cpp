@@ -3,9 +3,7 @@
 #include <deal.II/base/quadrature_lib.h>
 
 namespace pseudorigid::continuum {
-namespace {
 
-/// Lagrange polynomial i on the nodes x, at y.
 double lagrange(const std::vector<double>& x, std::size_t i, double y) {
   double product = 1;
   for (std::size_t j = 0; j < x.size(); ++j)
@@ -24,6 +22,8 @@ double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y
   }
   return sum;
 }
+
+namespace {
 
 void unpack(const dealii::Quadrature<1>& rule, std::vector<double>& points, std::vector<double>& weights) {
   for (const auto& p : rule.get_points()) points.push_back(p[0]);

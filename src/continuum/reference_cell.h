@@ -9,6 +9,10 @@
 
 namespace pseudorigid::continuum {
 
+/// Lagrange polynomial i on the nodes x, at y, and its derivative.
+double lagrange(const std::vector<double>& x, std::size_t i, double y);
+double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y);
+
 struct ReferenceCell {
   explicit ReferenceCell(int degree);
 

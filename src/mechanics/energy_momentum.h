@@ -85,7 +85,7 @@ struct EnergyMomentumWorkspace {
         mu(lambda),
         residual(lambda),
         delta(lambda),
-        history{lambda, lambda},
+        history(system),
         orbit(system),
         momenta(system) {}
 
@@ -109,11 +109,7 @@ struct EnergyMomentumWorkspace {
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(local_values(acceleration));
-    visit(local_values(history.latest));
-    visit(local_values(history.before));
-    visit(history.t_latest);
-    visit(history.t_before);
-    visit(history.n_known);
+    history.visit_memory(visit);
     visit(energy_gained);
     visit(potential_noise);
     momenta.visit_memory(visit);

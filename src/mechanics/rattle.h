@@ -22,6 +22,7 @@
 /// The small increments of q and v are summed with compensation (vector_space.h), and where the system can do it
 /// (resolves_rounding), the constraint is met by q + q_rounding.
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -38,30 +39,62 @@ struct Counters {
   long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
 };
 
-/// Guess of the multiplier at a time by the line through its last two values.
+/// Guess of the multiplier at a time by the polynomial through its last values: a line where a solve costs no more than
+/// the guess, a cubic for large systems.
 template <class S>
 struct MultiplierHistory {
-  typename S::Multiplier latest, before;
-  double t_latest = 0, t_before = 0;
+  static constexpr int n_values = VectorSpace<typename S::Vector>::dense ? 2 : 4;
+  std::array<typename S::Multiplier, n_values> values;  ///< the latest first
+  std::array<double, n_values> times{};
   int n_known = 0;
 
-  void record(double t, const typename S::Multiplier& lambda) {
-    std::swap(latest, before);
-    t_before = t_latest;
-    latest = lambda;
-    t_latest = t;
-    if (n_known < 2) ++n_known;
+  explicit MultiplierHistory(const S& system) {
+    for (auto& value : values) value = system.make_multiplier();
   }
 
-  /// lambda ← guess at t. The slope is used at most a little beyond the interval that it was measured on: a composed
+  void record(double t, const typename S::Multiplier& lambda) {
+    for (int i = n_values - 1; i > 0; --i) {
+      std::swap(values[i], values[i - 1]);
+      times[i] = times[i - 1];
+    }
+    values[0] = lambda;
+    times[0] = t;
+    if (n_known < n_values) ++n_known;
+  }
+
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    for (auto& value : values) visit(local_values(value));
+    for (double& time : times) visit(time);
+    visit(n_known);
+  }
+
+  /// lambda ← guess at t, Σ ℓ_i(t) λ(t_i) with Lagrange's ℓ_i on as many of the times as keep Σ|ℓ_i| small. A composed
   /// step mixes long and short substeps, and a long extrapolation from a short base line amplifies round-off.
   void guess(double t, typename S::Multiplier& lambda) const {
-    lambda = latest;
-    if (n_known < 2 || t_latest == t_before) return;
-    const double theta = (t - t_latest) / (t_latest - t_before);
-    if (std::abs(theta) > 4) return;
-    scale(1 + theta, lambda);
-    axpy(-theta, before, lambda);
+    std::array<double, n_values> weights{};
+    for (int n = n_known; n > 0; --n)
+      if (lagrange(t, n, weights)) break;
+    lambda = values[0];
+    if (n_known == 0) return;
+    scale(weights[0], lambda);
+    for (int i = 1; i < n_values; ++i)
+      if (weights[i] != 0) axpy(weights[i], values[i], lambda);
+  }
+
+ private:
+  /// ℓ_i(t) on the latest n times; false where they amplify errors too much, or times coincide.
+  bool lagrange(double t, int n, std::array<double, n_values>& weights) const {
+    constexpr double most[] = {1, 9, 12, 16};
+    double sum = 0;
+    weights.fill(0);
+    for (int i = 0; i < n; ++i) {
+      weights[i] = 1;
+      for (int j = 0; j < n; ++j)
+        if (j != i) weights[i] *= (t - times[j]) / (times[i] - times[j]);
+      sum += std::abs(weights[i]);
+    }
+    return sum <= most[n - 1];
   }
 };
 
@@ -86,7 +119,7 @@ struct RattleWorkspace {
         v_rounding(make_rounding(system)),
         constraint(system),
         impulse(system.make_multiplier()),
-        history{system.make_multiplier(), system.make_multiplier()} {}
+        history(system) {}
 
   typename S::Workspace system;
   typename S::Vector acceleration, q_start;   // M⁻¹f at the state; q_n
@@ -102,11 +135,7 @@ struct RattleWorkspace {
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
-    visit(local_values(history.latest));
-    visit(local_values(history.before));
-    visit(history.t_latest);
-    visit(history.t_before);
-    visit(history.n_known);
+    history.visit_memory(visit);
     visit(pending_weight);
     if constexpr (VectorSpace<typename S::Vector>::compensated) {
       visit(local_values(q_rounding));
