@@ -50,6 +50,13 @@ std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vecto
   return tables;
 }
 
+/// Sets an option of PETSc that the user has not set.
+void set_default_option(const char* name, const char* value) {
+  PetscBool is_set = PETSC_FALSE;
+  PetscOptionsHasName(nullptr, nullptr, name, &is_set);
+  if (!is_set) PetscOptionsSetValue(nullptr, name, value);
+}
+
 }  // namespace
 
 TwoLevelGram::TwoLevelGram(const BallSpace& space, const CellKernels& kernels)
@@ -145,6 +152,7 @@ void TwoLevelGram::make_coarse_solver() {
   PC preconditioner;
   KSPGetPC(coarse_solver_, &preconditioner);
   PCSetType(preconditioner, PCGAMG);
+  set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening", "0");  // with it half as many iterations more
   KSPSetFromOptions(coarse_solver_);
 }
 
@@ -209,6 +217,8 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   assemble_coarse_matrix(x);
   if (!had_ghosts) x.zero_out_ghost_values();
   const Mat matrix = *K_;
+  // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
+  KSPReset(coarse_solver_);
   const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0;
   n_iterations_fresh_ = -1;
   n_iterations_lost_ = 0;

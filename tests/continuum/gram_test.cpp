@@ -81,7 +81,10 @@ TEST(GramSolver, AStalePreconditionerIsMadeAnew) {
   Vector lambda = ball.make_multiplier();
   const Vector rest = ball.affine_field(Matrix3d::Identity()), flat = ball.affine_field(diagonal(2, 2, 0.25));
   ASSERT_TRUE(ball.solve_gram(rest, rest, r, workspace, lambda).status);
-  for (int i = 0; i < 30; ++i) ASSERT_TRUE(ball.solve_gram(flat, flat, r, workspace, lambda).status);
+  for (int i = 0; i < 30; ++i) {
+    const auto report = ball.solve_gram(flat, flat, r, workspace, lambda);
+    ASSERT_TRUE(report.status) << report.status.reason();
+  }
   EXPECT_EQ(workspace.gram.statistics().n_renewals, 2);
 }
 
