@@ -100,7 +100,10 @@ class ModelStepping {
     auto workspace = model_.system().make_workspace();
     const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos);
     if (!frequency.status) return frequency.status;
-    limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety);
+    const auto damping = mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos);
+    if (!damping.status) return damping.status;
+    limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
+                     mechanics::damped_step_limit(damping.gamma, safety));
     return {};
   }
 

@@ -6,29 +6,25 @@
 namespace pseudorigid::app {
 namespace {
 
-Eigen::Vector3d to_eigen(const std::vector<double>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); }
-
 reduced::ReferenceBody reference_body(const scene::Scene& scene, const io::Units& units) {
   const auto body = reduced::ReferenceBody::ellipsoid(to_eigen(scene.body.semi_axes));
   if (!scene.body.inertia) return body;
   const double unit = units.mass * units.length * units.length;
-  return reduced::ReferenceBody::of_inertia(app::to_eigen(*scene.body.inertia) / unit, body.volume);
+  return reduced::ReferenceBody::of_inertia(to_eigen(*scene.body.inertia) / unit, body.volume);
 }
 
 }  // namespace
 
 ReducedScene reduced_scene(const scene::Scene& scene) {
   const io::Units units = units_of(scene);
-  const double t = units.time, acceleration = units.length / (t * t);
-  const Eigen::Matrix3d quadratic = t * t * app::to_eigen(scene.loads.quadratic);
-  const auto& initial = scene.initial_state;
+  const InternalLoads loads = internal_loads(scene);
   return {.law = internal_law(scene),
           .body = reference_body(scene, units),
-          .gravity_constant = scene.gravity_constant * scene.body.density * t * t,
-          .quadratic = quadratic,
-          .dissipation = {scene.dissipation.viscosity / (units.stress() * t), scene.dissipation.drag * t},
-          .center = {to_eigen(initial.center) / units.length, to_eigen(initial.center_velocity) / units.velocity(),
-                     to_eigen(scene.loads.acceleration) / acceleration, quadratic, scene.dissipation.drag * t},
+          .gravity_constant = scene.gravity_constant * scene.body.density * units.time * units.time,
+          .quadratic = loads.quadratic,
+          .nominal_traction = loads.nominal_traction,
+          .dissipation = {loads.viscosity, loads.drag},
+          .center = {loads.center, loads.center_velocity, loads.acceleration, loads.quadratic, loads.drag},
           .start = {0, initial_deformation(scene), initial_velocity(scene, units)}};
 }
 
@@ -36,7 +32,7 @@ ReducedForm form_of(const ReducedScene& s, bool incompressible) {
   if (s.dissipation.present()) return ReducedForm::dissipative;
   const auto holds = [&]<class Body>(const Body& body) { return reduced::DiagonalBody<Body>::holds(body, s.start); };
   if (incompressible ? holds(general_body<true>(s)) : holds(general_body<false>(s))) return ReducedForm::diagonal;
-  const bool plain = s.gravity_constant == 0 && s.quadratic.isZero(0);
+  const bool plain = s.gravity_constant == 0 && s.quadratic.isZero(0) && s.nominal_traction.isZero(0);
   return plain && std::holds_alternative<materials::CiarletGeymonat>(s.law) ? ReducedForm::elastic
                                                                             : ReducedForm::general;
 }

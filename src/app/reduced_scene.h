@@ -17,7 +17,7 @@ struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
   double gravity_constant;
-  Eigen::Matrix3d quadratic;
+  Eigen::Matrix3d quadratic, nominal_traction;
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
@@ -40,7 +40,7 @@ using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>
 
 template <bool incompressible>
 GeneralBody<incompressible> general_body(const ReducedScene& s) {
-  return {reduced::Potential(s.law, s.body, s.gravity_constant, s.quadratic), s.body};
+  return {reduced::Potential(s.law, s.body, s.gravity_constant, s.quadratic, s.nominal_traction), s.body};
 }
 
 ReducedForm form_of(const ReducedScene& scene, bool incompressible);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <vector>
 
 #include "io/units.h"
 #include "materials/law_table.h"
@@ -21,6 +22,8 @@ inline Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
   return result;
 }
 
+inline Eigen::Vector3d to_eigen(const std::vector<double>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); }
+
 /// Length r, mass ρr³, time as scene/scales.h says.
 inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
@@ -32,6 +35,26 @@ inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
 }
 inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.velocity) * units.time;
+}
+
+/// What acts on the body besides its elasticity and its gravity, and how its centre of mass starts.
+struct InternalLoads {
+  Eigen::Matrix3d quadratic;         ///< T
+  Eigen::Vector3d acceleration;      ///< b
+  Eigen::Matrix3d nominal_traction;  ///< P̄
+  double viscosity, drag;            ///< η, c
+  Eigen::Vector3d center, center_velocity;
+};
+inline InternalLoads internal_loads(const scene::Scene& scene) {
+  const io::Units units = units_of(scene);
+  const double t = units.time;
+  return {.quadratic = t * t * to_eigen(scene.loads.quadratic),
+          .acceleration = to_eigen(scene.loads.acceleration) / (units.length / (t * t)),
+          .nominal_traction = to_eigen(scene.loads.nominal_traction) / units.stress(),
+          .viscosity = scene.dissipation.viscosity / (units.stress() * t),
+          .drag = scene.dissipation.drag * t,
+          .center = to_eigen(scene.initial_state.center) / units.length,
+          .center_velocity = to_eigen(scene.initial_state.center_velocity) / units.velocity()};
 }
 
 /// The law in internal units: μ = 1 where the unit of time is that of shear waves, as it is without self-gravity.

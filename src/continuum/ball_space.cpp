@@ -11,9 +11,9 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Index set of the 3 components of each node.
-dealii::IndexSet components_of(const dealii::IndexSet& nodes) {
-  dealii::IndexSet result(3 * nodes.size());
+/// Index set of the 3 components of each node, among those of n_nodes.
+dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
+  dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)
     result.add_range(3 * *interval->begin(), 3 * (interval->last() + 1));
   result.compress();
@@ -32,21 +32,27 @@ double derivative(const ReferenceCell& ref, const Value& value, const std::array
 
 }  // namespace
 
-BallSpace::BallSpace(BallMesh mesh, int degree)
+BallSpace::BallSpace(BallMesh mesh, int degree, bool with_account)
     : mesh_(std::move(mesh)), degree_(degree), reference_(degree), element_(degree) {
-  number_nodes();
+  number_nodes(with_account);
   number_multipliers();
   place_nodes();
   lump_mass();
 }
 
-void BallSpace::number_nodes() {
+void BallSpace::number_nodes(bool with_account) {
   dof_handler_ = std::make_unique<dealii::DoFHandler<3>>(mesh_.triangulation());
   dof_handler_->distribute_dofs(element_);
   dealii::IndexSet on_own_cells;
   dealii::DoFTools::extract_locally_active_dofs(*dof_handler_, on_own_cells);
-  partitioner_ = std::make_shared<dealii::Utilities::MPI::Partitioner>(
-      components_of(dof_handler_->locally_owned_dofs()), components_of(on_own_cells), communicator());
+  const unsigned int n_all = n_global_nodes() + (with_account ? 1 : 0);
+  dealii::IndexSet own = components_of(dof_handler_->locally_owned_dofs(), n_all);
+  if (with_account && dof_handler_->locally_owned_dofs().is_element(n_all - 2)) {
+    account_ = static_cast<unsigned int>(own.n_elements());
+    own.add_range(3 * (n_all - 1), 3 * n_all);
+  }
+  partitioner_ =
+      std::make_shared<dealii::Utilities::MPI::Partitioner>(own, components_of(on_own_cells, n_all), communicator());
 
   const auto hierarchic = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(degree_);
   std::vector<dealii::types::global_dof_index> indices(element_.dofs_per_cell);
@@ -110,8 +116,10 @@ void BallSpace::lump_mass() {
   inverse_mass_.reinit(partitioner_);
   for (unsigned int i = 0; i < inverse_mass_.locally_owned_size(); ++i) {
     const bool held = mesh_.sector().reflect[i % 3] && X_.local_element(i) == 0;
-    inverse_mass_.local_element(i) = held ? 0 : 1 / mass_.local_element(i);
+    const bool has_mass = mass_.local_element(i) > 0;
+    inverse_mass_.local_element(i) = held || !has_mass ? 0 : 1 / mass_.local_element(i);
   }
+  if (account_) inverse_mass_.local_element(*account_) = 1;
   inverse_mass_.update_ghost_values();
 }
 

@@ -14,6 +14,7 @@
 #include <deal.II/fe/fe_q.h>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "continuum/ball_mesh.h"
@@ -24,7 +25,8 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  BallSpace(BallMesh mesh, int degree);
+  /// `with_account`: the vectors get one further node without mass, for the energy that dissipation takes.
+  BallSpace(BallMesh mesh, int degree, bool with_account = false);
 
   const BallMesh& mesh() const { return mesh_; }
   int degree() const { return degree_; }
@@ -33,7 +35,7 @@ class BallSpace {
   unsigned int n_cells() const { return static_cast<unsigned int>(cell_nodes_.size()); }
   std::size_t n_global_cells() const { return mesh_.triangulation().n_global_active_cells(); }
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
-  unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3; }
+  unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - (account_ ? 1 : 0); }
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
   /// Dimension of P_{k−1}, the multiplier's polynomials in one cell.
   unsigned int n_pressure() const { return degree_ * (degree_ + 1) * (degree_ + 2) / 6; }
@@ -44,11 +46,13 @@ class BallSpace {
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
   const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 where a symmetry plane holds the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
+  /// The local entry of the energy's coordinate, on the process that owns it; its inverse mass is 1.
+  std::optional<unsigned int> account() const { return account_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
 
  private:
-  void number_nodes();
+  void number_nodes(bool with_account);
   void number_multipliers();
   void place_nodes();
   void lump_mass();
@@ -59,6 +63,7 @@ class BallSpace {
   dealii::FE_Q<3> element_;
   std::unique_ptr<dealii::DoFHandler<3>> dof_handler_;
   std::vector<std::vector<unsigned int>> cell_nodes_;
+  std::optional<unsigned int> account_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_, multiplier_partitioner_;
   Vector X_, mass_, inverse_mass_;
 };

@@ -7,6 +7,7 @@
 ///   rate            (G v)_j = ∫ ψ_j tr(F⁻¹∇v) dX
 ///   curvature       D²g(v, v)_j = −∫ ψ_j tr((F⁻¹∇v)²) dX
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
+///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
 /// One implementation a degree (cell_kernels_impl.h), chosen at run time by make_cell_kernels; the law is a function
 /// that it calls for the points of a batch (point_law.h).
@@ -47,6 +48,8 @@ class CellKernels {
   virtual void constraint_rate(const Vector& x, const Vector& v, Vector& r) const = 0;
   virtual void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const = 0;
   virtual void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const = 0;
+  /// f += the viscous force; returns its power, which dissipation takes.
+  virtual double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const = 0;
 
   virtual CellIntegrals integrals(const Vector& x, const Vector& v) const = 0;
   virtual LeastJacobian locate_least_jacobian(const Vector& x) const = 0;

@@ -89,6 +89,30 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
+  /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
+  double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const override {
+    double total = 0;
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      reference_gradient(x, b, buffers_->H);
+      reference_gradient(v, b, buffers_->dv);
+      L power(0.0);
+      for (int q = 0; q < n_points; ++q) {
+        const auto& p = batches_.points(b)[q];
+        const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H), dv = load(buffers_->dv, q);
+        const L det = materials::determinant(H, cof), strength = 2 * viscosity * p.weight * p.inverse_determinant;
+        const Tensor d = symmetric_part_of_product(dv, cof, 0.5 / det);
+        power += strength * det * dot(d, d);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            buffers_->H[3 * i + j][q] = -strength * (d(i, 0) * cof(0, j) + d(i, 1) * cof(1, j) + d(i, 2) * cof(2, j));
+      }
+      total += power.sum(batches_.batches[b].n_active);
+      integrate(buffers_->H);
+      batches_.scatter_add(buffers_->nodal, b, f);
+    }
+    return total;
+  }
+
   void constraint_rows(const Vector& x, const UseRows& use) const override {
     std::vector<double> rows(static_cast<std::size_t>(Batches::n_lanes) * n_pressure * 3 * n_nodes);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -158,6 +182,15 @@ class DegreeKernels final : public CellKernels {
     Tensor T;
     for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = field[k][q];
     return T;
+  }
+  /// s (A Bᵀ + B Aᵀ)
+  static Tensor symmetric_part_of_product(const Tensor& A, const Tensor& B, const L& s) {
+    Tensor AB, result;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) AB(i, j) = A(i, 0) * B(j, 0) + A(i, 1) * B(j, 1) + A(i, 2) * B(j, 2);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) result(i, j) = s * (AB(i, j) + AB(j, i));
+    return result;
   }
   static void save(const Tensor& T, Field& field, int q) {
     for (int k = 0; k < 9; ++k) field[k][q] = T(k / 3, k % 3);

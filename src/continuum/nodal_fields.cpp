@@ -56,15 +56,15 @@ void add_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double l
   fields.von_mises.push_back(std::sqrt(1.5) * (sigma - mean * Eigen::Matrix3d::Identity()).norm());
 }
 
-/// Appends the fields at the nodes of a cell.
-mechanics::Status add_cell(const ElasticBall& ball, const materials::AnyLaw& law, const Vector& position,
-                           const Vector& multiplier, unsigned int cell, NodalFields& fields) {
+/// Appends the fields at the nodes of a cell; no multiplier counts as 0.
+mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
+                           const Vector* multiplier, unsigned int cell, NodalFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
                          x = nodal_values(space, position, cell);
-  std::vector<double> lambda(n_nodes);
-  ball.kernels().multiplier_at_nodes(multiplier, cell, lambda);
+  std::vector<double> lambda(n_nodes, 0.0);
+  if (multiplier) ball.kernels().multiplier_at_nodes(*multiplier, cell, lambda);
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
@@ -72,6 +72,18 @@ mechanics::Status add_cell(const ElasticBall& ball, const materials::AnyLaw& law
     for (int c = 0; c < 3; ++c) fields.displacement.push_back(x(c, i) - X(c, i));
     add_stress(law, F, lambda[i], fields);
   }
+  return {};
+}
+
+/// All fields at all points, from positions and a multiplier, if there is one.
+mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
+                             const Vector* multiplier, NodalFields& fields) {
+  fields = {};
+  for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
+    if (auto status = add_cell(ball, law, position, multiplier, cell, fields); !status) return status;
+  const Sector& sector = ball.space().mesh().sector();
+  reflect(fields.displacement, 3, sector);
+  for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises}) reflect(*scalar, 1, sector);
   return {};
 }
 
@@ -110,13 +122,13 @@ mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw&
                                NodalFields& fields) {
   Vector multiplier = ball.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, multiplier); !status) return status;
-  fields = {};
-  for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
-    if (auto status = add_cell(ball, law, state.q, multiplier, cell, fields); !status) return status;
-  const Sector& sector = ball.space().mesh().sector();
-  reflect(fields.displacement, 3, sector);
-  for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises}) reflect(*scalar, 1, sector);
-  return {};
+  return all_fields(ball, law, state.q, &multiplier, fields);
+}
+
+mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::AnyLaw& law,
+                               const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace&,
+                               NodalFields& fields) {
+  return all_fields(ball, law, state.q, nullptr, fields);
 }
 
 }  // namespace pseudorigid::continuum

@@ -2,13 +2,14 @@
 /// Fields of the whole ball for graphics. Every cell brings its own (k+1)³ Gauss–Lobatto nodes, since stresses jump
 /// between cells, and is cut into k³ linear hexahedra; the reflections of a sector follow, image by image.
 ///
-///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − λ_h F⁻ᵀ)Fᵀ / det F,   λ_h the multiplier of the motion
+///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − λ_h F⁻ᵀ)Fᵀ / det F,   λ_h the multiplier of the motion, if there is one
 ///
-/// All in internal units (lengths r, stresses ρc²).
+/// without the stress of a viscosity. All in internal units (lengths r, stresses ρc²).
 
 #include <cstdint>
 #include <vector>
 
+#include "continuum/compressible_ball.h"
 #include "continuum/elastic_ball.h"
 
 namespace pseudorigid::continuum {
@@ -32,6 +33,9 @@ NodalGrid nodal_grid(const BallSpace& space);
 /// `law` is that of the ball. Fails where the multiplier of the motion does, and where det F ≤ 0 at a node.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
+                               NodalFields& fields);
+mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::AnyLaw& law,
+                               const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace& workspace,
                                NodalFields& fields);
 
 }  // namespace pseudorigid::continuum

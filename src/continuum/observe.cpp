@@ -1,14 +1,15 @@
+#include "continuum/observe.h"
+
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "continuum/elastic_ball.h"
 #include "mechanics/principal_axes.h"
 
 namespace pseudorigid::continuum {
 namespace {
 
 /// Σ m_n |x_n − A X_n|² over the sector.
-double squared_distance_from_affine(const ElasticBall& ball, const Vector& x, const Eigen::Matrix3d& A) {
+double squared_distance_from_affine(const BallBody& ball, const Vector& x, const Eigen::Matrix3d& A) {
   const Vector affine = ball.affine_field(A);
   double sum = 0;
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
@@ -18,24 +19,17 @@ double squared_distance_from_affine(const ElasticBall& ball, const Vector& x, co
   return sum;
 }
 
-double squared_norm(const ElasticBall& ball, const Vector& x) {
+double squared_norm(const BallBody& ball, const Vector& x) {
   return squared_distance_from_affine(ball, x, Eigen::Matrix3d::Zero());
 }
 
 double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
-/// Mass-weighted mean of a nodal field over the whole ball; components across a symmetry plane cancel.
-Eigen::Vector3d mean(const ElasticBall& ball, const Vector& x) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double mass = 0;
-  for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
-    const double m = ball.space().mass().local_element(i);
-    mass += m;
-    for (int c = 0; c < 3; ++c) sum[c] += m * x.local_element(i + c);
-  }
-  for (int c = 0; c < 3; ++c)
-    if (ball.space().mesh().sector().reflect[c]) sum[c] = 0;
-  return sum / mass;
+/// x − c at every node.
+Vector relative(const BallBody& ball, const Vector& x, const Eigen::Vector3d& c) {
+  Vector result = x;
+  result.add(-1.0, ball.affine_field(Eigen::Matrix3d::Zero(), c));
+  return result;
 }
 
 Eigen::Matrix3d to_eigen(const dealii::Tensor<2, 3>& t) {
@@ -53,43 +47,53 @@ double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& l
   return ball.space().mesh().sector().n_images() * (reaction * x) / (3 * m_bar);
 }
 
-}  // namespace
-
-mechanics::Status observe(const ElasticBall& ball, const mechanics::State<ElasticBall>& state,
-                          ElasticBall::Workspace& workspace, const mechanics::ObservableRequest& request,
-                          mechanics::ContinuumObservables& o) {
+/// All but the multiplier.
+void observe_motion(const BallBody& ball, const BallState& state, const mechanics::ObservableRequest& request,
+                    mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();
-  o.Q = ball.mass_moment(state.q);
-  o.Qdot = ball.mass_moment(state.v);
-  o.center = mean(ball, state.q);
-  o.velocity = mean(ball, state.v);
+  o.center = ball.mean(state.q);
+  o.velocity = ball.mean(state.v);
+  const Vector x = relative(ball, state.q, o.center), v = relative(ball, state.v, o.velocity);
+  o.Q = ball.mass_moment(x);
+  o.Qdot = ball.mass_moment(v);
 
-  const CellIntegrals sums = ball.kernels().integrals(state.q, state.v);
-  o.F = ball.whole_ball(to_eigen(sums.F)) / ball.volume();
+  const CellIntegrals sums = ball.kernels().integrals(x, v);
+  const Eigen::Matrix3d F_integral = ball.whole_ball(to_eigen(sums.F));
+  o.F = F_integral / ball.volume();
   o.volume_ratio = n_images * sums.volume / ball.volume();
   if (request.energies) {
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
     o.elastic = n_images * sums.elastic;
+    o.external = ball.loads().potential(ball.nodal_moment(state.q, state.q), ball.mass() * o.center, F_integral);
+    o.dissipated = ball.dissipated(state.v);
   }
   if (request.momenta) {
-    const double mass = n_images * ball.space().mass().l1_norm() / 3;
-    o.angular_momentum =
-        mechanics::axial_vector(ball.nodal_moment(state.q, state.v)) - mass * o.center.cross(o.velocity);
+    o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
   }
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
-    o.nonaffine_kinetic_fraction =
-        ratio(squared_distance_from_affine(ball, state.v, o.Qdot), squared_norm(ball, state.v));
-    o.nonaffine_displacement =
-        std::sqrt(ratio(squared_distance_from_affine(ball, state.q, o.Q), squared_norm(ball, state.q)));
-    o.min_jacobian = ball.kernels().locate_least_jacobian(state.q).value;
+    o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
+    o.nonaffine_displacement = std::sqrt(ratio(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
+    o.min_jacobian = ball.kernels().locate_least_jacobian(x).value;
   }
-  if (request.multiplier) {
-    Vector lambda = ball.make_multiplier();
-    if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, lambda); !status) return status;
-    o.multiplier = mean_multiplier(ball, state.q, lambda);
-  }
+}
+
+}  // namespace
+
+mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  observe_motion(ball, state, request, o);
+  if (!request.multiplier) return {};
+  Vector lambda = ball.make_multiplier();
+  if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, lambda); !status) return status;
+  o.multiplier = mean_multiplier(ball, state.q, lambda);
+  return {};
+}
+
+mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace&,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  observe_motion(ball, state, request, o);
   return {};
 }
 

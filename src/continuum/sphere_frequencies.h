@@ -1,34 +1,67 @@
 #pragma once
-/// Exact frequencies of the incompressible elastic sphere (Lamb 1882), x = ωr/c, N = n(n+1), j_n spherical Bessel:
+/// Exact frequencies of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14), x = ωr/c with c
+/// the speed of shear waves, y = ωr/c_p = x c/c_p, N = n(n+1), j_n spherical Bessel:
 ///
-///   spheroidal  [2n(n−1) − x²][(2N − 2 − x²) j_n − 2x j_n'] − 4N(n−1)[x j_n' − j_n] = 0
-///   toroidal    x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
+///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
+///   spheroidal, incompressible [2n(n−1) − x²][(2N − 2 − x²) j_n − 2x j_n'] − 4N(n−1)[x j_n' − j_n] = 0
+///   spheroidal, compressible   T₁₁T₄₃ − T₁₃T₄₁ = 0,
+///       T₁₁ = [n(n−1) − x²/2] j_n(y) + 2y j_{n+1}(y),   T₁₃ = N[(n−1) j_n(x) − x j_{n+1}(x)],
+///       T₄₁ = (n−1) j_n(y) − y j_{n+1}(y),              T₄₃ = [n² − 1 − x²/2] j_n(x) + x j_{n+1}(x)
+///   radial (n = 0)             T₁₁ = 0,  that is  y cot y = 1 − (y²/4)(c_p/c)²
 
 #include <cmath>
 
 namespace pseudorigid::continuum {
 
-inline double sphere_equation(bool spheroidal, int n, double x) {
+inline double toroidal_equation(int n, double x) {
   const double j = std::sph_bessel(static_cast<unsigned>(n), x);
-  const double dj = std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 1) / x * j;
-  const double N = n * (n + 1), toroidal = x * dj - j;
-  if (!spheroidal) return toroidal;
-  return (2 * n * (n - 1) - x * x) * ((2 * N - 2 - x * x) * j - 2 * x * dj) - 4 * N * (n - 1) * toroidal;
+  return x * std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 2) * j;
 }
 
-/// x of degree n ≥ 1; overtone 0 is the lowest positive root.
-inline double sphere_frequency(bool spheroidal, int n, int overtone) {
-  constexpr double first = 0.5, step = 0.05;  // no root lies below, and no two are so close
-  double low = first, value = sphere_equation(spheroidal, n, low);
+inline double incompressible_spheroidal_equation(int n, double x) {
+  const double j = std::sph_bessel(static_cast<unsigned>(n), x);
+  const double dj = std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 1) / x * j;
+  const double N = n * (n + 1);
+  return (2 * n * (n - 1) - x * x) * ((2 * N - 2 - x * x) * j - 2 * x * dj) - 4 * N * (n - 1) * toroidal_equation(n, x);
+}
+
+/// `ratio` is c/c_p.
+inline double compressible_spheroidal_equation(int n, double x, double ratio) {
+  const double y = ratio * x, N = n * (n + 1);
+  const auto j = [](int degree, double z) { return std::sph_bessel(static_cast<unsigned>(degree), z); };
+  const double T11 = (n * (n - 1) - x * x / 2) * j(n, y) + 2 * y * j(n + 1, y);
+  if (n == 0) return T11;
+  const double T13 = N * ((n - 1) * j(n, x) - x * j(n + 1, x)), T41 = (n - 1) * j(n, y) - y * j(n + 1, y);
+  const double T43 = (n * n - 1 - x * x / 2) * j(n, x) + x * j(n + 1, x);
+  return T11 * T43 - T13 * T41;
+}
+
+/// The root of number `overtone`, 0 the lowest, of f above 0.5, below which no mode of the sphere has its x.
+template <class Function>
+double sphere_root(const Function& f, int overtone) {
+  constexpr double first = 0.5, step = 0.01;  // no two roots of one degree are so close
+  double low = first, value = f(low);
   for (int remaining = overtone;; low += step) {
-    const double next = sphere_equation(spheroidal, n, low + step);
+    const double next = f(low + step);
     if ((value > 0) != (next > 0) && remaining-- == 0) break;
     value = next;
   }
   double high = low + step;
   for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    ((sphere_equation(spheroidal, n, middle) > 0) == (value > 0) ? low : high) = middle;
+    ((f(middle) > 0) == (value > 0) ? low : high) = middle;
   return 0.5 * (low + high);
+}
+
+/// x of the incompressible sphere, degree n ≥ 1.
+inline double sphere_frequency(bool spheroidal, int n, int overtone) {
+  return sphere_root(
+      [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x) : toroidal_equation(n, x); },
+      overtone);
+}
+/// x of the compressible sphere, degree n ≥ 0 if spheroidal, else n ≥ 1.
+inline double compressible_sphere_frequency(bool spheroidal, int n, int overtone, double ratio) {
+  if (!spheroidal) return sphere_frequency(false, n, overtone);
+  return sphere_root([=](double x) { return compressible_spheroidal_equation(n, x, ratio); }, overtone);
 }
 
 }  // namespace pseudorigid::continuum

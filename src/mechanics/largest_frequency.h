@@ -3,8 +3,12 @@
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (central differences, λ and v fixed).
 ///
-/// The stability limit of a method is a bound on hω. Lanczos' iteration for M⁻¹K in the inner product of M, with the
-/// projection
+/// The stability limit of a method is a bound on hω. Where forces dissipate, the largest rate of damping is likewise
+///
+///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
+///
+/// and bounds the step of a method that iterates on it. Lanczos' iteration for M⁻¹K (M⁻¹C) in the inner product of M,
+/// with the projection
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
@@ -19,6 +23,7 @@
 #include <vector>
 
 #include "mechanics/constrained_system.h"
+#include "mechanics/second_order_field.h"
 
 namespace pseudorigid::mechanics {
 
@@ -26,6 +31,11 @@ namespace pseudorigid::mechanics {
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
+};
+/// γ, or why it could not be had.
+struct [[nodiscard]] DampingReport {
+  Status status;
+  double gamma = 0;
 };
 
 namespace detail {
@@ -56,31 +66,37 @@ void fill_irregular(V& x) {
   }
 }
 
+/// K or C.
 template <ConstrainedSystem S>
-class TangentStiffness {
+class TangentOperator {
  public:
-  TangentStiffness(const S& system, const State<S>& state, typename S::Workspace& workspace)
+  /// `scale` is the size of what is changed by differences, 0 counting as 1.
+  TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
+                  double scale)
       : system_(system),
         state_(state),
         workspace_(workspace),
-        q_(system.make_vector()),
+        of_velocity_(of_velocity),
+        increment_(std::cbrt(std::numeric_limits<double>::epsilon()) * (scale > 0 ? scale : 1)),
+        moved_(state),
         force_(system.make_vector()),
         lambda_(system.make_multiplier()),
         residual_(system.make_multiplier()),
         delta_(system.make_multiplier()) {}
 
-  Status prepare() { return multiplier_of_motion(system_, state_, workspace_, lambda_); }
+  Status prepare() { return of_velocity_ ? Status() : multiplier_of_motion(system_, state_, workspace_, lambda_); }
 
   /// w ← K u, u ← M⁻¹K u, projected.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
-    const double size = max_norm(state_.q);
-    const double increment = std::cbrt(std::numeric_limits<double>::epsilon()) * (size > 0 ? size : 1) / max_norm(u);
+    const double increment = increment_ / max_norm(u);
+    typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
     scale(0.0, result.w);
     for (const double side : {1.0, -1.0}) {
-      q_ = state_.q;
-      axpy(side * increment, u, q_);
-      if (Status status = system_.force(state_.t, q_, state_.v, workspace_, force_); !status) return status;
-      if constexpr (!unconstrained<S>) system_.add_reaction(q_, lambda_, force_);
+      changed = of_velocity_ ? state_.v : state_.q;
+      axpy(side * increment, u, changed);
+      if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force_); !status) return status;
+      if constexpr (!unconstrained<S>)
+        if (!of_velocity_) system_.add_reaction(moved_.q, lambda_, force_);
       axpy(-side / (2 * increment), force_, result.w);
     }
     system_.apply_inverse_mass(result.w, result.u);
@@ -106,17 +122,16 @@ class TangentStiffness {
   const S& system_;
   const State<S>& state_;
   typename S::Workspace& workspace_;
-  typename S::Vector q_, force_;
+  bool of_velocity_;
+  double increment_;
+  State<S> moved_;
+  typename S::Vector force_;
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
 /// Largest eigenvalue of the Lanczos matrix (diagonal alpha, beside it beta) and the residual of its vector,
 /// |β_n s_n|: some eigenvalue lies that near.
 double upper_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
-
-}  // namespace detail
-
-namespace detail {
 
 /// How many independent displacements the constraints leave, where that can be known; the iteration has then seen all,
 /// and what would follow is round-off that may grow without bound.
@@ -130,28 +145,22 @@ int most_directions(const S& system) {
   return std::numeric_limits<int>::max();
 }
 
-}  // namespace detail
-
-/// ω from at most `n_iterations` steps of Lanczos, two forces each. The residual is added to the Ritz value, so that
-/// few iterations rather err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
-/// iteration has seen every mode; 0 where nothing oscillates.
+/// The largest eigenvalue from at most `n_iterations` steps of Lanczos, two forces each.
 template <ConstrainedSystem S>
-FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
-                                  int n_iterations) {
-  detail::TangentStiffness<S> stiffness(system, state, workspace);
-  if (Status status = stiffness.prepare(); !status) return {std::move(status)};
+Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double& value) {
+  if (Status status = tangent.prepare(); !status) return status;
 
-  detail::MassPair<S> x{system.make_vector(), system.make_vector()}, before = x, next = x;
-  detail::fill_irregular(x.w);
+  MassPair<S> x{system.make_vector(), system.make_vector()}, before = x, next = x;
+  fill_irregular(x.w);
   system.apply_inverse_mass(x.w, x.u);
-  if (Status status = stiffness.project(x); !status) return {std::move(status)};
+  if (Status status = tangent.project(x); !status) return status;
 
   std::vector<double> alpha, beta;
   double norm = x.norm(), largest = 0;
-  n_iterations = std::min(n_iterations, detail::most_directions(system));
+  n_iterations = std::min(n_iterations, most_directions(system));
   for (int j = 0; j < n_iterations && norm > 1e-6 * largest; ++j) {
     x.scale_by(1 / norm);
-    if (Status status = stiffness.apply(x.u, next); !status) return {std::move(status)};
+    if (Status status = tangent.apply(x.u, next); !status) return status;
     alpha.push_back(dot(x.u, next.w));
     next.add(-alpha.back(), x);
     if (j > 0) next.add(-beta.back(), before);
@@ -161,8 +170,36 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
     std::swap(before, x);
     std::swap(x, next);
   }
-  if (alpha.empty()) return {};
-  return {Status{}, std::sqrt(std::max(0.0, detail::upper_ritz_value(alpha, beta)))};
+  value = alpha.empty() ? 0 : std::max(0.0, upper_ritz_value(alpha, beta));
+  return {};
+}
+
+}  // namespace detail
+
+/// ω from at most `n_iterations` steps of Lanczos, two forces each. The residual is added to the Ritz value, so that
+/// few iterations rather err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
+/// iteration has seen every mode; 0 where nothing oscillates.
+template <ConstrainedSystem S>
+FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
+                                  int n_iterations) {
+  double omega_squared = 0;
+  Status status =
+      detail::largest_eigenvalue(detail::TangentOperator<S>(system, state, workspace, false, max_norm(state.q)), system,
+                                 n_iterations, omega_squared);
+  return {std::move(status), std::sqrt(omega_squared)};
+}
+
+/// γ likewise, of a system with the largest frequency `omega`: ω|q| is a velocity that is not too small to be felt. 0
+/// without dissipation.
+template <ConstrainedSystem S>
+DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
+                              int n_iterations) {
+  DampingReport report;
+  if (!dissipative(system)) return report;
+  const double scale = std::max(max_norm(state.v), omega * max_norm(state.q));
+  report.status = detail::largest_eigenvalue(detail::TangentOperator<S>(system, state, workspace, true, scale), system,
+                                             n_iterations, report.gamma);
+  return report;
 }
 
 }  // namespace pseudorigid::mechanics

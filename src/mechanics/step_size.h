@@ -48,6 +48,10 @@ inline double rattle_step_limit(double omega, double rate, double safety = 0.8) 
   return safety * Rattle::stability_limit / (omega + rate);
 }
 
+/// Step at which RATTLE's iteration on a force that depends on the velocity, which contracts by hγ/2, gains more than
+/// half a digit each time, γ the largest rate of damping.
+inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
+
 namespace detail {
 
 /// A method that needs this many times the least cost of a method of higher order is not pursued.

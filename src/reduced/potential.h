@@ -1,13 +1,16 @@
 #pragma once
 /// The potential energy of the pseudo-rigid body, a sum of what the scene names (Oliva 5.7.8–5.7.9):
 ///
-///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + ½ tr(T Q E₀ Qᵀ)
-///          stored      self-gravity          quadratic external potential ½ xᵀTx per mass (tide, centrifugal force)
+///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + ½ tr(T Q E₀ Qᵀ) − Vol P̄:Q
+///          stored      self-gravity          quadratic external dead traction t = P̄N per reference area,
+///                                            potential ½ xᵀTx   ∮P̄N·QX dA = Vol P̄:Q (divergence theorem)
+///                                            per mass (tide,
+///                                            centrifugal force)
 ///
 /// with a_i the semi-axes of the ellipsoid Q B, the singular values of Q S, and k = (3/5) G M². Parts that the scene
 /// does not name cost nothing but a branch. A body asks for V per reference volume, as it asks a material law for W:
 ///
-///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + T Q E₀]
+///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + T Q E₀] − P̄
 
 #include <Eigen/Dense>
 #include <optional>
@@ -30,19 +33,21 @@ class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// `gravity_constant` is G, `quadratic` the symmetric matrix T; zero leaves either out.
+  /// `gravity_constant` is G, `quadratic` the symmetric matrix T, `nominal_traction` P̄; zero leaves any of them out.
   Potential(const materials::AnyLaw& law, const ReferenceBody& body, double gravity_constant = 0,
-            const Eigen::Matrix3d& quadratic = Eigen::Matrix3d::Zero())
+            const Eigen::Matrix3d& quadratic = Eigen::Matrix3d::Zero(),
+            const Eigen::Matrix3d& nominal_traction = Eigen::Matrix3d::Zero())
       : law_(law), body_(body), spherical_(body.shape.isIdentity(0)) {
     if (gravity_constant != 0) gravity_ = SelfGravity{0.6 * gravity_constant * body.mass * body.mass};
     if (!quadratic.isZero(0)) quadratic_ = quadratic;
+    if (!nominal_traction.isZero(0)) nominal_traction_ = nominal_traction;
   }
 
   /// V and ∂V/∂Q per reference volume.
   double energy(const Tensor& Q) const { return energies(materials::to_matrix(Q)).total() / body_.volume; }
   Tensor stress(const Tensor& Q) const {
     Tensor P = std::visit([&](const auto& law) { return law.stress(Q); }, law_);
-    if (gravity_ || quadratic_)
+    if (gravity_ || has_external())
       P = materials::entrywise([](double a, double b) { return a + b; }, P,
                                materials::to_tensor(loads(materials::to_matrix(Q)) / body_.volume));
     return P;
@@ -53,6 +58,7 @@ class Potential {
     PotentialEnergies V{.elastic = body_.volume * std::visit([&](const auto& law) { return law.energy(q); }, law_)};
     if (gravity_) V.gravitational = gravity_->energy(Q * body_.shape);
     if (quadratic_) V.external = 0.5 * quadratic_->cwiseProduct(Q * body_.E0 * Q.transpose()).sum();
+    if (nominal_traction_) V.external -= body_.volume * nominal_traction_->cwiseProduct(Q).sum();
     return V;
   }
 
@@ -70,7 +76,7 @@ class Potential {
     return D;
   }
 
-  bool has_external() const { return quadratic_.has_value(); }
+  bool has_external() const { return quadratic_ || nominal_traction_; }
 
   /// First Piola–Kirchhoff stress of the material alone.
   Eigen::Matrix3d material_stress(const Eigen::Matrix3d& Q) const {
@@ -84,13 +90,14 @@ class Potential {
     if (gravity_ && spherical_) f = gravity_->gradient(Q);
     if (gravity_ && !spherical_) f = gravity_->gradient(Q * body_.shape) * body_.shape.transpose();
     if (quadratic_) f += *quadratic_ * Q * body_.E0;
+    if (nominal_traction_) f -= body_.volume * *nominal_traction_;
     return f;
   }
 
   materials::AnyLaw law_;
   ReferenceBody body_;
   std::optional<SelfGravity> gravity_;
-  std::optional<Eigen::Matrix3d> quadratic_;
+  std::optional<Eigen::Matrix3d> quadratic_, nominal_traction_;
   bool spherical_;  // S = Id
 };
 

@@ -139,8 +139,8 @@ class PseudoRigidBody {
   double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
   /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which
-  /// is a symmetry if E₀ ∝ Id and the law is isotropic. A quadratic external potential leaves the turns of space that
-  /// leave it unchanged, of which methods need not know.
+  /// is a symmetry if E₀ ∝ Id and the law is isotropic. External loads leave the turns of space that leave them
+  /// unchanged, of which methods need not know.
   int n_symmetries() const { return has_external_potential() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));

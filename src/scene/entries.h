@@ -131,9 +131,7 @@ void visit_body(S& scene, Visit& visit) {
   visit(radius, positive, About{"Body/Radius", "length", "Radius r of the undeformed ball."});
   visit(density, positive, About{"Body/Density", "mass/length^3", "Density of the undeformed ball."});
   visit(incompressible, Boolean{},
-        About{"Body/Incompressible", "",
-              "Whether volume is preserved (det F = 1 everywhere, by a pressure). "
-              "The continuum is offered for incompressible bodies."});
+        About{"Body/Incompressible", "", "Whether volume is preserved (det F = 1 everywhere, by a pressure)."});
   visit(semi_axes, Numbers{3, positive},
         About{"Body/Semi-axes", "radius",
               "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are offered "
@@ -193,6 +191,11 @@ void visit_loads(S& scene, Visit& visit) {
   visit(scene.loads.acceleration, Numbers{3},
         About{"Loads/Acceleration", "length/time^2",
               "Uniform acceleration b; it moves the centre of mass and has the energy -b.x per mass."});
+  visit(scene.loads.nominal_traction, Matrix{},
+        About{"Loads/Nominal traction", "pressure",
+              "Dead traction on the surface: the matrix P of a constant nominal (first Piola-Kirchhoff) stress, which "
+              "gives the traction P N per undeformed area on the surface with the undeformed normal N, the same vector "
+              "however the body moves. Its energy is -P : F per undeformed volume."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -245,7 +248,7 @@ void visit_modes(S& scene, Visit& visit) {
           "How many frequencies Analysis = modes writes, the lowest ones, a row each of modes.csv: index; omega, the "
           "mean of the 2n+1 copies that a mode of degree n has; kind: 1 spheroidal, 2 toroidal; degree n; overtone: 0 "
           "is the fundamental of its kind and degree; multiplicity 2n+1; spread: (largest - smallest copy)/omega, "
-          "which is the mesh's error alone; exact: omega of the incompressible sphere; reduced: that of the "
+          "which is the mesh's error alone; exact: omega of the elastic sphere; reduced: that of the "
           "pseudo-rigid ball, where it has such a mode, else 0. Rigid motions are left out. Graphics shows a mode of "
           "each row (modes.pvd), the first Frames of them, with a largest displacement of one radius."});
 }
@@ -280,7 +283,7 @@ void visit_continuum(S& scene, Visit& visit) {
       symmetry, symmetry_kind,
       About{"Continuum/Symmetry", "",
             "Normals of the coordinate planes taken as symmetry planes, so that only a sector of the ball is computed "
-            "(octant: all three; none: the full ball). auto: every plane that the initial state admits. "
+            "(octant: all three; none: the full ball). auto: every plane that initial state and loads admit. "
             "Motions that would break the symmetry are then excluded."});
 }
 

@@ -38,9 +38,11 @@ void describe_models(const Scene& scene, Needs& needs) {
              fmt::format("pressure space: degree {}, volume preserved everywhere", scene.continuum.degree - 1),
              "pressure space: the body is compressible");
   const bool loaded = largest_entry(scene.loads.quadratic) != 0;
+  const bool pulled = largest_entry(scene.loads.nominal_traction) != 0;
   sort_out(needs, scene.gravity_constant != 0, "self-gravity of the ellipsoid",
            "self-gravity: Gravity/Constant is 0; no elliptic integrals");
   sort_out(needs, loaded, "quadratic external potential", "external potential: Loads/Tidal matrix is 0");
+  sort_out(needs, pulled, "dead traction on the surface", "traction: Loads/Nominal traction is 0");
   sort_out(needs, scene.dissipation.viscosity != 0 || scene.dissipation.drag != 0,
            "dissipation, and the energy that it takes", "dissipation: neither viscosity nor drag");
   sort_out(needs, needs.comparison, "comparison of the two models", "comparison: only one model runs");

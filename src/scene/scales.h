@@ -23,7 +23,9 @@ inline double time_scale(const Scene& scene) {
   if (!is_fluid(scene) && gravity == 0) return body.radius * std::sqrt(body.density / scene.material.shear_modulus);
   const double stiffness =
       is_fluid(scene) ? 0 : scene.material.shear_modulus / (body.density * body.radius * body.radius);
-  const double rate = std::max({std::sqrt(stiffness + gravity), std::sqrt(largest_entry(scene.loads.quadratic))});
+  const double traction = largest_entry(scene.loads.nominal_traction) / (body.density * body.radius * body.radius);
+  const double rate =
+      std::max({std::sqrt(stiffness + gravity), std::sqrt(largest_entry(scene.loads.quadratic)), std::sqrt(traction)});
   if (rate > 0) return 1 / rate;
   const double motion = largest_entry(scene.initial_state.velocity);
   return motion > 0 ? 1 / motion : scene.time.end;

@@ -90,6 +90,7 @@ struct Scene {
   struct Loads {
     Matrix3 quadratic{};                        ///< T, per time²
     std::vector<double> acceleration{0, 0, 0};  ///< b
+    Matrix3 nominal_traction{};                 ///< P̄
   } loads;
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀

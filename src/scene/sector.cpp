@@ -1,5 +1,11 @@
 #include "scene/sector.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "scene/entry_kinds.h"
+
 namespace pseudorigid::scene {
 namespace {
 
@@ -50,15 +56,24 @@ std::array<bool, 3> planes_of(Symmetry symmetry) {
   return {};
 }
 
-std::optional<BrokenPlane> breaks_plane(const Scene::InitialState& state, int i) {
-  for (const bool in_velocity : {false, true}) {
-    const Matrix3& matrix = in_velocity ? state.velocity : state.deformation;
-    for (int j = 0; j < 3; ++j) {
-      if (j == i) continue;
-      if (matrix[i][j] != 0) return BrokenPlane{i, j, in_velocity};
-      if (matrix[j][i] != 0) return BrokenPlane{j, i, in_velocity};
-    }
-  }
+std::optional<std::string> breaks_plane(const Scene& scene, int i) {
+  const auto& initial = scene.initial_state;
+  const std::pair<const char*, const Matrix3*> matrices[] = {{"Initial state/Deformation", &initial.deformation},
+                                                             {"Initial state/Velocity", &initial.velocity},
+                                                             {"Loads/Tidal matrix", &scene.loads.quadratic},
+                                                             {"Loads/Nominal traction", &scene.loads.nominal_traction}};
+  for (const auto& [path, matrix] : matrices)
+    for (int j = 0; j < 3; ++j)
+      for (const auto& [row, column] : {std::pair{i, j}, std::pair{j, i}})
+        if (const double entry = (*matrix)[row][column]; row != column && entry != 0)
+          return fmt::format("entry ({},{}) of {} is {}", row + 1, column + 1, path, print_number(entry));
+  const std::pair<const char*, const std::vector<double>*> vectors[] = {
+      {"Initial state/Center", &initial.center},
+      {"Initial state/Center velocity", &initial.center_velocity},
+      {"Loads/Acceleration", &scene.loads.acceleration}};
+  for (const auto& [path, vector] : vectors)
+    if (const double entry = (*vector)[i]; entry != 0)
+      return fmt::format("entry {} of {} is {}", i + 1, path, print_number(entry));
   return std::nullopt;
 }
 
@@ -66,15 +81,15 @@ Sector sector(const Scene& scene) {
   Sector sector;
   const bool automatic = scene.continuum.symmetry == Symmetry::automatic;
   if (automatic) {
-    for (int i = 0; i < 3; ++i) sector.reflect[i] = !breaks_plane(scene.initial_state, i);
+    for (int i = 0; i < 3; ++i) sector.reflect[i] = !breaks_plane(scene, i);
   } else {
     sector.reflect = planes_of(scene.continuum.symmetry);
   }
   if (sector.n_planes() == 0) {
     sector.reason =
-        automatic ? "the initial state admits no symmetry plane" : "Continuum/Symmetry asks for the full ball";
+        automatic ? "initial state and loads admit no symmetry plane" : "Continuum/Symmetry asks for the full ball";
   } else {
-    sector.reason = automatic ? "the smallest sector that the initial state admits" : "as Continuum/Symmetry asks";
+    sector.reason = automatic ? "the smallest sector that initial state and loads admit" : "as Continuum/Symmetry asks";
     sector.reason += std::string("; ") + excluded;
   }
   return sector;

@@ -1,7 +1,8 @@
 #pragma once
-/// Which sector of the ball has to be computed. A motion x = Q(t) X + … keeps the coordinate plane with normal e_i as a
-/// symmetry plane if the reflection S_i = Id - 2 e_i e_i^T commutes with the initial state: S_i Q0 S_i = Q0 and
-/// S_i Qdot0 S_i = Qdot0, that is, if their entries (i,j) and (j,i), j != i, are zero.
+/// Which sector of the ball has to be computed. A motion x = x_c + Q(t) X + … keeps the coordinate plane with normal
+/// e_i as a symmetry plane if the reflection S_i = Id - 2 e_i e_i^T leaves the initial state and the loads as they are:
+/// S_i A S_i = A for the matrices Q0, Qdot0, the tidal matrix and the nominal traction, that is, their entries (i,j)
+/// and (j,i), j != i, are zero; and S_i a = a for the centre of mass, its velocity and the acceleration, a_i = 0.
 
 #include <array>
 #include <optional>
@@ -27,17 +28,11 @@ inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 /// The planes named by a choice of symmetry; none for Symmetry::automatic, which names no planes.
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
-/// An entry of the initial state that breaks a symmetry plane.
-struct BrokenPlane {
-  int row, column;   ///< from 0
-  bool in_velocity;  ///< else in the deformation
-};
+/// The first entry of the initial state or of the loads that keeps the plane with normal e_i from being a symmetry
+/// plane, in words ("entry (1,2) of Initial state/Velocity is 0.5"); nothing if the plane is admissible.
+std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
-/// The first entry that keeps the plane with normal e_i from being a symmetry plane; nothing if the plane is
-/// admissible.
-std::optional<BrokenPlane> breaks_plane(const Scene::InitialState& state, int i);
-
-/// The sector that the scene asks for, the smallest one that the initial state admits if it leaves the choice.
+/// The sector that the scene asks for, the smallest one that initial state and loads admit if it leaves the choice.
 Sector sector(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -103,7 +103,6 @@ class Validator {
 
   void check_problem() const {
     const double radius = scene_.body.radius, density = scene_.body.density;
-    const bool incompressible = scene_.body.incompressible;
     if (scene_.analysis == Analysis::equilibrium && scene_.models.continuum)
       refuse("Analysis", "equilibrium is offered for the reduced model and the other systems; set Models = reduced");
     const bool wants_equilibrium =
@@ -112,9 +111,6 @@ class Validator {
     if (scene_.analysis == Analysis::modes) check_modes();
     if (!scene_.models.reduced && !scene_.models.continuum)
       refuse("Models", "expected at least one of reduced, continuum");
-    if (scene_.models.continuum && !incompressible)
-      refuse("Body/Incompressible",
-             "the continuum is offered for incompressible bodies only; set Incompressible = true or Models = reduced");
     if (scene_.models.continuum && scene_.material.law == Law::none)
       refuse("Material/Law",
              "none, a fluid, is not offered for the continuum: elements that preserve volume weakly have nothing that "
@@ -143,9 +139,19 @@ class Validator {
       refuse("Body/Semi-axes", "relative equilibria are known for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
     if (largest_entry(scene_.loads.quadratic) != 0)
       refuse("Loads/Tidal matrix", "relative equilibria are known without external potential");
+    if (largest_entry(scene_.loads.nominal_traction) != 0)
+      refuse("Loads/Nominal traction", "relative equilibria are known without traction");
     if (scene_.dissipation.drag != 0) refuse("Material/Drag", "drag leaves no relative equilibrium");
     if (is_fluid(scene_) && scene_.gravity_constant == 0)
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
+  }
+
+  bool loaded() const {
+    const auto zero = [](const std::vector<double>& v) { return v == std::vector<double>{0, 0, 0}; };
+    const auto& [quadratic, acceleration, nominal_traction] = scene_.loads;
+    return largest_entry(quadratic) != 0 || !zero(acceleration) || largest_entry(nominal_traction) != 0 ||
+           scene_.dissipation.viscosity != 0 || scene_.dissipation.drag != 0 || !zero(scene_.initial_state.center) ||
+           !zero(scene_.initial_state.center_velocity);
   }
 
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
@@ -156,6 +162,11 @@ class Validator {
       refuse(deformation_path, "modes are small motions about rest, Q0 = 1; leave the entry out");
     if (largest_entry(state.velocity) != 0)
       refuse(velocity_path, "modes are small motions about rest; leave the entry out");
+    if (scene_.material.law == Law::saint_venant_kirchhoff_as_printed && !scene_.body.incompressible)
+      refuse("Material/Law",
+             "saint-venant-kirchhoff (as printed) is stressed at rest, which a compressible ball leaves by itself; its "
+             "modes have no rest to be about");
+    if (loaded()) refuse("Analysis", "modes are those of the free ball; leave out the loads, viscosity and drag");
     if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)
       refuse("Continuum/Symmetry",
              "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto");
@@ -196,6 +207,8 @@ class Validator {
       return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     };
     require_moderate("Loads/Tidal matrix", largest_entry(loads.quadratic), 1 / (t * t));
+    require_moderate("Loads/Nominal traction", largest_entry(loads.nominal_traction),
+                     scene_.body.density * length * length / (t * t));
     require_moderate("Loads/Acceleration", largest(loads.acceleration), length / (t * t));
     require_moderate("Initial state/Center", largest(scene_.initial_state.center), length);
     require_moderate("Initial state/Center velocity", largest(scene_.initial_state.center_velocity), length / t);
@@ -208,18 +221,10 @@ class Validator {
     const auto refuse_for_continuum = [&](const char* path, const char* what) {
       refuse(path, fmt::format("{} is offered for the reduced model; set Models = reduced", what));
     };
-    const auto zero = [](const std::vector<double>& v) { return v == std::vector<double>{0, 0, 0}; };
     if (scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
     if (scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
     if (scene_.gravity_constant != 0) refuse_for_continuum("Gravity/Constant", "self-gravity");
-    if (scene_.dissipation.viscosity != 0) refuse_for_continuum("Material/Viscosity", "viscosity");
-    if (scene_.dissipation.drag != 0) refuse_for_continuum("Material/Drag", "drag");
-    if (largest_entry(scene_.loads.quadratic) != 0) refuse_for_continuum("Loads/Tidal matrix", "a tide");
-    if (!zero(scene_.loads.acceleration)) refuse_for_continuum("Loads/Acceleration", "an acceleration");
-    if (!zero(scene_.initial_state.center)) refuse_for_continuum("Initial state/Center", "a motion of the centre");
-    if (!zero(scene_.initial_state.center_velocity))
-      refuse_for_continuum("Initial state/Center velocity", "a motion of the centre");
   }
 
   void require_symmetric(const char* path, const Matrix3& A) const {
@@ -300,15 +305,12 @@ class Validator {
     const auto planes = planes_of(scene_.continuum.symmetry);
     for (int i = 0; i < 3; ++i) {
       if (!planes[i]) continue;
-      const auto broken = breaks_plane(scene_.initial_state, i);
+      const auto broken = breaks_plane(scene_, i);
       if (!broken) continue;
-      const Matrix3& matrix = broken->in_velocity ? scene_.initial_state.velocity : scene_.initial_state.deformation;
       refuse("Continuum/Symmetry",
-             fmt::format("the plane with normal {} is no symmetry plane of this motion, as entry ({},{}) of {} is {} "
-                         "and not 0; set Symmetry = auto or leave that plane out",
-                         axis_names[i], broken->row + 1, broken->column + 1,
-                         broken->in_velocity ? velocity_path : deformation_path,
-                         print_number(matrix[broken->row][broken->column])));
+             fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
+                         "not 0; set Symmetry = auto or leave that plane out",
+                         axis_names[i], *broken));
     }
   }
 

@@ -172,11 +172,6 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Models": "continuum", VELOCITY: "0,0.1,0;-0.1,0,0;0,0,0", "Continuum/Symmetry": "octant"},
                              "Continuum/Symmetry", "plane with normal x", "entry (1,2)", "0.1", "Symmetry = auto")
 
-    def test_compressible_continuum(self):
-        for models in ("continuum", "reduced, continuum"):
-            self.refused_entries({"Models": models, "Body/Incompressible": "false"}, "Body/Incompressible",
-                                 "incompressible bodies only", "Models = reduced")
-
     # Files.
 
     def test_missing_file(self):

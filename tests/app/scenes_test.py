@@ -76,6 +76,15 @@ class Scenes(ProgramTest):
     def test_lamb(self):
         self.check_scene("lamb", ["reduced", "continuum"])
 
+    def test_compressible(self):
+        self.check_scene("compressible", ["reduced", "continuum"])
+
+    def test_damped(self):
+        self.check_scene("damped", ["reduced", "continuum"])
+
+    def test_traction(self):
+        self.check_scene("traction", ["reduced", "continuum"])
+
     def test_spin_and_stretch(self):
         self.check_scene("spin_and_stretch", ["reduced", "continuum"])
 

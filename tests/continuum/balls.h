@@ -5,11 +5,14 @@
 #include <cmath>
 #include <random>
 
-#include "continuum/elastic_ball.h"
+#include "continuum/observe.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
 
+using continuum::BallBody;
+using continuum::BallLoads;
+using continuum::CompressibleBall;
 using continuum::ElasticBall;
 using continuum::Sector;
 using Eigen::Matrix3d;
@@ -45,17 +48,42 @@ inline continuum::Vector random_field(const continuum::Vector& like, std::mt1993
 }
 
 /// x = QX, ẋ = Q̇X at t = 0.
-inline State<ElasticBall> affine_state(const ElasticBall& ball, const Matrix3d& Q, const Matrix3d& Qdot) {
+inline continuum::BallState affine_state(const BallBody& ball, const Matrix3d& Q, const Matrix3d& Qdot) {
   return {0, ball.affine_field(Q), ball.affine_field(Qdot)};
 }
 
-inline mechanics::ContinuumObservables observed(const ElasticBall& ball, const State<ElasticBall>& state,
-                                                const mechanics::ObservableRequest& request = {}) {
+template <class Ball>
+mechanics::ContinuumObservables observed(const Ball& ball, const continuum::BallState& state,
+                                         const mechanics::ObservableRequest& request = {}) {
   auto workspace = ball.make_workspace();
   mechanics::ContinuumObservables o;
   const auto status = continuum::observe(ball, state, workspace, request, o);
   EXPECT_TRUE(status) << status.reason();
   return o;
+}
+
+/// Σ f_n X_nᵀ over the whole ball.
+inline Matrix3d moment_of_force(const BallBody& ball, const continuum::Vector& f) {
+  continuum::Vector a = ball.make_vector();
+  ball.apply_inverse_mass(f, a);
+  return ball.nodal_moment(a, ball.space().reference_positions());
+}
+
+/// Loads of every kind.
+inline BallLoads all_loads() {
+  BallLoads loads{.viscosity = 0.07, .drag = 0.11};
+  loads.quadratic << 0.6, 0.1, 0, 0.1, 0.3, -0.15, 0, -0.15, 0.2;
+  loads.acceleration << 0.3, -0.2, 0.1;
+  loads.nominal_traction << 0.4, 0.1, -0.2, 0.3, -0.1, 0.15, 0.05, -0.25, 0.2;
+  return loads;
+}
+/// Those of them that a sector admits.
+inline BallLoads admissible(const Sector& sector, BallLoads loads) {
+  loads.quadratic = admissible(sector, loads.quadratic);
+  loads.nominal_traction = admissible(sector, loads.nominal_traction);
+  for (int i = 0; i < 3; ++i)
+    if (sector.reflect[i]) loads.acceleration[i] = 0;
+  return loads;
 }
 
 }  // namespace pseudorigid::testing

@@ -39,8 +39,8 @@ int n_iterations(const ElasticBall& ball, const Vector& x, Vector& lambda) {
 
 TEST(GramSolver, TwoLevelsAndADenseInverseFindTheSameMultiplier) {
   for (const Sector& sector : {octant, half}) {
-    const ElasticBall dense(sector, 3, 1, neo_hookean, MPI_COMM_SELF, GramMethod::dense);
-    const ElasticBall two_level(sector, 3, 1, neo_hookean, MPI_COMM_SELF, GramMethod::two_level);
+    const ElasticBall dense(sector, 3, 1, neo_hookean, {}, MPI_COMM_SELF, GramMethod::dense);
+    const ElasticBall two_level(sector, 3, 1, neo_hookean, {}, MPI_COMM_SELF, GramMethod::two_level);
     const State<ElasticBall> state{0, sheared(two_level, 0.2), two_level.affine_field(diagonal(0.3, 0.2, -0.5))};
     Vector of_factor = dense.make_multiplier(), of_two_levels = of_factor;
     auto factor = dense.make_workspace(), levels = two_level.make_workspace();
@@ -59,7 +59,7 @@ TEST_P(TwoLevels, TakeAboutAsManyIterationsOnEveryMesh) {
   for (const double deformation : {0.0, 0.4}) {
     int least = 1000, most = 0;
     for (int n_refinements = coarsest; n_refinements <= finest; ++n_refinements) {
-      const ElasticBall ball(octant, degree, n_refinements, neo_hookean, MPI_COMM_SELF, GramMethod::two_level);
+      const ElasticBall ball(octant, degree, n_refinements, neo_hookean, {}, MPI_COMM_SELF, GramMethod::two_level);
       Vector lambda = ball.make_multiplier();
       const int n = n_iterations(ball, sheared(ball, deformation), lambda);
       RecordProperty("iterations_" + std::to_string(n_refinements) + (deformation > 0 ? "_sheared" : ""), n);
@@ -74,7 +74,7 @@ TEST_P(TwoLevels, TakeAboutAsManyIterationsOnEveryMesh) {
 INSTANTIATE_TEST_SUITE_P(Degree, TwoLevels, ::testing::Values(2, 3, 4, 5, 6));
 
 TEST(GramSolver, AStalePreconditionerIsMadeAnew) {
-  const ElasticBall ball(octant, 3, 1, neo_hookean, MPI_COMM_SELF, GramMethod::two_level);
+  const ElasticBall ball(octant, 3, 1, neo_hookean, {}, MPI_COMM_SELF, GramMethod::two_level);
   auto workspace = ball.make_workspace();
   std::mt19937 generator(3);
   const Vector r = random_field(ball.make_multiplier(), generator);

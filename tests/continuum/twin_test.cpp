@@ -36,13 +36,6 @@ class Twin : public ::testing::TestWithParam<int> {
     return r.linfty_norm();
   }
 
-  /// Σ f_n X_nᵀ over the whole ball.
-  static Matrix3d moment_of_force(const ElasticBall& ball, const Vector& f) {
-    Vector a = ball.make_vector();
-    ball.apply_inverse_mass(f, a);
-    return ball.nodal_moment(a, ball.space().reference_positions());
-  }
-
   void compare_energies_and_momenta(const ElasticBall& ball, const Body& body, const Matrix3d& Q,
                                     const Matrix3d& Qdot) {
     const auto o = observed(ball, affine_state(ball, Q, Qdot), {.multiplier = false});

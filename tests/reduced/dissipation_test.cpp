@@ -10,6 +10,7 @@
 
 #include "analysis/order_fit.h"
 #include "mechanics/explicit_multiplier.h"
+#include "mechanics/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"
@@ -62,6 +63,23 @@ TEST(Dissipation, ViscosityPerMomentOfTheBall) {
   Matrix3d f = Matrix3d::Zero();
   const double power = viscous.add_force(ball, Q, Qdot, f), m_bar = ball.E0(0, 0);
   EXPECT_NEAR(power / m_bar, 2 * 5 * eta * 8 * (Qdot / 2).squaredNorm(), 1e-14);
+}
+
+/// At rest −D_v f per m̄ is 10η sym + c: γ = 10η + c on motions without volume change, as on all of them.
+TEST(Dissipation, LargestRateOfDamping) {
+  const auto gamma_of = [](const auto& body, double omega) {
+    using Body = std::decay_t<decltype(body)>;
+    const Damped<Body> damped(body, both);
+    const auto rest = damped.state_of({0, Matrix3d::Identity(), Matrix3d::Zero()});
+    typename Body::Workspace w;
+    const auto report = mechanics::largest_damping(damped, rest, w, omega, 9);
+    EXPECT_TRUE(report.status);
+    return report.gamma;
+  };
+  for (const double omega : {0.0, 3.0, 1e3}) {
+    EXPECT_NEAR(gamma_of(neo_hookean_sl3(), omega), 10 * eta + c, 1e-8);
+    EXPECT_NEAR(gamma_of(neo_hookean_gl3(), omega), 10 * eta + c, 1e-8);
+  }
 }
 
 /// E + D at the end less E at the start, E = K + V.

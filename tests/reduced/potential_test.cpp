@@ -25,13 +25,13 @@ std::vector<ReferenceBody> reference_bodies() {
   return {ReferenceBody::unit_ball(), ReferenceBody::ellipsoid({1.4, 0.9, 0.7}),
           ReferenceBody::of_inertia(triaxial_inertia().E0, 4.5)};
 }
-/// Every law with both loads on every reference body.
+/// Every law with all loads on every reference body.
 template <class Check>
 void for_each_potential(const Check& check) {
   for (const auto& reference : reference_bodies())
     for (const auto& [name, law] : laws(false)) {
       SCOPED_TRACE(name);
-      check(Potential(law, reference, G, generic_quadratic()));
+      check(Potential(law, reference, G, generic_quadratic(), generic_traction()));
     }
 }
 
@@ -62,6 +62,21 @@ TEST(Potential, SecondDerivativeIsSymmetric) {
     const Matrix3d DH = V.second_derivative(Q, H), DK = V.second_derivative(Q, K);
     EXPECT_NEAR(mechanics::dot(DH, K), mechanics::dot(DK, H), 1e-13 * (DH.norm() + DK.norm()) * 3);
   });
+}
+
+/// A dead traction P̄N pulls a body of any law to rest where P(Q) = P̄; it does the work Vol P̄:Q, on the ball
+/// (4/3)πr³ P̄:Q, and is no part of the material's own stress.
+TEST(Potential, DeadTractionIsAConstantStress) {
+  const Matrix3d traction = generic_traction(), none = Matrix3d::Zero();
+  std::mt19937 generator(9);
+  for (const auto& reference : reference_bodies()) {
+    const Potential V(Law{1, 3}, reference, 0, none, traction), free(Law{1, 3}, reference);
+    const Matrix3d Q = random_deformation(generator);
+    EXPECT_NEAR(V.energies(Q).external, -reference.volume * mechanics::dot(traction, Q), 1e-13);
+    EXPECT_LT((V.gradient(Q) - free.gradient(Q) + reference.volume * traction).norm(), 1e-12);
+    EXPECT_EQ(V.material_stress(Q), free.material_stress(Q));
+    EXPECT_TRUE(V.has_external() && !free.has_external());
+  }
 }
 
 /// The body's force is −∂V/∂Q, and V per volume and its stress are what a body asks of a law.

@@ -33,6 +33,9 @@ inline LoadedSl3 fluid_sl3(const Loads& loads) { return loaded_body<LoadedSl3>(m
 /// A confining T without symmetry, with principal axes that are not the coordinate axes.
 inline Matrix3d generic_quadratic() { return matrix({0.6, 0.1, 0, 0.1, 0.3, -0.15, 0, -0.15, 0.2}); }
 
+/// A dead traction without symmetry.
+inline Matrix3d generic_traction() { return matrix({0.4, 0.1, -0.2, 0.3, -0.1, 0.15, 0.05, -0.25, 0.2}); }
+
 /// Every law of the table, each on SL(3) and GL⁺(3) (`none` has nothing that resists compression and is left out
 /// there).
 struct LawOfTable {

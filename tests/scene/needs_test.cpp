@@ -54,6 +54,23 @@ INSTANTIATE_TEST_SUITE_P(
                     SectorCase{"asked_yz", {}, {}, Symmetry::yz, "quarter (planes y, z)", 4},
                     SectorCase{"asked_octant", {}, {}, Symmetry::octant, "octant", 8}));
 
+/// A load or a motion of the centre of mass breaks the planes that it is not symmetric to, and no others.
+TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
+  const auto name = [](auto&& change) {
+    Scene scene;
+    change(scene);
+    return sector(scene).name();
+  };
+  EXPECT_EQ(name([](Scene& s) { s.loads.quadratic[0][0] = 1; }), "octant");
+  EXPECT_EQ(name([](Scene& s) { s.loads.quadratic[0][1] = s.loads.quadratic[1][0] = 1; }), "half (plane z)");
+  EXPECT_EQ(name([](Scene& s) { s.loads.nominal_traction[2][2] = 1; }), "octant");
+  EXPECT_EQ(name([](Scene& s) { s.loads.nominal_traction[1][2] = 1; }), "half (plane x)");
+  EXPECT_EQ(name([](Scene& s) { s.loads.acceleration[0] = 1; }), "quarter (planes y, z)");
+  EXPECT_EQ(name([](Scene& s) { s.initial_state.center[1] = -1; }), "quarter (planes x, z)");
+  EXPECT_EQ(name([](Scene& s) { s.initial_state.center_velocity = {1, 1, 1}; }), "full ball");
+  EXPECT_EQ(name([](Scene& s) { s.dissipation = {1, 1}; }), "octant");
+}
+
 TEST(NegativeZero, IsZeroForTheSector) {
   Scene scene;
   scene.initial_state.deformation[0][1] = -0.0;
@@ -85,11 +102,18 @@ TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
 
 TEST(Needs, ACompressibleBodyHasNoConstraint) {
   Scene scene;
-  scene.models.continuum = false;
   scene.body.incompressible = false;
   const Needs result = needs(scene);
   EXPECT_FALSE(result.constraint || result.pressure_space);
+  EXPECT_TRUE(mentions(result.skipped, "pressure space: the body is compressible"));
   EXPECT_TRUE(mentions(result.skipped, "constraint: the body is compressible"));
+}
+
+TEST(Needs, LoadsAreNamedOrSkipped) {
+  Scene scene;
+  EXPECT_TRUE(mentions(needs(scene).skipped, "traction: Loads/Nominal traction is 0"));
+  scene.loads.nominal_traction[0][0] = 1;
+  EXPECT_TRUE(mentions(needs(scene).needed, "dead traction"));
 }
 
 TEST(Needs, ContinuumAloneIsNotCompared) {

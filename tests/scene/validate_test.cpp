@@ -65,10 +65,19 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"method_that_the_continuum_cannot_use",
                 "subsection Time\nset Method = explicit-8\nend",
                 {"scene.prm:2: Time/Method: explicit-8 is offered for the reduced model and the other systems"}},
-        Refused{"compressible_continuum",
-                "subsection Body\nset Incompressible = false\nend",
-                {"scene.prm:2: Body/Incompressible: the continuum is offered for incompressible bodies only",
-                 "Models = reduced"}},
+        Refused{"self_gravity_in_the_continuum",
+                "subsection Gravity\nset Constant = 1\nend",
+                {"scene.prm:2: Gravity/Constant: self-gravity is offered for the reduced model", "Models = reduced"}},
+        Refused{"huge_traction",
+                "subsection Loads\nset Nominal traction = 0, 0, 0; 0, 1e13, 0; 0, 0, 0\nend",
+                {"scene.prm:2: Loads/Nominal traction: expected values up to 1e+12 in the body's own units"}},
+        Refused{"modes_under_loads",
+                "set Models = continuum\nset Analysis = modes\nsubsection Material\nset Drag = 1\nend",
+                {"scene.prm:2: Analysis: modes are those of the free ball"}},
+        Refused{"compressible_modes_of_a_law_without_rest",
+                "set Models = continuum\nset Analysis = modes\nsubsection Body\nset Incompressible = false\nend\n"
+                "subsection Material\nset Law = saint-venant-kirchhoff (as printed)\nend",
+                {"scene.prm:7: Material/Law: saint-venant-kirchhoff (as printed) is stressed at rest"}},
         Refused{"fluid_continuum",
                 "subsection Material\nset Law = none\nend",
                 {"scene.prm:2: Material/Law: none, a fluid, is not offered for the continuum", "Models = reduced"}},
@@ -108,7 +117,15 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"plane_broken_by_velocity",
                 initial_state(identity3, {{{0, 0, 0}, {0, 0, 0}, {0, -0.5, 0}}}) +
                     "subsection Continuum\nset Symmetry = xz\nend",
-                {"the plane with normal z", "entry (3,2) of Initial state/Velocity is -0.5"}}));
+                {"the plane with normal z", "entry (3,2) of Initial state/Velocity is -0.5"}},
+        Refused{
+            "plane_broken_by_a_load",
+            "subsection Loads\nset Nominal traction = 0, 0, 2; 0, 0, 0; 0, 0, 0\nend\n"
+            "subsection Continuum\nset Symmetry = xy\nend",
+            {"scene.prm:5: Continuum/Symmetry: the plane with normal x", "entry (1,3) of Loads/Nominal traction is 2"}},
+        Refused{"plane_broken_by_the_centre",
+                "subsection Initial state\nset Center = 0, 3, 0\nend\nsubsection Continuum\nset Symmetry = y\nend",
+                {"the plane with normal y", "entry 2 of Initial state/Center is 3"}}));
 
 TEST_F(ValidateTest, TheDefaultSceneIsValid) { EXPECT_NO_THROW(validate(Scene())); }
 
@@ -135,7 +152,6 @@ TEST_F(ValidateTest, WhatAModelIgnoresIsNotChecked) {
 
 TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
   Scene scene;
-  scene.models.continuum = false;
   scene.body.incompressible = false;
   scene.initial_state.deformation = diagonal(2, 3, 4);
   scene.initial_state.velocity = diagonal(1, 1, 1);

@@ -1,0 +1,109 @@
+#pragma once
+/// The finite-element ball of a scene, incompressible or compressible, as ModelRun wants it.
+
+#include "app/model_run.h"
+#include "app/scene_to_model.h"
+#include "continuum/nodal_fields.h"
+#include "continuum/observe.h"
+#include "io/trajectory.h"
+#include "io/vtu.h"
+
+namespace pseudorigid::app {
+
+/// `Ball` is a continuum::ElasticBall or continuum::CompressibleBall.
+template <class Ball>
+class ContinuumModel {
+ public:
+  using System = Ball;
+  using State = mechanics::State<System>;
+  using Workspace = typename System::Workspace;
+  static constexpr const char* name = "continuum";
+  static constexpr int steps_between_looks = 1;
+  /// In its first half pulsation a ball released from rest gathers as little as 0.45 of the mean growth of its time
+  /// error (measured at Time/Tolerance = 1e-3 and 1e-4, t = 10), so the pilot gets this part of the tolerance.
+  static constexpr double pilot_reserve = 0.4;
+
+  explicit ContinuumModel(const RunContext& context)
+      : context_(context),
+        law_(internal_law(context.scene)),
+        ball_({context.needs.sector.reflect}, context.scene.continuum.degree, context.scene.continuum.refinements, law_,
+              ball_loads(context.scene)),
+        request_(context.request()) {}
+
+  const System& system() const { return ball_; }
+  State initial_state() const {
+    const InternalLoads loads = internal_loads(context_.scene);
+    return {0, ball_.affine_field(initial_deformation(context_.scene), loads.center),
+            ball_.affine_field(initial_velocity(context_.scene, context_.units), loads.center_velocity)};
+  }
+  double constraint_scale() const { return ball_.multiplier_scale(); }  // only called with constraints
+  Eigen::Matrix3d configuration(const State& state) const { return ball_.mass_moment(state.q); }
+  double rate(const State& state) const {
+    return mechanics::affine_rate(ball_.mass_moment(state.q), ball_.mass_moment(state.v));
+  }
+  /// About half a pulsation: by then the shear front from the surface has crossed the ball.
+  double pilot_window(double end) const { return std::min(end, 1.0); }
+
+  std::vector<std::string> columns(const scene::Quantities& q) const { return io::continuum_columns(q); }
+
+  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
+    io::continuum_row(time, observables_, context_.units, context_.needs.quantities, row);
+    return {};
+  }
+
+  mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
+    if (reference_.points.empty()) reference_ = continuum::nodal_grid(ball_.space());
+    continuum::NodalFields fields;
+    if (auto status = continuum::nodal_fields(ball_, law_, state, workspace, fields); !status) return status;
+    const io::Units& units = context_.units;
+    io::UnstructuredGrid grid{.points = reference_.points,
+                              .connectivity = reference_.connectivity,
+                              .fields = {{"displacement", 3, scaled(fields.displacement, units.length)},
+                                         {"pressure", 1, scaled(fields.pressure, units.stress())},
+                                         {"jacobian", 1, std::move(fields.jacobian)},
+                                         {"von_mises", 1, scaled(fields.von_mises, units.stress())}}};
+    // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
+    for (std::size_t i = 0; i < grid.points.size(); ++i)
+      grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
+    io::write_vtu(path, grid);
+    return {};
+  }
+
+  template <class MethodWorkspace>
+  void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
+    auto& c = statistics.counters;
+    c["cells"] = static_cast<double>(ball_.space().n_global_cells());
+    c["unknowns"] = 3.0 * static_cast<double>(ball_.space().n_global_nodes());
+    c["images"] = ball_.space().mesh().sector().n_images();
+    if constexpr (!mechanics::unconstrained<System>) {
+      c["multipliers"] = static_cast<double>(ball_.space().n_global_cells()) * ball_.space().n_pressure();
+      c["gram_iterations"] = static_cast<double>(w.counters.n_gram_iterations);
+      const auto gram = w.system.gram.statistics();
+      c["gram_solves"] = static_cast<double>(gram.n_solves);
+      c["gram_iterations_at_most"] = static_cast<double>(gram.n_iterations_at_most);
+      c["gram_renewals"] = static_cast<double>(gram.n_renewals);
+      c["gram_bytes"] = static_cast<double>(gram.memory);
+    }
+    c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
+  }
+
+ private:
+  static continuum::BallLoads ball_loads(const scene::Scene& scene) {
+    const InternalLoads loads = internal_loads(scene);
+    return {loads.quadratic, loads.acceleration, loads.nominal_traction, loads.viscosity, loads.drag};
+  }
+  static std::vector<double> scaled(std::vector<double> values, double unit) {
+    for (double& value : values) value *= unit;
+    return values;
+  }
+
+  const RunContext& context_;
+  materials::AnyLaw law_;
+  System ball_;
+  mechanics::ObservableRequest request_;
+  mechanics::ContinuumObservables observables_;
+  continuum::NodalGrid reference_;  ///< empty until the first frame
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,79 @@
+#pragma once
+/// What the compressible and the incompressible finite-element ball have in common: space, kernels, forces, mass and
+/// the moments of nodal fields.
+///
+///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
+///
+/// x_h ∈ (Q_k)³ with a lumped mass. With dissipation there is one coordinate s beside the nodes (BallSpace::account),
+///
+///   s̈ = power of the dissipation,
+///
+/// whose velocity is the energy that dissipation has taken: every method integrates it with its own order. All in
+/// internal units; the system is the computed sector, observables are of the whole ball.
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "continuum/ball_loads.h"
+#include "continuum/ball_space.h"
+#include "continuum/cell_kernels.h"
+#include "mechanics/body_observables.h"
+#include "mechanics/constrained_system.h"
+
+namespace pseudorigid::continuum {
+
+class BallBody {
+ public:
+  using Vector = continuum::Vector;
+
+  /// The sector of the unit ball with degree k = 2 … 6 after n_refinements uniform refinements of the octant's 4 cells,
+  /// over the ranks of a communicator.
+  BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+           const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
+  BallBody(const BallBody&) = delete;  // its parts refer to one another
+  BallBody& operator=(const BallBody&) = delete;
+
+  void apply_inverse_mass(const Vector& f, Vector& a) const;
+  bool velocity_dependent() const { return dissipative_; }
+  bool dissipative() const { return dissipative_; }
+
+  Vector make_vector() const { return space_.make_vector(); }
+
+  /// x = A X at every node: positions for A = Q₀, velocities for A = Q̇₀. With c: x = c + A X.
+  Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  /// Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a field x (its rate from a velocity).
+  Eigen::Matrix3d mass_moment(const Vector& x) const;
+  /// Mass-weighted mean of a field; components across a symmetry plane cancel.
+  Eigen::Vector3d mean(const Vector& x) const;
+  /// The energy that dissipation has taken, from the velocity.
+  double dissipated(const Vector& v) const;
+
+  /// Inertia, volume and mass of the mesh, whole ball: E₀,h = Σ m_n X_n X_nᵀ.
+  const Eigen::Matrix3d& E0() const { return E0_; }
+  double volume() const { return volume_; }
+  double mass() const;
+  const BallSpace& space() const { return space_; }
+  const CellKernels& kernels() const { return *kernels_; }
+  const LoadForces& loads() const { return loads_; }
+
+  /// A 3×3 integral over the whole ball from that over the sector: its (i, j) entry is odd under a reflection of
+  /// exactly one of x_i and x_j, and then cancels.
+  Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
+  /// Σ_n m_n a_n b_nᵀ over the whole ball.
+  Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
+
+ protected:
+  /// f of all but reactions.
+  mechanics::Status applied_force(const Vector& x, const Vector& v, Vector& f) const;
+  mechanics::Status judge_jacobian(double least, const Vector& x) const;
+
+ private:
+  BallSpace space_;
+  std::unique_ptr<CellKernels> kernels_;
+  LoadForces loads_;
+  bool dissipative_;
+  Eigen::Matrix3d E0_;
+  double volume_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,191 @@
+"""The continuum beside the reduced body: compressible, under loads, with dissipation; the same meaning in both models."""
+import math
+import re
+import unittest
+
+from program_test import SOURCE, largest_difference, overrides
+from stopped_run import StoppedRunTest
+
+BOTH = {"Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2, "Output/Samples": 20, "Time/Tolerance": 1e-5}
+VOLUME = 4 * math.pi / 3
+
+
+class ContinuumLoads(StoppedRunTest):
+    def run_scene(self, entries, name="scene"):
+        self.scene(entries, f"{name}.prm")
+        self.run_done("run", f"{name}.prm")
+        return [self.table(f"output/{name}/{model}.csv") for model in ("reduced", "continuum")]
+
+    def run_params(self, name, *options):
+        self.scene((SOURCE / f"params/{name}.prm").read_text(), f"{name}.prm")
+        self.run_done("run", f"{name}.prm", *options)
+        return [self.table(f"output/{name}/{model}.csv") for model in ("reduced", "continuum")]
+
+    def assert_constant(self, column, tolerance):
+        self.assertLess(max(column) - min(column), tolerance)
+
+    def test_traction_scene(self):
+        head = (SOURCE / "params/traction.prm").read_text()
+        stretch, traction = map(float, re.search(r"l = (\S+) for P33 = ([\d.]+\d)", head).groups())
+        self.assertAlmostEqual(stretch - 1 / stretch**2, traction, delta=1e-4)
+        tables = self.run_params("traction")
+        for q, external in zip(tables[0].column("Q33"), tables[0].column("external")):
+            self.assertAlmostEqual(external, -VOLUME * traction * q, delta=1e-10)
+        for table in tables:
+            self.assertAlmostEqual(table.column("Q33")[-1], stretch, delta=2e-5)
+            self.assertAlmostEqual(table.column("Q11")[-1], stretch**-0.5, delta=2e-5)
+            self.assertAlmostEqual(table.column("external")[-1], -VOLUME * traction * stretch, delta=1e-3)
+            self.assert_constant(table.column("energy"), 1e-3 * abs(table.column("external")[0]))
+            self.assertGreater(table.column("dissipated")[-1], 0.01)
+
+    def test_damped_scene(self):
+        reduced, continuum = self.run_params("damped", *overrides({"Time/End": 8, "Output/Samples": 80}))
+        for table in (reduced, continuum):
+            energy, dissipated = table.column("energy"), table.column("dissipated")
+            print(max(energy) - min(energy), dissipated[-1])
+            self.assert_constant(energy, 1e-3 * energy[0])
+            self.assertGreater(dissipated[-1], 0.1 * energy[0])
+            self.assertTrue(all(b >= a - 1e-12 for a, b in zip(dissipated, dissipated[1:])))
+            self.assert_constant(table.column("J3"), 1e-9)
+
+    def test_compressible_scene(self):
+        reduced, continuum = self.run_params("compressible", *overrides({"Time/End": 5, "Output/Samples": 100}))
+        for table in (reduced, continuum):
+            energy, volume = table.column("energy"), table.column("volume_ratio")
+            self.assert_constant(energy, 1e-4 * energy[0])
+            self.assertGreater(max(volume) - min(volume), 0.02)
+            self.assertEqual(set(table.column("multiplier")), {0.0})
+        comparison = self.json("output/compressible/comparison.json")
+        self.assertNotIn("18.6", comparison["summary"])
+        manifest = self.json("output/compressible/manifest.json")
+        counters = manifest["models"]["continuum"]["counters"]
+        self.assertFalse({"multipliers", "gram_iterations", "max_scaled_constraint"} & set(counters))
+        self.assertIn("pressure space: the body is compressible", (self.scratch / "output/compressible/log.txt").read_text())
+
+    def test_every_law_of_the_compressible_body(self):
+        for law in ("neo-hookean", "mooney-rivlin", "ciarlet-geymonat", "saint-venant-kirchhoff", "ciarlet-geymonat (as printed)",
+                    "saint-venant-kirchhoff (as printed)"):
+            with self.subTest(law):
+                tables = self.run_scene({**BOTH, "Body/Incompressible": "false", "Material/Law": law, "Time/End": 0.5,
+                                         "Initial state/Deformation": "1.05, 0, 0; 0, 1, 0; 0, 0, 0.98"})
+                for table in tables:
+                    energy = table.column("energy")
+                    self.assert_constant(energy, 1e-3 * max(max(table.column("kinetic")), abs(energy[0])))
+                log = (self.scratch / "output/scene/log.txt").read_text()
+                self.assertEqual("Warnings:" in log, "saint" in law or "printed" in law)
+
+    def test_nearly_incompressible_steps_are_stable(self):
+        """Pressure waves 30 times as fast as shear waves set the step that the program chooses."""
+        scene = {**BOTH, "Models": "continuum", "Body/Incompressible": "false", "Material/Lame lambda": 1000, "Time/End": 1,
+                 "Time/Tolerance": 1e-3, "Initial state/Velocity": "0.3, 0, 0; 0, 0, 0; 0, 0, -0.3"}
+        self.scene(scene)
+        self.run_done("run", "scene.prm")
+        energy = self.table("output/scene/continuum.csv").column("energy")
+        step = self.json("output/scene/manifest.json")["models"]["continuum"]["counters"]["step"]
+        self.assertLess(step, 2e-2)
+        self.assert_constant(energy, 0.02 * energy[0])
+
+    def test_falling_and_swinging(self):
+        """The centre of mass goes its way as a point, in both models, and the body's own motion does not notice."""
+        body = {**BOTH, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, $(1/1.1)", "Time/Step": 0.005,
+                "Time/Method": "rattle"}
+        still = self.run_scene(body, "still")
+        falling = self.run_scene({**body, "Loads/Acceleration": "0, 0, -2", "Initial state/Center": "0, 0, 3",
+                                  "Initial state/Center velocity": "0, 0, 1"}, "falling")
+        for rest, fall in zip(still, falling):
+            for k, t in enumerate(fall.column("time")):
+                self.assertAlmostEqual(fall.column("x3")[k], 3 + t - t * t, delta=1e-12)
+                self.assertAlmostEqual(fall.column("v3")[k], 1 - 2 * t, delta=1e-12)
+            self.assert_constant(fall.column("energy"), 1e-3)
+            for name in ("Q11", "Q22", "Q33", "elastic", "multiplier"):
+                for a, b in zip(rest.column(name), fall.column(name)):
+                    self.assertAlmostEqual(a, b, delta=1e-9, msg=name)
+        self.assertIn("quarter (planes x, y)", (self.scratch / "output/falling/log.txt").read_text())
+        # A trap: x3 = 0.5 cos(2t); drag as well is that of a point.
+        for c in (0, 0.8):
+            tables = self.run_scene({**body, "Loads/Tidal matrix": "4, 0, 0; 0, 4, 0; 0, 0, 4", "Material/Drag": c,
+                                     "Initial state/Center": "0, 0, 0.5"}, "trap")
+            nu = math.sqrt(4 - c * c / 4)
+            for table, tolerance in zip(tables, (1e-12, 1e-4)):  # the continuum's by steps of 0.005
+                for t, x in zip(table.column("time"), table.column("x3")):
+                    exact = 0.5 * math.exp(-c * t / 2) * (math.cos(nu * t) + c / (2 * nu) * math.sin(nu * t))
+                    self.assertAlmostEqual(x, exact, delta=tolerance)
+            for name in ("external", "dissipated", "energy"):  # the parts of the centre count in both
+                self.assertAlmostEqual(tables[0].column(name)[0], tables[1].column(name)[0], delta=0.02)
+
+    def test_any_units_of_loads(self):
+        def scene(length, mass, time):
+            rate, speed, stress = 1 / time, length / time, mass / (length * time**2)
+            row = lambda *v: ", ".join(repr(x) for x in v)
+            return {**BOTH, "Models": "continuum", "Body/Incompressible": "false", "Body/Radius": repr(length),
+                    "Body/Density": repr(mass / length**3), "Material/Shear modulus": repr(stress),
+                    "Material/Lame lambda": repr(2 * stress), "Material/Viscosity": repr(0.02 * stress * time),
+                    "Material/Drag": repr(0.1 * rate), "Loads/Tidal matrix": f"{0.3 * rate**2!r}, 0, 0; 0, 0, 0; 0, 0, 0",
+                    "Loads/Acceleration": row(0.0, 0.0, -0.5 * speed * rate), "Initial state/Center": row(0.0, 0.0, length),
+                    "Initial state/Center velocity": row(0.0, 0.0, speed),
+                    "Loads/Nominal traction": f"0, 0, 0; 0, {0.2 * stress!r}, 0; 0, 0, 0", "Time/End": repr(time),
+                    "Time/Step": repr(0.005 * time), "Time/Method": "rattle"}
+        tables = {}
+        for name, units in {"reference": (1.0, 1.0, 1.0), "scaled": (1e3, 1e-6, 1e2)}.items():
+            self.scene(scene(*units), f"{name}.prm")
+            self.run_done("run", f"{name}.prm")
+            table = tables[name] = self.table(f"output/{name}/continuum.csv")
+            length, mass, time = units
+            unit = {"time": time, "x": length, "v": length / time, "Qdot": 1 / time, "J": mass * length**2 / time,
+                    "Z": mass * length**2 / time, "multiplier": time**-2, "a": length}
+            plain = {"Q", "F", "volume_ratio", "nonaffine_kinetic_fraction", "nonaffine_displacement", "min_jacobian"}
+            scale = [1 if column.rstrip("123") in plain else unit.get(column.rstrip("123"), mass * length**2 / time**2)
+                     for column in table.header]
+            table.rows = [[x / s for x, s in zip(values, scale)] for values in table.rows]
+        self.assertLess(largest_difference(tables["reference"], tables["scaled"]), 1e-10)
+
+    def test_a_damped_run_goes_on_after_an_interrupt(self):
+        scene = {**BOTH, "Models": "continuum", "Continuum/Degree": 3, "Material/Viscosity": 0.01, "Time/End": 60,
+                 "Time/Step": 0.005, "Time/Method": "rattle", "Output/Samples": 600,
+                 "Initial state/Velocity": "0, -0.3, 0; 0.3, 0, 0; 0, 0, 0"}
+        self.check_control_c(scene, "continuum", 1e-11)
+        self.assert_constant(self.table("parts/continuum.csv").column("energy"), 1e-4)
+
+    def test_compressible_modes(self):
+        """omega beside the exact frequencies of the compressible sphere; radial: x cot x = 1 − (x²/4)(c_p/c_s)²."""
+        self.scene({"Models": "continuum", "Analysis": "modes", "Body/Incompressible": "false", "Continuum/Degree": 6,
+                    "Modes/Number": 6, "Material/Shear modulus": 4})
+        self.run_done("run", "scene.prm")
+        table = self.table("output/scene/modes.csv")
+        rows = [dict(zip(table.header, row)) for row in table.rows]
+        for row in rows:
+            print(row["kind"], row["degree"], row["omega"], row["omega"] / row["exact"] - 1)
+            self.assertAlmostEqual(row["omega"] / row["exact"], 1, delta=1e-6)
+        radial = next(row for row in rows if (row["kind"], row["degree"]) == (1, 0))
+        lame, shear = 1, 4
+        cp = math.sqrt(lame + 2 * shear)
+        x = radial["omega"] / cp
+        slope = 1 / math.tan(x) - x / math.sin(x) ** 2 + x / 2 * (cp * cp / shear)
+        self.assertLess(abs((x / math.tan(x) - 1 + x * x / 4 * cp * cp / shear) / (slope * x)), 1e-8)
+        self.assertAlmostEqual(radial["reduced"], math.sqrt(5 * (3 * lame + 2 * shear)), delta=1e-12)
+
+    def test_what_is_refused(self):
+        def refuse(entries, *words):
+            self.scene({**BOTH, **entries})
+            result = self.run_program("run", "scene.prm")
+            self.assert_one_sentence(result, *words)
+        refuse({"Gravity/Constant": 1}, "Gravity/Constant: self-gravity", "set Models = reduced")
+        refuse({"Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "set Models = reduced")
+        refuse({"Material/Law": "none"}, "Material/Law: none, a fluid,")
+        refuse({"Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method", "backwards in time")
+        refuse({"Loads/Nominal traction": "1, 0; 0, 1"}, "Loads/Nominal traction", "3x3 matrix")
+        refuse({"Material/Viscosity": -1}, "Material/Viscosity")
+        refuse({"Loads/Acceleration": "1, 0, 0", "Continuum/Symmetry": "octant"}, "Continuum/Symmetry", "normal x",
+               "Loads/Acceleration")
+        refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "free ball")
+
+    def test_a_step_too_long_for_the_viscosity_says_so(self):
+        self.scene({**BOTH, "Models": "continuum", "Material/Viscosity": 5, "Time/Step": 0.02, "Time/Method": "rattle",
+                    "Initial state/Velocity": "0.3, 0, 0; 0, 0, 0; 0, 0, -0.3"})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("use a smaller step", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

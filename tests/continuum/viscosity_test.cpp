@@ -1,0 +1,189 @@
+/// The viscous force of the kernels and the damping of motions.
+
+#include <gtest/gtest.h>
+
+#include "analysis/order_fit.h"
+#include "continuum/balls.h"
+#include "continuum/modes.h"
+#include "mechanics/largest_frequency.h"
+#include "reduced/dissipative_body.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+using continuum::Vector;
+
+struct ViscousKernel : ::testing::TestWithParam<int> {
+  const CompressibleBall ball{whole, GetParam(), 0, neo_hookean};
+  std::mt19937 generator{3};
+  /// Noise of the size of the distance between nodes: no affine state, det F > 0.
+  Vector positions() {
+    Vector x = ball.affine_field(Matrix3d::Identity() + 0.2 * random_matrix(generator));
+    x.add(0.004, random_field(x, generator));
+    return x;
+  }
+  double viscous(const Vector& x, const Vector& v, Vector& f) const {
+    f = 0.0;
+    return ball.kernels().add_viscous_force(0.7, x, v, f);
+  }
+};
+
+TEST_P(ViscousKernel, TakesThePowerThatItReturns) {
+  const Vector x = positions(), v = random_field(x, generator);
+  Vector f = ball.make_vector();
+  const double power = viscous(x, v, f);
+  EXPECT_GT(power, 0);
+  EXPECT_NEAR(f * v, -power, 1e-12 * power);
+}
+
+TEST_P(ViscousKernel, LeavesRigidMotionsAlone) {
+  const Vector x = positions();
+  const Matrix3d turn = mechanics::cross_matrix(Vector3d(0.3, -0.8, 0.5));
+  Vector v = ball.affine_field(Matrix3d::Zero(), Vector3d(1, 2, -1)), f = ball.make_vector();
+  for (unsigned int i = 0; i < x.size(); i += 3)
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) v[i + r] += turn(r, c) * x[i + c];
+  EXPECT_LT(std::abs(viscous(x, v, f)), 1e-12);
+  EXPECT_LT(f.linfty_norm(), 1e-12);
+}
+
+TEST_P(ViscousKernel, HasNoTorque) {
+  const Vector x = positions(), v = random_field(x, generator);
+  Vector f = ball.make_vector();
+  viscous(x, v, f);
+  ball.apply_inverse_mass(f, f);
+  const Matrix3d moment = ball.nodal_moment(f, x);
+  EXPECT_LT(mechanics::axial_vector(moment).norm(), 1e-13 * moment.norm());
+}
+
+/// At rest σ = 2η sym∇v is the elastic stress 2μ sym∇u of the neo-Hookean law without λ.
+TEST_P(ViscousKernel, IsTheStiffnessOfAShearModulusAtRest) {
+  const Vector& X = ball.space().reference_positions();
+  const Vector u = random_field(X, generator);
+  Vector f = ball.make_vector(), forward = f, backward = f, x = X;
+  viscous(X, u, f);
+  const double step = 1e-5;  // differences err by its square times third derivatives of 1e4 to 1e6
+  x.add(step, u);
+  ASSERT_GT(ball.kernels().force(x, forward), 0);
+  x.add(-2 * step, u);
+  ASSERT_GT(ball.kernels().force(x, backward), 0);
+  forward.add(-1.0, backward);
+  forward *= 0.7 / (2 * step);
+  forward.add(-1.0, f);
+  EXPECT_LT(forward.linfty_norm(), 1e-5 * f.linfty_norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(Degree, ViscousKernel, ::testing::Values(2, 3, 5));
+
+/// C = (η/μ)K at rest, so that γ = (η/μ)ω², and RATTLE's iteration converges at the step that this asks for.
+template <class Ball>
+class LargestDamping : public ::testing::Test {};
+using BothBalls = ::testing::Types<ElasticBall, CompressibleBall>;
+TYPED_TEST_SUITE(LargestDamping, BothBalls);
+
+TYPED_TEST(LargestDamping, BoundsTheStepOfTheIteration) {
+  constexpr double eta = 0.1, drag = 0.5;
+  const materials::AnyLaw law = materials::make_law("neo-hookean", {1, 1e-12, false, 0});  // λ = 0: K is that of shear
+  const TypeParam ball(octant, 3, 0, law, {.viscosity = eta, .drag = drag}), free(octant, 3, 0, law);
+  auto workspace = ball.make_workspace();
+  const auto rest = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());
+  const auto omega =
+      mechanics::largest_frequency(free, affine_state(free, Matrix3d::Identity(), Matrix3d::Zero()), workspace, 80);
+  ASSERT_TRUE(omega.status);
+  const auto damping = mechanics::largest_damping(ball, rest, workspace, omega.omega, 80);
+  ASSERT_TRUE(damping.status);
+  EXPECT_NEAR(damping.gamma, eta * omega.omega * omega.omega + drag, 1e-3 * damping.gamma);
+  EXPECT_EQ(mechanics::largest_damping(free, rest, workspace, omega.omega, 80).gamma, 0);
+
+  const auto steps = [&](double h) {
+    auto state = affine_state(ball, diagonal(1.05, 1, 1 / 1.05), Matrix3d::Zero());
+    mechanics::RattleWorkspace<TypeParam> w(ball);
+    mechanics::Status status;
+    for (int i = 0; i < 20 && status; ++i) status = mechanics::Rattle::advance(ball, h, state, w);
+    return status;
+  };
+  const double limit = mechanics::damped_step_limit(damping.gamma);
+  const auto good = steps(limit), bad = steps(10 * limit);
+  EXPECT_TRUE(good) << good.reason();
+  EXPECT_NE(bad.reason().find("use a smaller step"), std::string::npos) << bad.reason();
+}
+
+/// Amplitudes of a damped oscillation at equal intervals Δ obey a_{k+1} = 2e^{−δΔ}cos(νΔ) a_k − e^{−2δΔ} a_{k−1}: both
+/// coefficients by least squares.
+double decay_rate(const std::vector<double>& a, double interval) {
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  for (std::size_t k = 1; k + 1 < a.size(); ++k) {
+    const Eigen::Vector2d row(a[k], a[k - 1]);
+    A += row * row.transpose();
+    b += row * a[k + 1];
+  }
+  return -std::log(-A.ldlt().solve(b)[1]) / (2 * interval);
+}
+
+constexpr double eta = 0.01, amplitude = 1e-6, end = 12;
+constexpr int n_samples = 60;
+
+/// PHYSICS 7.7: every mode decays at δ = ηω²/(2μ), S2 of the sphere at 3.5528 η.
+TEST(ViscousDecay, OfTheModeS2) {
+  const ElasticBall ball(octant, 4, 0, neo_hookean, {.viscosity = eta});
+  const continuum::BallSpace space(continuum::BallMesh(octant, 0), 4);
+  const auto kernels = continuum::make_cell_kernels(space, neo_hookean);
+  std::vector<continuum::BallFrequency> frequencies;
+  continuum::ModesReport report;
+  ASSERT_TRUE(ball_modes(continuum::RestProblem(space, *kernels, neo_hookean, true), 2, frequencies, report));
+  const auto& S2 = frequencies[1];
+  ASSERT_TRUE(S2.kind == continuum::ModeKind::spheroidal && S2.degree == 2 && S2.parity.name() == "+++");
+
+  auto state = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());
+  std::copy(S2.shape.begin(), S2.shape.end(), state.v.begin());
+  state.v *= amplitude;
+  Vector momentum = state.v;
+  momentum.scale(ball.space().mass());
+  const auto r = run<mechanics::Rattle>(ball, state, end, n_samples, 60);  // h = 1/300
+  ASSERT_TRUE(r.finished()) << r.result.reason;
+  std::vector<double> a;
+  for (const auto& s : r.states) a.push_back(s.v * momentum);
+  const double delta = decay_rate(a, end / n_samples), exact = eta * 2.665622189236 * 2.665622189236 / 2;
+  std::printf("S2 decays at %.7f eta, exact %.7f, relative difference %.1e\n", delta / eta, exact / eta,
+              delta / exact - 1);
+  EXPECT_NEAR(exact / eta, 3.5528, 1e-4);
+  EXPECT_NEAR(delta / exact, 1, 1e-4);
+}
+
+TEST(ViscousDecay, OfThePseudoRigidBall) {
+  using Body = reduced::PseudoRigidBody<CiarletGeymonat, true>;
+  const reduced::DissipativeBody<Body> body({neo_hookean, reduced::ReferenceBody::unit_ball()}, {.viscosity = eta});
+  const auto start = body.state_of({0, Matrix3d::Identity(), amplitude * diagonal(1, 0, -1)});
+  const auto r = run<mechanics::Rattle>(body, start, end, n_samples, 60);
+  ASSERT_TRUE(r.finished());
+  std::vector<double> a;
+  for (const auto& s : r.states) a.push_back(s.v(0, 0));
+  const double delta = decay_rate(a, end / n_samples);
+  std::printf("the pseudo-rigid ball decays at %.7f eta\n", delta / eta);
+  EXPECT_NEAR(delta / eta, 5, 5e-4);
+}
+
+template <class Ball>
+class EnergyBalance : public ::testing::Test {};
+TYPED_TEST_SUITE(EnergyBalance, BothBalls);
+
+/// Energy with what dissipation has taken is constant up to the error of the method, of order 2.
+TYPED_TEST(EnergyBalance, HasTheOrderOfTheMethod) {
+  const TypeParam ball(octant, 2, 0, ciarlet_geymonat, admissible(octant, all_loads()));
+  const auto start = affine_state(ball, diagonal(1.2, 1, 1 / 1.2), diagonal(0.24, 0.1, -0.3 / 1.2));
+  const double energy = observed(ball, start, {.multiplier = false}).energy();
+  std::vector<analysis::ErrorPoint> points;
+  for (const long n : {100, 200, 400}) {
+    const auto r = run<mechanics::Rattle>(ball, start, 1, 1, n);
+    ASSERT_TRUE(r.finished()) << r.result.reason;
+    const auto o = observed(ball, r.last(), {.multiplier = false});
+    EXPECT_GT(o.dissipated, 0.1);
+    points.push_back({1.0 / static_cast<double>(n), std::abs(o.energy() - energy)});
+    std::printf("%ld steps: energy changes by %.2e, dissipated %.4f\n", n, points.back().error, o.dissipated);
+  }
+  EXPECT_NEAR(analysis::fit_order(points).order, 2, 0.1);
+}
+
+}  // namespace
+}  // namespace pseudorigid::testing
