@@ -16,6 +16,7 @@
 #include "io/signals.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
+#include "scene/scales.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -37,7 +38,8 @@ void compare_models(const RunContext& context, bool quiet) {
   if (reduced.n_rows() < 2) return;
   analysis::ComparisonOptions options;
   options.resolution = context.scene.time.tolerance;
-  if (context.scene.body.incompressible) options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
+  if (context.scene.body.incompressible && scene::is_free(context.scene))
+    options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
   const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);
   analysis::write_comparison(context.directory.path(), comparison);
   context.log->debug("{}", analysis::summary_sentence(comparison));

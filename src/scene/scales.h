@@ -17,6 +17,14 @@ namespace pseudorigid::scene {
 
 inline bool is_fluid(const Scene& scene) { return scene.material.law == Law::none; }
 
+/// Whether nothing acts on the ball but its elasticity and its pressure.
+inline bool is_free(const Scene& scene) {
+  const auto& [quadratic, acceleration, nominal_traction] = scene.loads;
+  return largest_entry(quadratic) == 0 && largest_entry(nominal_traction) == 0 &&
+         acceleration == std::vector<double>{0, 0, 0} && scene.gravity_constant == 0 &&
+         scene.dissipation.viscosity == 0 && scene.dissipation.drag == 0;
+}
+
 inline double time_scale(const Scene& scene) {
   const auto& body = scene.body;
   const double gravity = std::numbers::pi * scene.gravity_constant * body.density;

@@ -146,14 +146,6 @@ class Validator {
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
   }
 
-  bool loaded() const {
-    const auto zero = [](const std::vector<double>& v) { return v == std::vector<double>{0, 0, 0}; };
-    const auto& [quadratic, acceleration, nominal_traction] = scene_.loads;
-    return largest_entry(quadratic) != 0 || !zero(acceleration) || largest_entry(nominal_traction) != 0 ||
-           scene_.dissipation.viscosity != 0 || scene_.dissipation.drag != 0 || !zero(scene_.initial_state.center) ||
-           !zero(scene_.initial_state.center_velocity);
-  }
-
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
   void check_modes() const {
     if (!scene_.models.continuum) refuse("Analysis", "modes are those of the continuum; set Models = continuum");
@@ -166,7 +158,10 @@ class Validator {
       refuse("Material/Law",
              "saint-venant-kirchhoff (as printed) is stressed at rest, which a compressible ball leaves by itself; its "
              "modes have no rest to be about");
-    if (loaded()) refuse("Analysis", "modes are those of the free ball; leave out the loads, viscosity and drag");
+    const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
+    if (!is_free(scene_) || !centered)
+      refuse("Analysis",
+             "modes are those of the free ball; leave out loads, viscosity, drag and motions of the centre");
     if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)
       refuse("Continuum/Symmetry",
              "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto");
