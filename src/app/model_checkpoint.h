@@ -62,9 +62,13 @@ struct Snapshot {
   }
 };
 
+/// The vectors of a snapshot, whole where they are distributed.
+struct SavedVectors {
+  std::vector<double> q, v, memory;
+};
+
 template <class S>
-io::Checkpoint to_checkpoint(const RunIdentity& identity, Snapshot<S>& snapshot) {
-  using mechanics::local_values;
+io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& snapshot, const SavedVectors& vectors) {
   const RunPosition& position = snapshot.position;
   const mechanics::Counters& n = snapshot.counters;
   io::Checkpoint c;
@@ -76,22 +80,18 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, Snapshot<S>& snapshot)
   c.set("method", std::string(mechanics::method_name(position.method)));
   c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
                               position.max_constraint_rate, snapshot.state.t});
-  c.set("q", local_values(snapshot.state.q));
-  c.set("v", local_values(snapshot.state.v));
-  c.set("memory", std::span<const double>(snapshot.memory));
+  c.set("q", vectors.q);
+  c.set("v", vectors.v);
+  c.set("memory", vectors.memory);
   c.set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
                                static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
                                static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
   return c;
 }
 
-/// The reverse; `snapshot` has vectors of the right sizes already. UserError where the file does not fit.
+/// The reverse, without the vectors. UserError where the file does not fit.
 template <class S>
 void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
-  const auto read = [&](const char* name, std::span<double> values) {
-    const auto& stored = c.get_doubles(name, values.size());
-    std::copy(stored.begin(), stored.end(), values.begin());
-  };
   const auto& numbers = c.get_doubles("numbers", 5);
   const auto method = mechanics::find_method(c.get_string("method"));
   if (!method) throw UserError("the checkpoint is of a method that this program does not have");
@@ -103,9 +103,6 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
                        numbers[2],
                        numbers[3]};
   snapshot.state.t = numbers[4];
-  read("q", mechanics::local_values(snapshot.state.q));
-  read("v", mechanics::local_values(snapshot.state.v));
-  snapshot.memory = c.get_doubles("memory");
   const auto& n = c.get_doubles("counters", 6);
   snapshot.counters = {static_cast<long>(n[0]), static_cast<long>(n[1]), static_cast<long>(n[2]),
                        static_cast<long>(n[3]), static_cast<long>(n[4]), static_cast<long>(n[5])};

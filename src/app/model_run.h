@@ -14,25 +14,25 @@
 ///   void report(workspace, statistics) const;
 /// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,
 /// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
-/// workspace).
+/// workspace),  with distributed vectors  const Order& rank_order() const  and  using MemoryLayout
+/// (continuum/rank_order.h). All ranks run it together; one of them writes.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "app/frame_schedule.h"
 #include "app/model_checkpoint.h"
+#include "app/model_files.h"
 #include "app/model_stepping.h"
 #include "app/run_context.h"
 #include "io/csv.h"
 #include "io/progress.h"
-#include "io/pvd.h"
-#include "io/signals.h"
 #include "mechanics/time_loop.h"
 
 namespace pseudorigid::app {
@@ -53,7 +53,7 @@ class ModelRun {
         checkpoint_path_(context.directory.checkpoint(Model::name)),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
         stepping_(model, context, times_.end, times_.interval()),
-        frames_(context.scene.output.frames, context.scene.output.samples),
+        files_(context, Model::name),
         state_(model.initial_state()),
         progress_(Model::name, context.show_progress) {
     good_.state = state_;
@@ -62,7 +62,7 @@ class ModelRun {
   ModelOutcome run() {
     const auto start = Clock::now();
     if (Status status = begin(); !status) {
-      if (io::interrupt_requested()) return outcome(ModelOutcome::State::interrupted, status.reason(), start);
+      if (context_.interrupted()) return outcome(ModelOutcome::State::interrupted, status.reason(), start);
       return outcome(ModelOutcome::State::failed, stopped(state_.t, status.reason()), start);
     }
     mechanics::RunResult result;
@@ -79,18 +79,16 @@ class ModelRun {
 
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
-    const double time = context_.scene.time.end * (static_cast<double>(k) / static_cast<double>(times_.n_samples));
+    const double time = files_.time_of_sample(k);
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
       return Status::failure("the motion has grown beyond what numbers can hold");
     measure_constraint(state);
-    if (context_.rows)
-      context_.rows->values.insert(context_.rows->values.end(), row_.begin(), row_.end());
-    else
-      csv_->append(row_);
+    files_.append(row_);
     if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
-      if (context_.needs.graphics && frames_.has(k)) write_frame(k, time, state, system_workspace);
+      if (files_.wants_frame(k))
+        files_.draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
@@ -114,8 +112,9 @@ class ModelRun {
     if (++steps_since_look_ < Model::steps_between_looks) return true;
     steps_since_look_ = 0;
     progress_.step(state.t / times_.end);
-    const bool interrupted = io::interrupt_requested();
-    if (interrupted || Clock::now() - last_save_ > seconds_between_checkpoints) {
+    const bool interrupted = context_.interrupted();
+    const bool due = context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
+    if (interrupted || due) {
       Snapshot<System> now;
       now.take(position_, state, workspace);
       save(now);
@@ -128,7 +127,15 @@ class ModelRun {
     if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
     return false;
   }();
+  static constexpr bool distributed = requires(const Model& model) { model.rank_order(); };
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
+  struct NoLayout {};
+  using MemoryLayout = typename decltype([] {
+    if constexpr (distributed)
+      return std::type_identity<typename Model::MemoryLayout>();
+    else
+      return std::type_identity<NoLayout>();
+  }())::type;
 
   struct Stepping {
     mechanics::MethodId method;
@@ -148,8 +155,12 @@ class ModelRun {
   mechanics::RunResult run_until_with(long sample) {
     const auto& form = mechanics::form_for<Method>(model_.system());
     typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
-    if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory))
-      throw UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
+    if constexpr (distributed) {
+      layout_.emplace(model_.rank_order());
+      workspace.visit_memory(*layout_);
+    }
+    take_own_memory();
+    if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
     workspace.counters = good_.counters;
     if constexpr (Method::adaptive) {
       workspace.tolerance = position_.local_tolerance;
@@ -190,38 +201,70 @@ class ModelRun {
 
   Status begin() {
     const std::vector<std::string> columns = model_.columns(context_.needs.quantities);
-    if (context_.rows) {
-      *context_.rows = {columns, {}};
-      last_save_ = Clock::now();
-      return stepping_.choose(state_, position_, statistics_);
-    }
-    const auto csv_path = context_.directory.csv(Model::name);
-    if (context_.resume && std::filesystem::exists(checkpoint_path_)) {
+    if (context_.rows) *context_.rows = {columns, {}};
+    if (!context_.rows && context_.resume && std::filesystem::exists(checkpoint_path_)) {
       if (Status status = restore(); !status) return status;
       // A run that stands at the very start takes sample 0 again.
       const mechanics::Cursor& at = position_.cursor;
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
-      csv_.emplace(io::CsvWriter::resume(csv_path, columns, n_samples_taken));
+      files_.resume(columns, n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
-        if (n_samples_taken > 0) model_.take_up(io::read_csv(csv_path));
-      std::vector<io::PvdCollection::Frame> written;
-      for (long j = 0; context_.needs.graphics && j < frames_.n_before(n_samples_taken); ++j)
-        if (const auto path = context_.directory.frame(Model::name, static_cast<int>(j)); std::filesystem::exists(path))
-          written.push_back({frame_time(j), path});
-      if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(Model::name), std::move(written));
+        if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
     } else {
       if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
-      csv_.emplace(io::CsvWriter::create(csv_path, columns));
-      if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(Model::name));
+      files_.create(columns);
     }
     last_save_ = Clock::now();
     return {};
   }
 
+  UserError misfit() const {
+    return UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
+  }
+
+  /// The state of a checkpoint, a rank's own part of it.
+  void take_vectors(const io::Checkpoint& file) {
+    const auto take = [&](const char* name, std::span<double> own) {
+      if constexpr (distributed) {
+        model_.rank_order().take_field(file.get_doubles(name, model_.rank_order().field_size()), own);
+      } else {
+        const auto& stored = file.get_doubles(name, own.size());
+        std::copy(stored.begin(), stored.end(), own.begin());
+      }
+    };
+    take("q", mechanics::local_values(good_.state.q));
+    take("v", mechanics::local_values(good_.state.v));
+    good_.memory = file.get_doubles("memory");
+    memory_is_whole_ = distributed;
+  }
+
+  /// Of a memory that comes from a checkpoint; what is whose is known only when the method has its workspace.
+  void take_own_memory() {
+    if constexpr (distributed) {
+      if (!std::exchange(memory_is_whole_, false) || good_.memory.empty()) return;
+      try {
+        good_.memory = layout_->take(good_.memory);
+      } catch (const std::invalid_argument&) {
+        throw misfit();
+      }
+    }
+  }
+
+  /// Collective; whole on the rank that writes.
+  SavedVectors vectors_to_save(Snapshot<System>& snapshot) {
+    const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
+    if constexpr (distributed)
+      return {model_.rank_order().collect_field(q), model_.rank_order().collect_field(v),
+              layout_->collect(snapshot.memory)};
+    else
+      return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
+  }
+
   Status restore() {
     const io::Checkpoint file = io::Checkpoint::load(checkpoint_path_);
     from_checkpoint(file, good_);
+    take_vectors(file);
     state_ = good_.state;
     counters_ = good_.counters;
     position_ = good_.position;
@@ -253,24 +296,14 @@ class ModelRun {
     }
   }
 
-  double frame_time(long j) const {
-    return context_.scene.time.end * (static_cast<double>(frames_.sample(j)) / static_cast<double>(times_.n_samples));
-  }
-
-  /// A picture that cannot be drawn (a node turned inside out while the quadrature points are sound) is left out: the
-  /// run is the same with and without pictures.
-  void write_frame(long k, double time, const State& state, typename System::Workspace& workspace) {
-    const auto path = context_.directory.frame(Model::name, static_cast<int>(frames_.n_before(k)));
-    if (Status status = model_.write_frame(path, state, workspace); !status)
-      context_.log->warn("{}: no picture at t = {:.6g}: {}", Model::name, time, status.reason());
-    else
-      pvd_->add(time, path);
-  }
-
   void save(Snapshot<System>& snapshot) {
     if (context_.rows) return;
-    csv_->flush();
-    to_checkpoint(identity_, snapshot).save(checkpoint_path_);
+    const SavedVectors vectors = vectors_to_save(snapshot);
+    files_.together([&] {
+      if (!context_.writes()) return;
+      files_.flush();
+      to_checkpoint(identity_, snapshot, vectors).save(checkpoint_path_);
+    });
     last_save_ = Clock::now();
   }
 
@@ -319,15 +352,15 @@ class ModelRun {
   std::filesystem::path checkpoint_path_;
   mechanics::SampleTimes times_;
   ModelStepping<Model> stepping_;
-  FrameSchedule frames_;
+  ModelFiles files_;
   State state_;
   mechanics::Counters counters_;
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
   RunPosition position_;
   std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
   Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again
-  std::optional<io::CsvWriter> csv_;
-  std::optional<io::PvdCollection> pvd_;
+  bool memory_is_whole_ = false;           ///< that of good_, as it stands in the checkpoint
+  std::optional<MemoryLayout> layout_;     ///< of the method's memory, where vectors are distributed
   io::Progress progress_;
   io::Manifest::Model statistics_;
   std::vector<double> row_;

@@ -49,7 +49,7 @@ class ModelStepping {
                                    .step_bound = std::min(bound, end_ - state.t),
                                    .interval = interval_,
                                    .method = method,
-                                   .give_up = io::interrupt_requested};
+                                   .give_up = [this] { return context_.interrupted(); }};
     if constexpr (mechanics::ConstrainedSystem<System>) {
       double limit = 0;
       if (Status status = rattle_limit(state, 0.8, limit); !status) return status;
@@ -60,7 +60,7 @@ class ModelStepping {
     const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
                                                [&](const State& s) { return model_.configuration(s); });
     // Nothing is begun with a step that an interrupted search has not found.
-    if (io::interrupt_requested()) return Status::failure("interrupted while looking for the step");
+    if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
     if (!choice.status) return fall_back(choice, request, position);
     take(choice, position, statistics);
     return {};

@@ -4,13 +4,13 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <filesystem>
 
 #include "app/catalogue.h"
 #include "app/command_line.h"
+#include "app/launch.h"
 #include "app/run_command.h"
 #include "app/scene_to_run.h"
 #include "app/sweep.h"
@@ -26,22 +26,6 @@ namespace pseudorigid::app {
 namespace {
 
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
-
-/// Rank and number of processes under mpirun or srun, from what the launchers leave in the environment: a process that
-/// needs no MPI does not start it.
-struct Launch {
-  int rank = 0, n_ranks = 1;
-  Launch() {
-    constexpr const char* variables[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}};
-    for (const auto& [rank_name, size_name] : variables)
-      if (const char* r = std::getenv(rank_name))
-        if (const char* n = std::getenv(size_name)) {
-          rank = std::atoi(r);
-          n_ranks = std::atoi(n);
-          return;
-        }
-  }
-};
 
 /// Becomes pseudorigid-continuum, which stands beside this executable, with the same arguments.
 [[noreturn]] void become_continuum_executable(char** argv) {
@@ -67,14 +51,17 @@ Input read_and_validate(const Options& options) {
 }
 
 int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
-  if (launch.rank > 0) return exit_done;  // one rank computes, and speaks for all
   const Input input = read_and_validate(options);
   const scene::ReadScene& read = input.read;
-  if (read.scene.models.continuum) {
-    if (launch.n_ranks > 1)
-      throw UserError("the continuum model runs in one process; start it without mpirun, or with -np 1");
-    if (!executable.run_continuum) become_continuum_executable(argv);
-  }
+  if (!read.scene.models.continuum)
+    return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+  if (!executable.run_continuum) become_continuum_executable(argv);
+  if (launch.rank > 0) return assist_scene(read, options, executable);
+  // However the run ends, the other ranks are told.
+  struct Dismissal {
+    const Ranks& ranks;
+    ~Dismissal() { ranks.of_first(false); }
+  } const dismissal{*executable.ranks};
   return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
 }
 

@@ -13,6 +13,7 @@ namespace pseudorigid::app {
 struct Executable {
   ModelOutcome (*run_continuum)(const RunContext&) = nullptr;  ///< null in `pseudorigid`
   std::map<std::string, std::string> libraries;                ///< name → version, for the manifest
+  const Ranks* ranks = &one_rank();
 };
 
 /// Runs the command line and returns the exit code: 0 done, 2 wrong input, 3 could not go on, 1 a defect.

@@ -22,7 +22,7 @@
 namespace pseudorigid::app {
 namespace {
 
-constexpr int exit_done = 0, exit_stopped = 3;
+constexpr int exit_done = 0, exit_wrong_input = 2, exit_stopped = 3;
 
 /// The samples that both models reached; a model that stopped early has fewer.
 void shorten_to_common(io::Table& a, io::Table& b) {
@@ -71,8 +71,13 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   if (needs.reduced)
     complete =
         run_model("reduced", equilibria ? run_ball_equilibria : run_reduced, context, manifest, message, interrupted);
-  if (complete && needs.continuum)
-    complete = run_model("continuum", executable.run_continuum, context, manifest, message, interrupted);
+  if (complete && needs.continuum) {
+    RunContext of_all = context;
+    // The modes of one octant are found in one process.
+    if (context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
+      of_all.ranks = executable.ranks;
+    complete = run_model("continuum", executable.run_continuum, of_all, manifest, message, interrupted);
+  }
   const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
   if (needs.comparison && both_exist && !interrupted) compare_models(context, quiet);
   if (complete) {
@@ -170,6 +175,26 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
     log->error("{}; what was written before is kept, and --resume goes on from the last checkpoint", error.what());
     return exit_stopped;
   }
+}
+
+int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable) {
+  const scene::Scene& scene = read.scene;
+  const scene::Needs needs = scene::needs(scene);
+  const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
+  io::install_signal_handlers();
+  RunContext context{
+      scene,          needs, directory, units_of(scene), io::make_logger(io::Verbosity::silent, std::nullopt),
+      options.resume, false};
+  context.ranks = executable.ranks;
+  int code = exit_done;
+  while (executable.ranks->of_first(false)) try {
+      if (executable.run_continuum(context).state != ModelOutcome::State::finished) code = exit_stopped;
+    } catch (const io::WriteError&) {
+      code = exit_stopped;
+    } catch (const UserError&) {
+      code = exit_wrong_input;
+    }
+  return code;
 }
 
 }  // namespace pseudorigid::app

@@ -15,4 +15,8 @@ namespace pseudorigid::app {
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
+/// What the other ranks do meanwhile: they take part in the continuum's runs when the first begins one, write their
+/// pieces of the pictures and say nothing. Returns the exit code 0, 2 or 3.
+int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
+
 }  // namespace pseudorigid::app

@@ -5,9 +5,11 @@
 
 #include <spdlog/logger.h>
 
+#include "app/ranks.h"
 #include "io/csv.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
+#include "io/signals.h"
 #include "io/units.h"
 #include "mechanics/body_observables.h"
 #include "scene/needs.h"
@@ -24,9 +26,14 @@ struct RunContext {
   bool resume;
   bool show_progress;
   io::Table* rows = nullptr;  ///< where the rows go instead of files, and no checkpoint is written (sweeps)
+  const Ranks* ranks = &one_rank();
 
   /// The scene's times in internal units.
   double internal_time(double physical) const { return physical / units.time; }
+  /// Whether Ctrl-C has reached any rank. Collective.
+  bool interrupted() const { return ranks->any(io::interrupt_requested()); }
+  /// Whether this process writes the results.
+  bool writes() const { return !rows && ranks->is_first(); }
   mechanics::ObservableRequest request() const {
     const scene::Quantities& q = needs.quantities;
     return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine, q.pressure, q.bipolar};

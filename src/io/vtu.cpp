@@ -58,6 +58,8 @@ void validate(const UnstructuredGrid& grid) {
   }
 }
 
+constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
+
 void append_cells(std::string& out, const UnstructuredGrid& grid) {
   std::vector<std::int64_t> offsets(grid.n_cells());
   for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
@@ -86,7 +88,6 @@ std::string base64(std::string_view bytes) {
 
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid) {
   validate(grid);
-  constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
   std::string out = fmt::format(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
@@ -98,6 +99,23 @@ void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid) 
   out += "<PointData>\n";
   for (const auto& field : grid.fields) append_array(out, field.name, field.n_components, field.values);
   out += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  write_file_atomically(path, {out});
+}
+
+void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
+                const std::vector<std::filesystem::path>& files) {
+  const auto declare = [](const std::string& name, int n_components) {
+    return fmt::format("<PDataArray type=\"Float64\" Name=\"{}\" NumberOfComponents=\"{}\"/>\n", name, n_components);
+  };
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n"
+      "<VTKFile type=\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
+      "<PUnstructuredGrid GhostLevel=\"0\">\n<PPoints>\n{}</PPoints>\n<PPointData>\n",
+      byte_order, declare("Points", 3));
+  for (const auto& field : piece.fields) out += declare(field.name, field.n_components);
+  out += "</PPointData>\n";
+  for (const auto& file : files) out += fmt::format("<Piece Source=\"{}\"/>\n", file.filename().string());
+  out += "</PUnstructuredGrid>\n</VTKFile>\n";
   write_file_atomically(path, {out});
 }
 

@@ -34,6 +34,10 @@ struct UnstructuredGrid {
 /// point number is out of range or a value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
+/// The file of a parallel run that names the pieces which `piece`'s like were written to, beside it. WriteError.
+void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
+                const std::vector<std::filesystem::path>& files);
+
 /// Lexicographic numbers (x fastest, (degree+1)³ nodes) of the nodes of a Lagrange hexahedron, in the order that a file
 /// of version 1.0 lists them: vertices, edges, faces, interior. (Files from version 2.1 on swap two edges; VTK's reader
 /// knows both.)

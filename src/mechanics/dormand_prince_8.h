@@ -72,10 +72,10 @@ struct DormandPrince8Workspace {
     visit(h);
     visit(t_start);
     visit(h_last);
-    for (Vector* x : {&q_start, &v_start, &q_end, &v_end, &q_rounding, &v_rounding}) visit(local_values(*x));
-    for (Vector& x : A) visit(local_values(x));
-    for (Vector& x : dense_q) visit(local_values(x));
-    for (Vector& x : dense_v) visit(local_values(x));
+    for (Vector* x : {&q_start, &v_start, &q_end, &v_end, &q_rounding, &v_rounding}) visit(*x);
+    for (Vector& x : A) visit(x);
+    for (Vector& x : dense_q) visit(x);
+    for (Vector& x : dense_v) visit(x);
     visit(acceleration_known);
     visit(dense_known);
   }

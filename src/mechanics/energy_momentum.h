@@ -108,14 +108,14 @@ struct EnergyMomentumWorkspace {
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
-    visit(local_values(acceleration));
+    visit(acceleration);
     history.visit_memory(visit);
     visit(energy_gained);
     visit(potential_noise);
     momenta.visit_memory(visit);
     if constexpr (VectorSpace<Vector>::compensated) {
-      visit(local_values(q_rounding));
-      visit(local_values(v_rounding));
+      visit(q_rounding);
+      visit(v_rounding);
     }
   }
 };

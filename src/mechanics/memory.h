@@ -1,12 +1,16 @@
 #pragma once
 /// What a method carries from step to step (multipliers known so far, positions of earlier steps, round-off kept back),
 /// as a plain list of numbers: saved with a checkpoint and put back, it makes a resumed run repeat the uninterrupted
-/// one bit by bit. A workspace hands its numbers out by `visit_memory(visit)`, always the same ones in the same order.
+/// one bit by bit. A workspace hands out its numbers, lists of numbers and vectors by `visit_memory(visit)`, always the
+/// same ones in the same order. Of a distributed vector the list holds the rank's own part.
 
 #include <algorithm>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
+
+#include "mechanics/vector_space.h"
 
 namespace pseudorigid::mechanics {
 
@@ -17,9 +21,12 @@ struct MemorySaver {
   void operator()(std::span<double> values) const {
     for (const double value : values) numbers.push_back(value);  // insert makes GCC 12 warn of a span of one number
   }
-  template <class Number>
-  void operator()(Number& value) const {  // whole numbers below 2^53 and truth values are doubles exactly
-    numbers.push_back(static_cast<double>(value));
+  template <class Value>
+  void operator()(Value& value) const {
+    if constexpr (std::is_arithmetic_v<Value>)  // whole numbers below 2^53 and truth values are doubles exactly
+      numbers.push_back(static_cast<double>(value));
+    else
+      (*this)(local_values(value));
   }
 };
 
@@ -29,10 +36,14 @@ struct MemoryRestorer {
     std::copy_n(numbers.begin(), values.size(), values.begin());
     numbers = numbers.subspan(values.size());
   }
-  template <class Number>
-  void operator()(Number& value) {
-    value = static_cast<Number>(numbers.front());
-    numbers = numbers.subspan(1);
+  template <class Value>
+  void operator()(Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>) {
+      value = static_cast<Value>(numbers.front());
+      numbers = numbers.subspan(1);
+    } else {
+      (*this)(local_values(value));
+    }
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -22,7 +23,7 @@ struct StepRequest {
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
   std::optional<MethodId> method{};  ///< empty: the cheapest
-  bool (*give_up)() = nullptr;       ///< asked after every pilot step; true ends the search
+  std::function<bool()> give_up;     ///< asked after every pilot step; true ends the search
 };
 
 namespace detail {
@@ -50,7 +51,7 @@ struct PilotHooks {
   using Configuration = std::decay_t<std::invoke_result_t<QOf, const State<S>&>>;
   const QOf& Q_of;
   long n_steps;
-  bool (*give_up)();
+  const std::function<bool()>& give_up;
   PilotRun<Configuration> run{};
 
   template <class W>

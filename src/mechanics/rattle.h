@@ -64,7 +64,7 @@ struct MultiplierHistory {
 
   template <class Visit>
   void visit_memory(Visit&& visit) {
-    for (auto& value : values) visit(local_values(value));
+    for (auto& value : values) visit(value);
     for (double& time : times) visit(time);
     visit(n_known);
   }
@@ -138,8 +138,8 @@ struct RattleWorkspace {
     history.visit_memory(visit);
     visit(pending_weight);
     if constexpr (VectorSpace<typename S::Vector>::compensated) {
-      visit(local_values(q_rounding));
-      visit(local_values(v_rounding));
+      visit(q_rounding);
+      visit(v_rounding);
     }
   }
 };

@@ -71,11 +71,11 @@ struct SymmetricMultistepWorkspace {
   template <class Visit>
   void visit_memory(Visit&& visit) {
     starter.visit_memory(visit);
-    visit(local_values(q_rounding));
-    visit(local_values(acceleration));
-    for (auto& x : d) visit(local_values(x));
-    for (auto& x : a) visit(local_values(x));
-    for (auto& x : multipliers) visit(local_values(x));
+    visit(q_rounding);
+    visit(acceleration);
+    for (auto& x : d) visit(x);
+    for (auto& x : a) visit(x);
+    for (auto& x : multipliers) visit(x);
     visit(h);
     visit(newest);
     visit(n_known);

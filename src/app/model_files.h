@@ -1,0 +1,107 @@
+#pragma once
+/// The files that one model's run writes as it goes: rows, pictures and their list. Of several ranks the first writes
+/// them, and each its piece of a picture.
+
+#include <cerrno>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/frame_schedule.h"
+#include "app/run_context.h"
+#include "io/csv.h"
+#include "io/files.h"
+#include "io/pvd.h"
+
+namespace pseudorigid::app {
+
+class ModelFiles {
+ public:
+  ModelFiles(const RunContext& context, const char* model)
+      : context_(context), model_(model), frames_(context.scene.output.frames, context.scene.output.samples) {}
+
+  void create(const std::vector<std::string>& columns) {
+    together([&] {
+      if (!context_.writes()) return;
+      csv_.emplace(io::CsvWriter::create(csv(), columns));
+      if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(model_));
+    });
+  }
+
+  /// Goes on after that many samples.
+  void resume(const std::vector<std::string>& columns, long n_samples_taken) {
+    together([&] {
+      if (!context_.writes()) return;
+      csv_.emplace(io::CsvWriter::resume(csv(), columns, n_samples_taken));
+      if (!context_.needs.graphics) return;
+      std::vector<io::PvdCollection::Frame> written;
+      for (long j = 0; j < frames_.n_before(n_samples_taken); ++j)
+        for (const bool of_several_ranks : {false, true})
+          if (const auto path = shown(j, of_several_ranks); std::filesystem::exists(path))
+            written.push_back({time_of_sample(frames_.sample(j)), path});
+      pvd_.emplace(context_.directory.pvd(model_), std::move(written));
+    });
+  }
+
+  void append(const std::vector<double>& row) {
+    if (context_.rows) context_.rows->values.insert(context_.rows->values.end(), row.begin(), row.end());
+    together([&] {
+      if (csv_) csv_->append(row);
+    });
+  }
+  void flush() {
+    if (csv_) csv_->flush();
+  }
+
+  bool wants_frame(long sample) const { return context_.needs.graphics && !context_.rows && frames_.has(sample); }
+
+  /// `draw(path)` returns a Status. A picture that cannot be drawn (a node turned inside out while the quadrature
+  /// points are sound) is left out: the run is the same with and without pictures.
+  template <class Draw>
+  void draw_frame(long sample, Draw&& draw) {
+    const long j = frames_.n_before(sample);
+    const double time = time_of_sample(sample);
+    mechanics::Status status;
+    together([&] { status = draw(shown(j, false)); });
+    if (!status)
+      context_.log->warn("{}: no picture at t = {:.6g}: {}", model_, time, status.reason());
+    else
+      together([&] {
+        if (pvd_) pvd_->add(time, shown(j, context_.ranks->size() > 1));
+      });
+  }
+
+  double time_of_sample(long k) const {
+    return context_.scene.time.end * (static_cast<double>(k) / static_cast<double>(context_.scene.output.samples));
+  }
+
+  /// Does what may fail for want of disk space. If it fails on one rank, it fails on all.
+  template <class Work>
+  void together(Work&& work) {
+    std::optional<io::WriteError> failure;
+    try {
+      work();
+    } catch (const io::WriteError& error) {
+      failure = error;
+    }
+    if (context_.ranks->any(failure.has_value()))
+      throw failure ? *failure : io::WriteError(context_.directory.path(), EIO);  // of another rank
+  }
+
+ private:
+  std::filesystem::path csv() const { return context_.directory.csv(model_); }
+  /// What the list of pictures names: of several ranks the file that lists their pieces.
+  std::filesystem::path shown(long j, bool of_several_ranks) const {
+    auto path = context_.directory.frame(model_, static_cast<int>(j));
+    return of_several_ranks ? path.replace_extension("pvtu") : path;
+  }
+
+  const RunContext& context_;
+  const char* model_;
+  FrameSchedule frames_;
+  std::optional<io::CsvWriter> csv_;
+  std::optional<io::PvdCollection> pvd_;
+};
+
+}  // namespace pseudorigid::app
