@@ -1,10 +1,13 @@
 #pragma once
 /// The finite-element ball of a scene, incompressible or compressible, as ModelRun wants it.
 
+#include <fmt/format.h>
+
 #include "app/model_run.h"
 #include "app/scene_to_model.h"
 #include "continuum/nodal_fields.h"
 #include "continuum/observe.h"
+#include "continuum/rank_order.h"
 #include "io/trajectory.h"
 #include "io/vtu.h"
 
@@ -27,10 +30,13 @@ class ContinuumModel {
       : context_(context),
         law_(internal_law(context.scene)),
         ball_({context.needs.sector.reflect}, context.scene.continuum.degree, context.scene.continuum.refinements, law_,
-              ball_loads(context.scene)),
+              ball_loads(context.scene), context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF),
+        rank_order_(ball_.space()),
         request_(context.request()) {}
 
   const System& system() const { return ball_; }
+  using MemoryLayout = continuum::MemoryLayout;
+  const continuum::RankOrder& rank_order() const { return rank_order_; }
   State initial_state() const {
     const InternalLoads loads = internal_loads(context_.scene);
     return {0, ball_.affine_field(initial_deformation(context_.scene), loads.center),
@@ -55,7 +61,9 @@ class ContinuumModel {
   mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
     if (reference_.points.empty()) reference_ = continuum::nodal_grid(ball_.space());
     continuum::NodalFields fields;
-    if (auto status = continuum::nodal_fields(ball_, law_, state, workspace, fields); !status) return status;
+    mechanics::Status status = continuum::nodal_fields(ball_, law_, state, workspace, fields);
+    if (context_.ranks->any(!status))
+      return status ? mechanics::Status::failure("there is no stress to draw on another rank") : status;
     const io::Units& units = context_.units;
     io::UnstructuredGrid grid{.points = reference_.points,
                               .connectivity = reference_.connectivity,
@@ -66,7 +74,7 @@ class ContinuumModel {
     // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
     for (std::size_t i = 0; i < grid.points.size(); ++i)
       grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
-    io::write_vtu(path, grid);
+    write_pieces(path, grid);
     return {};
   }
 
@@ -93,6 +101,16 @@ class ContinuumModel {
     const InternalLoads loads = internal_loads(scene);
     return {loads.quadratic, loads.acceleration, loads.nominal_traction, loads.viscosity, loads.drag};
   }
+  /// One file, or of several ranks a piece each and beside them the file that names the pieces.
+  void write_pieces(std::filesystem::path path, const io::UnstructuredGrid& grid) const {
+    const int n_ranks = context_.ranks->size();
+    if (n_ranks == 1) return io::write_vtu(path, grid);
+    std::vector<std::filesystem::path> pieces;
+    for (int rank = 0; rank < n_ranks; ++rank)
+      pieces.push_back(path.parent_path() / fmt::format("{}-{:04}.vtu", path.stem().string(), rank));
+    io::write_vtu(pieces[context_.ranks->rank()], grid);
+    if (context_.ranks->is_first()) io::write_pvtu(path.replace_extension("pvtu"), grid, pieces);
+  }
   static std::vector<double> scaled(std::vector<double> values, double unit) {
     for (double& value : values) value *= unit;
     return values;
@@ -101,6 +119,7 @@ class ContinuumModel {
   const RunContext& context_;
   materials::AnyLaw law_;
   System ball_;
+  continuum::RankOrder rank_order_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
   continuum::NodalGrid reference_;  ///< empty until the first frame

@@ -15,13 +15,14 @@ BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const ma
       kernels_(make_cell_kernels(space_, law)),
       loads_(loads, space_, *kernels_),
       dissipative_(loads.dissipative()),
-      volume_(sector.n_images() * kernels_->reference_volume()) {
+      volume_(sector.n_images() * sum_over_ranks(kernels_->reference_volume(), communicator)) {
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
 mechanics::Status BallBody::judge_jacobian(double least, const Vector& x) const {
+  least = least_over_ranks(least, space_.communicator());
   if (least > 0 && std::isfinite(least)) return {};
-  const LeastJacobian found = kernels_->locate_least_jacobian(x);
+  const LeastJacobian found = least_jacobian(x);
   char text[160];
   std::snprintf(text, sizeof text, "an element is turned inside out: det F = %.3g at X/r = (%.3f, %.3f, %.3f)",
                 found.value, found.where[0], found.where[1], found.where[2]);
@@ -62,7 +63,7 @@ Eigen::Vector3d BallBody::mean(const Vector& x) const {
   }
   for (int c = 0; c < 3; ++c)
     if (space_.mesh().sector().reflect[c]) sum[c] = 0;
-  return sum / mass;
+  return sum_over_ranks(sum, space_.communicator()) / sum_over_ranks(mass, space_.communicator());
 }
 
 double BallBody::mass() const { return space_.mesh().sector().n_images() * space_.mass().l1_norm() / 3; }
@@ -78,7 +79,41 @@ Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c)
         sum(r, c) += space_.mass().local_element(i) * a.local_element(i + r) * b.local_element(i + c);
-  return whole_ball(sum);
+  return whole_ball(sum_over_ranks(sum, space_.communicator()));
+}
+
+LeastJacobian BallBody::least_jacobian(const Vector& x) const {
+  LeastJacobian least = kernels_->locate_least_jacobian(x);
+  const MPI_Comm communicator = space_.communicator();
+  if (n_ranks(communicator) == 1) return least;
+  const double of_all = least_over_ranks(least.value, communicator);
+  const bool is_mine = least.value == of_all || (std::isnan(least.value) && !std::isfinite(of_all));
+  const double n_places = sum_over_ranks(is_mine ? 1 : 0, communicator);
+  for (int c = 0; c < 3; ++c) least.where[c] = sum_over_ranks(is_mine ? least.where[c] : 0, communicator) / n_places;
+  least.value = of_all;
+  return least;
+}
+
+CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
+  CellIntegrals sums = kernels_->integrals(x, v);
+  const MPI_Comm communicator = space_.communicator();
+  if (n_ranks(communicator) == 1) return sums;
+  sums.elastic = sum_over_ranks(sums.elastic, communicator);
+  sums.volume = sum_over_ranks(sums.volume, communicator);
+  sums.F = dealii::Utilities::MPI::sum(sums.F, communicator);
+  sums.X_pulled_back = dealii::Utilities::MPI::sum(sums.X_pulled_back, communicator);
+  return sums;
+}
+
+void BallBody::fill_irregular(Vector& x) const {
+  const Vector& X = space_.reference_positions();
+  for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
+    const unsigned int node = i - i % 3;
+    // A wave far shorter than the elements, one for each component; where it is cut off, round-off of X is not seen.
+    const double phase =
+        1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));
+    x.local_element(i) = std::sin(phase + i % 3);
+  }
 }
 
 Eigen::Matrix3d BallBody::whole_ball(const Eigen::Matrix3d& sector_integral) const {

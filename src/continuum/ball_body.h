@@ -59,6 +59,12 @@ class BallBody {
   /// A 3×3 integral over the whole ball from that over the sector: its (i, j) entry is odd under a reflection of
   /// exactly one of x_i and x_j, and then cancels.
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
+  /// Least det F over the quadrature points of all ranks, with its place.
+  LeastJacobian least_jacobian(const Vector& x) const;
+  /// Integrals over the sector, of all ranks.
+  CellIntegrals integrals(const Vector& x, const Vector& v) const;
+  /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.
+  void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the whole ball.
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 

@@ -11,6 +11,7 @@
 
 #include "continuum/ball_body.h"
 #include "continuum/gram_solver.h"
+#include "continuum/ranks.h"
 
 namespace pseudorigid::continuum {
 
@@ -28,7 +29,7 @@ class ElasticBall : public BallBody {
               std::optional<GramMethod> gram_method = std::nullopt)
       : BallBody(sector, degree, n_refinements, law, loads, communicator),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
-        multiplier_scale_(std::sqrt(kernels().least_cell_volume())) {}
+        multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), communicator))) {}
 
   mechanics::Status force(double, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
     return applied_force(x, v, f);

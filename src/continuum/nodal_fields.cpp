@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <variant>
 
+#include "continuum/ghost_values.h"
 #include "continuum/node_gradients.h"
 #include "materials/eigen_tensor.h"
 
@@ -79,6 +80,7 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
                              const Vector* multiplier, NodalFields& fields) {
   fields = {};
+  const GhostValues ghosts(position);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
     if (auto status = add_cell(ball, law, position, multiplier, cell, fields); !status) return status;
   const Sector& sector = ball.space().mesh().sector();

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "continuum/ranks.h"
 #include "mechanics/principal_axes.h"
 
 namespace pseudorigid::continuum {
@@ -16,7 +17,7 @@ double squared_distance_from_affine(const BallBody& ball, const Vector& x, const
     const double difference = x.local_element(i) - affine.local_element(i);
     sum += ball.space().mass().local_element(i) * difference * difference;
   }
-  return sum;
+  return sum_over_ranks(sum, ball.space().communicator());
 }
 
 double squared_norm(const BallBody& ball, const Vector& x) {
@@ -57,7 +58,7 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
   o.Q = ball.mass_moment(x);
   o.Qdot = ball.mass_moment(v);
 
-  const CellIntegrals sums = ball.kernels().integrals(x, v);
+  const CellIntegrals sums = ball.integrals(x, v);
   const Eigen::Matrix3d F_integral = ball.whole_ball(to_eigen(sums.F));
   o.F = F_integral / ball.volume();
   o.volume_ratio = n_images * sums.volume / ball.volume();
@@ -75,7 +76,7 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
   if (request.nonaffine) {
     o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
     o.nonaffine_displacement = std::sqrt(ratio(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
-    o.min_jacobian = ball.kernels().locate_least_jacobian(x).value;
+    o.min_jacobian = ball.least_jacobian(x).value;
   }
 }
 

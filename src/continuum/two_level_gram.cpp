@@ -10,6 +10,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "continuum/ghost_values.h"
 #include "continuum/node_gradients.h"
 #include "continuum/petsc_session.h"
 #include "continuum/ranks.h"
@@ -211,11 +212,9 @@ bool TwoLevelGram::invert_blocks(const Vector& x) {
 }
 
 mechanics::Status TwoLevelGram::renew(const Vector& x) {
-  const bool had_ghosts = x.has_ghost_elements();
-  if (!had_ghosts) x.update_ghost_values();
+  const GhostValues ghosts(x);
   const bool regular = invert_blocks(x);
   assemble_coarse_matrix(x);
-  if (!had_ghosts) x.zero_out_ghost_values();
   const Mat matrix = *K_;
   // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
   KSPReset(coarse_solver_);

@@ -56,9 +56,11 @@ struct MassPair {
   double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
 };
 
-/// Fixed numbers in (−1, 1) without pattern: every mode has a part in them.
-template <class V>
-void fill_irregular(V& x) {
+/// Fixed numbers in (−1, 1) without pattern: every mode has a part in them. A system whose vectors are distributed has
+/// its own, which do not depend on the ranks.
+template <class S>
+void fill_irregular(const S& system, typename S::Vector& x) {
+  if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
   std::uint32_t bits = 1;
   for (double& value : local_values(x)) {
     bits = bits * 1664525u + 1013904223u;  // D. E. Knuth, The Art of Computer Programming 2, 3.3.4
@@ -151,7 +153,7 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
   if (Status status = tangent.prepare(); !status) return status;
 
   MassPair<S> x{system.make_vector(), system.make_vector()}, before = x, next = x;
-  fill_irregular(x.w);
+  fill_irregular(system, x.w);
   system.apply_inverse_mass(x.w, x.u);
   if (Status status = tangent.project(x); !status) return status;
 

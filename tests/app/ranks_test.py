@@ -1,0 +1,139 @@
+"""Runs under mpirun: the same results on any number of ranks, checkpoints that any number of ranks reads."""
+import os
+import shutil
+import signal
+import subprocess
+import unittest
+
+from program_test import DONE, ProgramTest, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
+
+# Two cores must do for four ranks, and tests run as root in containers.
+MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--quiet"]
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+# What is asked for; the constraint is met to 1e-13 on every number of ranks, and sums round differently.
+SAME = 1e-12
+
+SCENE = {
+    "Models": "continuum", "Continuum/Degree": 3, "Continuum/Symmetry": "octant", "Continuum/Refinements": 1,
+    "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6",
+    "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle-4", "Output/Samples": 10,
+}
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
+class Ranks(ProgramTest):
+    def command_on(self, n_ranks, *arguments):
+        return [*MPIRUN, "-np", str(n_ranks), *self.command(arguments)]
+
+    def run_on(self, n_ranks, *arguments, code=DONE):
+        result = subprocess.run(self.command_on(n_ranks, *arguments), stdin=subprocess.DEVNULL, capture_output=True,
+                                text=True, timeout=TIME_LIMIT, cwd=self.scratch, env=ENVIRONMENT)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        return result
+
+    def assert_same(self, a, b):
+        difference = largest_difference(self.table(a), self.table(b))
+        print(f"{a} and {b}: largest difference {difference:.1e}")
+        self.assertLess(difference, SAME)
+
+    def check_same_on_all(self, scene):
+        self.scene(scene)
+        self.run_done("run", "scene.prm", "--output", "alone")
+        for n_ranks in 2, 4:
+            self.run_on(n_ranks, "run", "scene.prm", "--output", f"on{n_ranks}")
+            self.assert_same("alone/continuum.csv", f"on{n_ranks}/continuum.csv")
+
+    def test_incompressible_octant(self):
+        self.check_same_on_all(SCENE)
+
+    def test_step_and_method_chosen_by_the_program(self):
+        scene = {key: value for key, value in SCENE.items() if key not in ("Time/Step", "Time/Method")}
+        self.check_same_on_all({**scene, "Continuum/Degree": 2})
+
+    def test_compressible_ball_with_loads_and_dissipation(self):
+        self.check_same_on_all({
+            "Models": "continuum", "Body/Incompressible": "false", "Material/Law": "ciarlet-geymonat",
+            "Material/Lame lambda": 2, "Material/Viscosity": 0.01, "Material/Drag": 0.1, "Continuum/Degree": 2,
+            "Continuum/Refinements": 0, "Loads/Tidal matrix": "0.1, 0.02, 0; 0.02, 0, 0; 0, 0, -0.2",
+            "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
+            "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 10})
+
+    def test_comparison(self):
+        self.scene({**SCENE, "Models": "reduced, continuum", "Continuum/Degree": 2})
+        self.run_done("run", "scene.prm", "--output", "alone")
+        self.run_on(2, "run", "scene.prm", "--output", "on2")
+        self.assert_same("alone/reduced.csv", "on2/reduced.csv")
+        self.assert_same("alone/continuum.csv", "on2/continuum.csv")
+        self.assertIn("comparison.json", self.files("on2"))
+
+    def test_checkpoint_of_two_ranks_goes_on_on_one_and_on_four(self):
+        self.scene({**SCENE, "Time/Step": 0.002, "Output/Samples": 50})
+        self.run_on(1, "run", "scene.prm", "--output", "whole")
+        process = subprocess.Popen(self.command_on(2, "run", "scene.prm", "--output", "part"), stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, cwd=self.scratch,
+                                   env=ENVIRONMENT)
+        self.addCleanup(self.end_process, process)
+        rows = self.scratch / "part/continuum.csv"
+        self.wait_until(lambda: process.poll() is not None or (rows.exists() and rows.read_bytes().count(b"\n") > 15),
+                        "the run is under way")
+        process.send_signal(signal.SIGINT)
+        self.assertNotEqual(process.wait(timeout=TIME_LIMIT), DONE)
+        self.assertEqual(self.json("part/manifest.json")["state"], "interrupted")
+        for n_ranks in 1, 4:
+            shutil.copytree(self.scratch / "part", self.scratch / f"on{n_ranks}")
+            self.run_on(n_ranks, "run", "scene.prm", "--output", f"on{n_ranks}", "--resume")
+            self.assert_same("whole/continuum.csv", f"on{n_ranks}/continuum.csv")
+
+    def test_pictures_are_pieces_and_a_list_of_them(self):
+        self.scene({**SCENE, "Time/End": 0.05, "Output/Samples": 2, "Output/Graphics": "vtu", "Output/Frames": 2})
+        self.run_on(2, "run", "scene.prm", "--output", "on2")
+        self.run_done("run", "scene.prm", "--output", "alone")
+        self.assertEqual([file for _, file in self.pvd("on2/continuum.pvd")],
+                         ["graphics/continuum-000000.pvtu", "graphics/continuum-000001.pvtu"])
+        self.assertIn("graphics/continuum-000001-0000.vtu", self.files("on2"))
+        self.assertIn("graphics/continuum-000001-0001.vtu", self.files("on2"))
+        import vtk
+        def volume(reader_class, path):
+            reader = reader_class()
+            reader.SetFileName(str(self.scratch / path))
+            reader.Update()
+            sizes = vtk.vtkCellSizeFilter()
+            sizes.SetInputConnection(reader.GetOutputPort())
+            sizes.Update()
+            grid = sizes.GetOutput()
+            values = grid.GetCellData().GetArray("Volume")
+            return grid.GetNumberOfCells(), sum(values.GetValue(i) for i in range(values.GetNumberOfTuples()))
+        n_pieces, in_pieces = volume(vtk.vtkXMLPUnstructuredGridReader, "on2/graphics/continuum-000001.pvtu")
+        n_whole, in_one = volume(vtk.vtkXMLUnstructuredGridReader, "alone/graphics/continuum-000001.vtu")
+        self.assertEqual(n_pieces, n_whole)
+        self.assertAlmostEqual(in_pieces, in_one, delta=1e-12)
+
+    def test_inverted_elements_stop_all_ranks(self):
+        self.scene({"Models": "continuum", "Continuum/Degree": 2, "Continuum/Symmetry": "octant",
+                    "Initial state/Deformation": "0.8, 0, 0; 0, 1.25, 0; 0, 0, 1", "Time/End": 2, "Time/Step": 0.2,
+                    "Time/Method": "rattle", "Output/Samples": 10})
+        result = self.run_on(2, "run", "scene.prm", code=STOPPED)
+        self.assertIn("stopped at t = ", result.stderr)
+        self.assertEqual(self.json("output/scene/manifest.json")["state"], "failed")
+
+    def test_wrong_input_is_said_once(self):
+        self.scene({**SCENE, "Continuum/Degree": 99})
+        result = self.run_on(2, "run", "scene.prm", code=WRONG_INPUT)
+        self.assertEqual(result.stderr.count("error:"), 1)
+
+    def test_a_scene_without_continuum_runs_on_one_rank(self):
+        self.scene({"Models": "reduced", "Time/End": 1})
+        result = self.run_on(2, "run", "scene.prm")
+        self.assertIn("reduced.csv", self.files("output/scene"))
+        self.assertEqual(result.stderr.count("results are in"), 1)
+
+    def test_modes(self):
+        self.scene({"Analysis": "modes", "Models": "continuum", "Continuum/Degree": 3, "Modes/Number": 3})
+        self.run_on(2, "run", "scene.prm", "--output", "on2")
+        self.run_done("run", "scene.prm", "--output", "alone")
+        self.assert_same("alone/modes.csv", "on2/modes.csv")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
