@@ -26,8 +26,8 @@ class BallBody {
  public:
   using Vector = continuum::Vector;
 
-  /// The sector of the unit ball with degree k = 2 … 6 after n_refinements uniform refinements of the octant's 4 cells,
-  /// over the ranks of a communicator.
+  /// The sector of the unit ball with degree k = 1 … 8 (with the constraint from 2 on) after n_refinements uniform
+  /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
            const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   BallBody(const BallBody&) = delete;  // its parts refer to one another

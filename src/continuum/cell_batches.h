@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "continuum/ball_space.h"
@@ -22,7 +23,6 @@ class CellBatches {
  public:
   static constexpr int n_lanes = native_lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
   using L = Lanes<n_lanes>;
-  using Point = QuadraturePoint;
   using Monomials = PressureMonomials<degree - 1>;
   static constexpr int n_pressure = Monomials::size;
   static constexpr int n_packed = n_pressure * (n_pressure + 1) / 2;
@@ -34,33 +34,41 @@ class CellBatches {
     L cell_volume;
   };
 
-  explicit CellBatches(const BallSpace& space) : factorization(space.reference_cell()) {
+  explicit CellBatches(const BallSpace& space)
+      : factorization(space.reference_cell()), reference_positions(&space.reference_positions()) {
+    const auto& w = space.reference_cell().point_weights;
+    for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
+    const std::size_t n_batches = (space.n_cells() + n_lanes - 1) / n_lanes;
+    points_.reserve(n_batches * n_points);  // exactly: nothing is held that is not used
+    pressure_points_.reserve(n_batches * n_points);
+    offsets_.reserve(n_batches * n_nodes);
+    basis_.reserve(n_batches * n_packed);
+    batches.reserve(n_batches);
     for (unsigned int cell = 0; cell < space.n_cells(); cell += n_lanes) add_batch(space, cell);
   }
 
-  const Point* points(std::size_t batch) const { return &points_[batch * n_points]; }
+  const QuadraturePoint* points(std::size_t batch) const { return &points_[batch * n_points]; }
+  const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
   /// u[c][node] of the batch from a vector.
   void gather(const Vector& x, std::size_t batch, L (*u)[n_nodes]) const {
-    const double* values = x.begin();
     const auto* offsets = &offsets_[batch * n_nodes];
-    for (int i = 0; i < n_nodes; ++i)
-      for (int l = 0; l < n_lanes; ++l) {
-        const double* node = values + offsets[i][l];
-        for (int c = 0; c < 3; ++c) u[c][i].set(l, node[c]);
-      }
+    for (int i = 0; i < n_nodes; ++i) L::load_triples(x.begin(), offsets[i].data(), u[0][i], u[1][i], u[2][i]);
+  }
+
+  /// Asks for the entries that the batch after this one will gather for a layer of nodes.
+  void prefetch_layer(const Vector& x, std::size_t batch, int layer) const {
+    if (batch + 1 == batches.size()) return;
+    const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
+    for (int i = 0; i < n * n; ++i)
+      for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x.begin() + offsets[i][l]);
   }
 
   void scatter_add(const L (*u)[n_nodes], std::size_t batch, Vector& f) const {
-    double* values = f.begin();
     const auto* offsets = &offsets_[batch * n_nodes];
     const int n_active = batches[batch].n_active;
-    for (int i = 0; i < n_nodes; ++i)
-      for (int l = 0; l < n_active; ++l) {
-        double* node = values + offsets[i][l];
-        for (int c = 0; c < 3; ++c) node[c] += u[c][i][l];
-      }
+    for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f.begin(), offsets[i].data());
   }
 
   /// Coefficients of the monomials for λ_h = Σ λ_j ψ_j.
@@ -83,10 +91,9 @@ class CellBatches {
 
   void load_multiplier(const Vector& lambda, std::size_t batch, L* values) const {
     const Batch& b = batches[batch];
-    for (int l = 0; l < n_lanes; ++l) {
-      const unsigned int cell = b.first_cell + (l < b.n_active ? l : 0);
-      for (int j = 0; j < n_pressure; ++j) values[j].set(l, lambda.local_element(cell * n_pressure + j));
-    }
+    const double* entries = lambda.begin() + b.first_cell * n_pressure;
+    for (int j = 0; j < n_pressure; ++j)
+      values[j] = L::of([&](int l) { return entries[(l < b.n_active ? l : 0) * n_pressure + j]; });
   }
 
   void store_multiplier(const L* values, std::size_t batch, Vector& lambda) const {
@@ -96,10 +103,13 @@ class CellBatches {
   }
 
   std::size_t memory() const {
-    return points_.size() * sizeof(Point) + offsets_.size() * sizeof(offsets_[0]) + basis_.size() * sizeof(L);
+    return points_.size() * sizeof(QuadraturePoint) + pressure_points_.size() * sizeof(PressurePoint) +
+           offsets_.size() * sizeof(offsets_[0]) + basis_.size() * sizeof(L) + batches.size() * sizeof(Batch);
   }
 
   SumFactorization<n> factorization;
+  std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
+  Vector reference_positions;                 ///< with ghost entries
   std::vector<Batch> batches;
 
  private:
@@ -113,42 +123,38 @@ class CellBatches {
     }
     const std::size_t index = batches.size();
     batches.push_back(batch);
-    compute_geometry(space, index);
+    compute_geometry(index);
     orthonormalize(index);
   }
 
-  void compute_geometry(const BallSpace& space, std::size_t index) {
-    std::vector<L> buffer(3 * n_nodes + 5 * n_points);
-    auto* X = reinterpret_cast<L(*)[n_nodes]>(buffer.data());
-    L *scratch = &buffer[3 * n_nodes], *values = scratch + n_points, *g = values + n_points;
-    std::vector<Point> points(n_points);
-    std::vector<std::array<L, 9>> jacobian(n_points);
-    gather(space.reference_positions(), index, X);
-    for (int c = 0; c < 3; ++c) {
-      factorization.gradients(X[c], scratch, values, g, g + n_points, g + 2 * n_points);
-      for (int q = 0; q < n_points; ++q) {
-        points[q].position[c] = values[q];
-        for (int d = 0; d < 3; ++d) jacobian[q][3 * c + d] = g[d * n_points + q];
+  void compute_geometry(std::size_t index) {
+    auto nodes = std::make_unique<L[][n_nodes]>(3);
+    gather(*reference_positions, index, nodes.get());
+    for (int c = 0; c < 3; ++c) factorization.interpolate_layers(nodes[c]);
+
+    Batch& batch = batches[index];
+    for (int q3 = 0; q3 < n; ++q3) {
+      L X[3][n * n], jacobian[9][n * n];
+      for (int c = 0; c < 3; ++c)
+        factorization.plane_gradient(nodes[c], q3, X[c], jacobian[3 * c], jacobian[3 * c + 1], jacobian[3 * c + 2]);
+      for (int q = 0; q < n * n; ++q) {
+        materials::Tensor<L> T;
+        for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = jacobian[k][q];
+        const auto cof = materials::cofactor(T);
+        const L det = materials::determinant(T, cof);
+        const L weight = det * unit_weights[q3 * n * n + q];
+        QuadraturePoint& point = points_.emplace_back();
+        for (int k = 0; k < 9; ++k) point.inverse_jacobian[k] = cof(k % 3, k / 3) / det;
+        point.weight = weight;
+        pressure_points_.push_back({weight, {X[0][q], X[1][q], X[2][q]}});
+        batch.cell_volume += weight;
+        for (int c = 0; c < 3; ++c) batch.center[c] += weight * X[c][q];
       }
     }
-    const ReferenceCell& ref = space.reference_cell();
-    Batch& batch = batches[index];
-    for (int q = 0; q < n_points; ++q) {
-      materials::Tensor<L> T;
-      for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = jacobian[q][k];
-      const auto cof = materials::cofactor(T);
-      const L det = materials::determinant(T, cof);
-      points[q].inverse_determinant = 1.0 / det;
-      for (int k = 0; k < 9; ++k) points[q].inverse_jacobian[k] = cof(k % 3, k / 3) / det;
-      points[q].weight = det * (ref.point_weights[q % n] * ref.point_weights[q / n % n] * ref.point_weights[q / n / n]);
-      batch.cell_volume += points[q].weight;
-      for (int c = 0; c < 3; ++c) batch.center[c] += points[q].weight * points[q].position[c];
-    }
     for (int c = 0; c < 3; ++c) batch.center[c] = batch.center[c] / batch.cell_volume;
-    for (int l = 0; l < n_lanes; ++l) batch.scale.set(l, 0.5 * std::cbrt(batch.cell_volume[l]));
-    for (Point& point : points)
-      for (int c = 0; c < 3; ++c) point.position[c] = (point.position[c] - batch.center[c]) / batch.scale;
-    points_.insert(points_.end(), points.begin(), points.end());
+    batch.scale = L::of([&](int l) { return 0.5 * std::cbrt(batch.cell_volume[l]); });
+    for (auto point = pressure_points_.end() - n_points; point != pressure_points_.end(); ++point)
+      for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
   /// basis = L⁻¹ of the Cholesky factor of the monomials' Gram matrix, packed by rows.
@@ -156,7 +162,7 @@ class CellBatches {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),
         inverse(n_pressure * n_pressure, L(0.0));
     for (int q = 0; q < n_points; ++q) {
-      const Point& p = points(index)[q];
+      const PressurePoint& p = pressure_points(index)[q];
       std::fill(monomials.begin(), monomials.end(), L(0.0));
       Monomials::add_moments(L(1.0), p.position[0], p.position[1], p.position[2], monomials.data());
       for (int i = 0; i < n_pressure; ++i)
@@ -183,7 +189,8 @@ class CellBatches {
       }
   }
 
-  std::vector<Point> points_;
+  std::vector<QuadraturePoint> points_;
+  std::vector<PressurePoint> pressure_points_;
   std::vector<std::array<unsigned int, n_lanes>> offsets_;
   std::vector<L> basis_;
 };

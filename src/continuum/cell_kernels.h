@@ -9,6 +9,9 @@
 ///   reaction        (Gᵀλ)_n = ∫ λ_h F⁻ᵀ ∇φ_n dX
 ///   viscous force   f_n = −∫ 2ηJ d F⁻ᵀ ∇φ_n dX,   d = sym(∇v F⁻¹),   with the power ∫ 2ηJ d:d dX
 ///
+/// Vectors may be distributed: each rank integrates over its own cells, reads ghost entries that the kernels bring up
+/// to date, and adds to those of others. Sums and minima over cells are those of the rank.
+///
 /// One implementation a degree (cell_kernels_impl.h), chosen at run time by make_cell_kernels; the law is a function
 /// that it calls for the points of a batch (point_law.h).
 
@@ -67,7 +70,8 @@ class CellKernels {
   virtual std::size_t memory() const = 0;
 };
 
-/// Kernels for the degree of the space (2 … 6) and the law. Throws std::invalid_argument for another degree.
+/// Kernels for the degree of the space (1 … 8) and the law. Throws std::invalid_argument for another degree. Degree 1
+/// is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const materials::AnyLaw& law);
 
 }  // namespace pseudorigid::continuum

@@ -1,15 +1,19 @@
 #pragma once
-/// The kernels of cell_kernels.h for one degree; the law is behind point_law.h. In reference coordinates, H = ∂x/∂ξ:
+/// The kernels of cell_kernels.h for one degree; the law is behind point_law.h. What happens at the points is done
+/// plane by plane (sum_factorization.h); geometry and positions that come next are asked for ahead of time. In
+/// reference coordinates, H = ∂x/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
-/// so the constraint's operators read only two scalars of geometry a point.
+/// so the constraint's operators read one scalar of geometry a point beside its position.
 
+#include <stdexcept>
 #include <utility>
 
 #include "continuum/cell_batches.h"
 #include "continuum/cell_kernels.h"
+#include "continuum/ghost_values.h"
 #include "continuum/point_law.h"
 
 namespace pseudorigid::continuum {
@@ -19,42 +23,52 @@ class DegreeKernels final : public CellKernels {
   using Batches = CellBatches<degree>;
   using L = typename Batches::L;
   using Tensor = materials::Tensor<L>;
-  static constexpr int n_nodes = Batches::n_nodes, n_points = Batches::n_points, n_pressure = Batches::n_pressure;
+  static constexpr int n = Batches::n, plane = n * n;
+  static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
   DegreeKernels(const BallSpace& space, std::unique_ptr<PointLaw> law)
-      : law_(std::move(law)),
-        batches_(space),
-        reference_positions_(&space.reference_positions()),
-        buffers_(std::make_unique<Buffers>()) {}
+      : law_(std::move(law)), batches_(space), buffers_(std::make_unique<Buffers>()) {}
 
   double force(const Vector& x, Vector& f) const override {
+    const GhostValues of_x(x);
     double least = HUGE_VAL;
     f = 0.0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
-      L least_in_batch;
-      law_->stress(batches_.points(b), n_points, buffers_->H[0], least_in_batch);
+      load_layers(x, b, buffers_->x);
+      L least_in_batch(HUGE_VAL);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        batches_.prefetch_layer(x, b, q3);
+        law_->stress(batches_.points(b) + q3 * plane, plane, buffers_->H[0], least_in_batch);
+        integrate_plane(buffers_->H, q3);
+      }
       least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
-      integrate(buffers_->H);
-      batches_.scatter_add(buffers_->nodal, b, f);
+      distribute_layers();
+      batches_.scatter_add(buffers_->result, b, f);
     }
+    add_to_owners(f);
     return least;
   }
 
   double constraint(const Vector& x, Vector& g) const override {
+    require_constraint();
+    const GhostValues of_x(x);
     double least = HUGE_VAL;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
-      const auto* points = batches_.points(b);
-      L least_in_batch(HUGE_VAL);
-      L moments[n_pressure];
+      load_layers(x, b, buffers_->x);
+      L least_in_batch(HUGE_VAL), moments[n_pressure];
       for (L& m : moments) m = L(0.0);
-      for (int q = 0; q < n_points; ++q) {
-        const auto& p = points[q];
-        const L J = materials::determinant(load(buffers_->H, q)) * p.inverse_determinant;
-        least_in_batch = min(J, least_in_batch);
-        Batches::Monomials::add_moments(p.weight * log(J), p.position[0], p.position[1], p.position[2], moments);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const PressurePoint& p = points[q];
+          prefetch(points + plane + q);
+          const L J = materials::determinant(load(buffers_->H, q)) * (batches_.unit_weights[q3 * plane + q] / p.weight);
+          least_in_batch = min(J, least_in_batch);
+          Batches::Monomials::add_moments(p.weight * log(J), p.position[0], p.position[1], p.position[2], moments);
+        }
       }
       least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
       store(moments, b, g);
@@ -81,80 +95,91 @@ class DegreeKernels final : public CellKernels {
   }
 
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const override {
+    require_constraint();
+    const GhostValues of_x(x);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
+      load_layers(x, b, buffers_->x);
       batches_.load_multiplier(lambda, b, buffers_->multiplier);
-      reaction_of_batch(b, buffers_->multiplier);
-      batches_.scatter_add(buffers_->nodal, b, f);
+      reaction_of_batch(b);
+      batches_.scatter_add(buffers_->result, b, f);
     }
+    add_to_owners(f);
   }
 
   /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const override {
-    double total = 0;
+    const GhostValues of_x(x);
+    const GhostValues of_v(v);
+    double power = 0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
-      reference_gradient(v, b, buffers_->dv);
-      L power(0.0);
-      for (int q = 0; q < n_points; ++q) {
-        const auto& p = batches_.points(b)[q];
-        const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H), dv = load(buffers_->dv, q);
-        const L det = materials::determinant(H, cof), strength = 2 * viscosity * p.weight * p.inverse_determinant;
-        const Tensor d = symmetric_part_of_product(dv, cof, 0.5 / det);
-        power += strength * det * dot(d, d);
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            buffers_->H[3 * i + j][q] = -strength * (d(i, 0) * cof(0, j) + d(i, 1) * cof(1, j) + d(i, 2) * cof(2, j));
+      load_layers(x, b, buffers_->x);
+      load_layers(v, b, buffers_->v);
+      L power_of_batch(0.0);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        plane_gradient(buffers_->v, q3, buffers_->dv);
+        for (int q = 0; q < plane; ++q) {
+          const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H), dv = load(buffers_->dv, q);
+          const L det = materials::determinant(H, cof);
+          const double strength = 2 * viscosity * batches_.unit_weights[q3 * plane + q];
+          const Tensor d = symmetric_part_of_product(dv, cof, 0.5 / det);
+          power_of_batch += strength * det * dot(d, d);
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+              buffers_->H[3 * i + j][q] = -strength * (d(i, 0) * cof(0, j) + d(i, 1) * cof(1, j) + d(i, 2) * cof(2, j));
+        }
+        integrate_plane(buffers_->H, q3);
       }
-      total += power.sum(batches_.batches[b].n_active);
-      integrate(buffers_->H);
-      batches_.scatter_add(buffers_->nodal, b, f);
+      power += power_of_batch.sum(batches_.batches[b].n_active);
+      distribute_layers();
+      batches_.scatter_add(buffers_->result, b, f);
     }
-    return total;
+    add_to_owners(f);
+    return power;
   }
 
   void constraint_rows(const Vector& x, const UseRows& use) const override {
-    std::vector<double> rows(static_cast<std::size_t>(Batches::n_lanes) * n_pressure * 3 * n_nodes);
+    require_constraint();
+    const GhostValues of_x(x);
+    constexpr std::size_t size = std::size_t{n_pressure} * 3 * n_nodes;
+    std::vector<double> rows(Batches::n_lanes * size);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       const auto& batch = batches_.batches[b];
+      load_layers(x, b, buffers_->x);
       for (int j = 0; j < n_pressure; ++j) {
         for (int i = 0; i < n_pressure; ++i) buffers_->multiplier[i] = L(i == j ? 1.0 : 0.0);
-        reference_gradient(x, b, buffers_->H);
-        reaction_of_batch(b, buffers_->multiplier);
+        reaction_of_batch(b);
         for (int l = 0; l < batch.n_active; ++l)
           for (int i = 0; i < n_nodes; ++i)
-            for (int c = 0; c < 3; ++c)
-              rows[(static_cast<std::size_t>(l) * n_pressure + j) * 3 * n_nodes + 3 * i + c] = buffers_->nodal[c][i][l];
+            for (int c = 0; c < 3; ++c) rows[l * size + (j * n_nodes + i) * 3 + c] = buffers_->result[c][i][l];
       }
-      const std::size_t size = static_cast<std::size_t>(n_pressure) * 3 * n_nodes;
       for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {rows.data() + l * size, size});
     }
   }
 
   CellIntegrals integrals(const Vector& x, const Vector& v) const override {
+    const GhostValues of_x(x);
+    const GhostValues of_v(v);
     CellIntegrals sums;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(v, b, buffers_->dv);
-      for (int c = 0; c < 3; ++c)
-        for (int q = 0; q < n_points; ++q) buffers_->dv[c][q] = buffers_->point_values[c][q];  // v itself
-      reference_gradient(x, b, buffers_->H);
+      load_layers(x, b, buffers_->x);
+      load_layers(v, b, buffers_->v);
       add_integrals(b, sums);
     }
     return sums;
   }
 
   LeastJacobian locate_least_jacobian(const Vector& x) const override {
+    const GhostValues of_x(x);
     LeastJacobian result{HUGE_VAL, {}};
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
-      const auto& batch = batches_.batches[b];
-      for (int q = 0; q < n_points; ++q) {
-        const auto& p = batches_.points(b)[q];
-        const L J = materials::determinant(load(buffers_->H, q)) * p.inverse_determinant;
-        for (int l = 0; l < batch.n_active; ++l) {
-          if (J[l] >= result.value || std::isnan(result.value)) continue;  // a NaN is the least of all
-          result.value = J[l];
-          for (int c = 0; c < 3; ++c) result.where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
+      load_layers(x, b, buffers_->x);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        for (int q = 0; q < plane; ++q) {
+          const L J =
+              materials::determinant(batches_.points(b)[q3 * plane + q].deformation_gradient(load(buffers_->H, q)));
+          locate_least(J, b, batches_.pressure_points(b)[q3 * plane + q], result);
         }
       }
     }
@@ -176,13 +201,11 @@ class DegreeKernels final : public CellKernels {
   std::size_t memory() const override { return batches_.memory() + sizeof(Buffers); }
 
  private:
-  using Field = L[9][n_points];  ///< a tensor at every point: [3·row + column][point]
-
-  static Tensor load(const Field& field, int q) {
-    Tensor T;
-    for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = field[k][q];
-    return T;
+  /// Q1 with a constant pressure is not stable.
+  static void require_constraint() {
+    if constexpr (degree < 2) throw std::invalid_argument("the constraint needs displacements of degree 2 or more");
   }
+
   /// s (A Bᵀ + B Aᵀ)
   static Tensor symmetric_part_of_product(const Tensor& A, const Tensor& B, const L& s) {
     Tensor AB, result;
@@ -192,27 +215,39 @@ class DegreeKernels final : public CellKernels {
       for (int j = 0; j < 3; ++j) result(i, j) = s * (AB(i, j) + AB(j, i));
     return result;
   }
-  static void save(const Tensor& T, Field& field, int q) {
-    for (int k = 0; k < 9; ++k) field[k][q] = T(k / 3, k % 3);
+
+  using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
+  using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
+
+  [[gnu::always_inline]] static Tensor load(const Field& T, int q) {
+    return {{{T[0][q], T[1][q], T[2][q]}, {T[3][q], T[4][q], T[5][q]}, {T[6][q], T[7][q], T[8][q]}}};
   }
 
-  /// H = ∂x/∂ξ at the points of a batch.
-  void reference_gradient(const Vector& x, std::size_t b, Field& H) const {
-    batches_.gather(x, b, buffers_->nodal);
-    for (int c = 0; c < 3; ++c)
-      batches_.factorization.gradients(buffers_->nodal[c], buffers_->scratch, buffers_->point_values[c], H[3 * c],
-                                       H[3 * c + 1], H[3 * c + 2]);
+  void load_layers(const Vector& x, std::size_t b, Nodal& layers) const {
+    batches_.gather(x, b, layers);
+    for (int c = 0; c < 3; ++c) batches_.factorization.interpolate_layers(layers[c]);
   }
 
-  /// nodal ← Σ_q T : ∂φ/∂ξ
-  void integrate(const Field& T) const {
+  /// H = ∂x/∂ξ at the points of a plane; the values themselves are left in the buffer.
+  [[gnu::noinline]] void plane_gradient(const Nodal& layers, int q3, Field& H) const {
     for (int c = 0; c < 3; ++c)
-      batches_.factorization.integrate(T[3 * c], T[3 * c + 1], T[3 * c + 2], buffers_->scratch,
-                                       buffers_->point_values[c], buffers_->nodal[c]);
+      batches_.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
+  }
+
+  /// result (+)= Σ_q T : ∂φ/∂ξ over the points of a plane
+  [[gnu::noinline]] void integrate_plane(const Field& T, int q3) const {
+    for (int c = 0; c < 3; ++c)
+      batches_.factorization.integrate_plane(T[3 * c], T[3 * c + 1], T[3 * c + 2], q3, buffers_->values[c],
+                                             buffers_->result[c]);
+  }
+
+  void distribute_layers() const {
+    for (int c = 0; c < 3; ++c) batches_.factorization.distribute_layers(buffers_->result[c]);
   }
 
   struct Buffers {
-    L nodal[3][n_nodes], point_values[3][n_points], scratch[n_points];
+    Nodal x, v, result;
+    L values[3][plane];
     Field H, dv;
     L multiplier[n_pressure];
   };
@@ -220,54 +255,78 @@ class DegreeKernels final : public CellKernels {
   /// r_j = ∫ψ_j s(H, ∂v/∂ξ); `integrand` gets cof H, 1/det H and ∂v/∂ξ.
   template <class Integrand>
   void pull_back(const Vector& x, const Vector& v, Vector& r, const Integrand& integrand) const {
+    require_constraint();
+    const GhostValues of_x(x);
+    const GhostValues of_v(v);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      reference_gradient(x, b, buffers_->H);
-      reference_gradient(v, b, buffers_->dv);
-      const auto* points = batches_.points(b);
+      load_layers(x, b, buffers_->x);
+      load_layers(v, b, buffers_->v);
       L moments[n_pressure];
       for (L& m : moments) m = L(0.0);
-      for (int q = 0; q < n_points; ++q) {
-        const auto& p = points[q];
-        const Tensor H = load(buffers_->H, q);
-        const Tensor cof = materials::cofactor(H);
-        const L s = integrand(cof, 1.0 / materials::determinant(H, cof), load(buffers_->dv, q));
-        Batches::Monomials::add_moments(p.weight * s, p.position[0], p.position[1], p.position[2], moments);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        plane_gradient(buffers_->v, q3, buffers_->dv);
+        batches_.prefetch_layer(x, b, q3);
+        batches_.prefetch_layer(v, b, q3);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const PressurePoint& p = points[q];
+          prefetch(points + plane + q);
+          const Tensor H = load(buffers_->H, q);
+          const Tensor cof = materials::cofactor(H);
+          const L s = integrand(cof, 1.0 / materials::determinant(H, cof), load(buffers_->dv, q));
+          Batches::Monomials::add_moments(p.weight * s, p.position[0], p.position[1], p.position[2], moments);
+        }
       }
       store(moments, b, r);
     }
   }
 
-  /// nodal ← ∫λ_h F⁻ᵀ:∇φ; expects H of the batch in the buffer, and overwrites it.
-  void reaction_of_batch(std::size_t b, const L* multiplier) const {
+  /// result ← ∫λ_h F⁻ᵀ:∇φ for the layers and the multiplier in the buffers.
+  void reaction_of_batch(std::size_t b) const {
     L coefficients[n_pressure];
-    batches_.monomial_coefficients(multiplier, b, coefficients);
-    const auto* points = batches_.points(b);
-    for (int q = 0; q < n_points; ++q) {
-      const auto& p = points[q];
-      const L pressure = Batches::Monomials::evaluate(coefficients, p.position[0], p.position[1], p.position[2]);
-      const Tensor H = load(buffers_->H, q);
-      const Tensor cof = materials::cofactor(H);
-      save(p.weight * pressure / materials::determinant(H, cof) * cof, buffers_->H, q);
+    batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
+    Field& H = buffers_->H;
+    for (int q3 = 0; q3 < n; ++q3) {
+      plane_gradient(buffers_->x, q3, H);
+      const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+      for (int q = 0; q < plane; ++q) {
+        const PressurePoint& p = points[q];
+        prefetch(points + plane + q);
+        const L pressure = Batches::Monomials::evaluate(coefficients, p.position[0], p.position[1], p.position[2]);
+        const Tensor H_q = load(H, q);
+        const Tensor cof = materials::cofactor(H_q);
+        const Tensor T = p.weight * pressure / materials::determinant(H_q, cof) * cof;
+#pragma GCC unroll 9
+        for (int k = 0; k < 9; ++k) H[k][q] = T.a[k / 3][k % 3];
+      }
+      integrate_plane(H, q3);
     }
-    integrate(buffers_->H);
+    distribute_layers();
   }
 
-  /// Expects H and, in the first three entries of dv, the velocity of the batch.
+  /// For the layers of x and v in the buffers.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
-    L elastic, volume(0.0), F_sum[9], pulled_back[9];
-    law_->energy(batches_.points(b), n_points, buffers_->H[0], elastic);
+    L elastic(0.0), volume(0.0), F_sum[9], pulled_back[9];
     for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
-    for (int q = 0; q < n_points; ++q) {
-      const auto& p = batches_.points(b)[q];
-      const Tensor F = p.deformation_gradient(load(buffers_->H, q));
-      volume += p.weight * materials::determinant(F);
-      for (int j = 0; j < 3; ++j) {
-        const L w_j =
-            p.weight * (F(0, j) * buffers_->dv[0][q] + F(1, j) * buffers_->dv[1][q] + F(2, j) * buffers_->dv[2][q]);
-        for (int i = 0; i < 3; ++i) {
-          F_sum[3 * i + j] += p.weight * F(i, j);
-          pulled_back[3 * i + j] += (batch.center[i] + batch.scale * p.position[i]) * w_j;
+    for (int q3 = 0; q3 < n; ++q3) {
+      const QuadraturePoint* points = batches_.points(b) + q3 * plane;
+      plane_gradient(buffers_->x, q3, buffers_->H);
+      plane_gradient(buffers_->v, q3, buffers_->dv);  // leaves v itself in the values
+      law_->energy(points, plane, buffers_->H[0], elastic);
+      for (int q = 0; q < plane; ++q) {
+        const L* position = batches_.pressure_points(b)[q3 * plane + q].position;
+        const L weight = points[q].weight;
+        const Tensor F = points[q].deformation_gradient(load(buffers_->H, q));
+        volume += weight * materials::determinant(F);
+        for (int j = 0; j < 3; ++j) {
+          const auto& v = buffers_->values;
+          const L w_j = weight * (F(0, j) * v[0][q] + F(1, j) * v[1][q] + F(2, j) * v[2][q]);
+          for (int i = 0; i < 3; ++i) {
+            F_sum[3 * i + j] += weight * F(i, j);
+            pulled_back[3 * i + j] += (batch.center[i] + batch.scale * position[i]) * w_j;
+          }
         }
       }
     }
@@ -279,6 +338,15 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
+  void locate_least(const L& J, std::size_t b, const PressurePoint& p, LeastJacobian& result) const {
+    const auto& batch = batches_.batches[b];
+    for (int l = 0; l < batch.n_active; ++l) {
+      if (J[l] >= result.value || std::isnan(result.value)) continue;  // a NaN is the least of all
+      result.value = J[l];
+      for (int c = 0; c < 3; ++c) result.where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
+    }
+  }
+
   void store(const L* moments, std::size_t b, Vector& g) const {
     L values[n_pressure];
     batches_.from_moments(moments, b, values);
@@ -287,7 +355,6 @@ class DegreeKernels final : public CellKernels {
 
   std::unique_ptr<PointLaw> law_;
   Batches batches_;
-  const Vector* reference_positions_;
   std::unique_ptr<Buffers> buffers_;
 };
 
@@ -299,11 +366,11 @@ void DegreeKernels<degree>::multiplier_at_nodes(const Vector& lambda, unsigned i
   L coefficients[n_pressure];
   batches_.load_multiplier(lambda, b, buffers_->multiplier);
   batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
-  batches_.gather(*reference_positions_, b, buffers_->nodal);
+  batches_.gather(*batches_.reference_positions, b, buffers_->x);
   const auto& batch = batches_.batches[b];
   for (int i = 0; i < n_nodes; ++i) {
     L local[3];
-    for (int c = 0; c < 3; ++c) local[c] = (buffers_->nodal[c][i] - batch.center[c]) / batch.scale;
+    for (int c = 0; c < 3; ++c) local[c] = (buffers_->x[c][i] - batch.center[c]) / batch.scale;
     values[i] = Batches::Monomials::evaluate(coefficients, local[0], local[1], local[2])[lane];
   }
 }

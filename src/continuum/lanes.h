@@ -37,17 +37,43 @@ struct VectorTypes<8> {
   typedef double Real __attribute__((vector_size(64)));
   typedef long long Integer __attribute__((vector_size(64)));
 };
+
+/// The vector (a, b) of two numbers or vectors.
+[[gnu::always_inline]] inline VectorTypes<2>::Real join(double a, double b) { return VectorTypes<2>::Real{a, b}; }
+template <class Half>
+[[gnu::always_inline]] inline auto join(Half a, Half b) {
+  if constexpr (sizeof(Half) == 2 * sizeof(double))
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3);
+  else
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// The vector (piece(first), piece(first + 1), …) of n pieces.
+template <int n, class Piece>
+[[gnu::always_inline]] inline auto collect(const Piece& piece, int first = 0) {
+  if constexpr (n == 1)
+    return piece(first);
+  else
+    return join(collect<n / 2>(piece, first), collect<n / 2>(piece, first + n / 2));
+}
 }  // namespace detail
 
 template <int n_lanes>
 struct Lanes {
   using Native = typename detail::VectorTypes<n_lanes>::Real;
   using NativeInt = typename detail::VectorTypes<n_lanes>::Integer;
+  using Native2 = typename detail::VectorTypes<2>::Real;
   Native v;
 
   Lanes() = default;
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
+
+  /// Lane l holds value(l). Built in registers: lanes set one by one would go through memory.
+  template <class Value>
+  [[gnu::always_inline]] static Lanes of(const Value& value) {
+    return detail::collect<n_lanes>(value);
+  }
 
   double operator[](int lane) const { return v[lane]; }
   void set(int lane, double value) { v[lane] = value; }
@@ -90,6 +116,45 @@ struct Lanes {
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
+  }
+
+  /// x, y, z of the triples at base + offsets[lane].
+  [[gnu::always_inline]] static void load_triples(const double* base, const unsigned int* offsets, Lanes& x, Lanes& y,
+                                                  Lanes& z) {
+    const auto pair = [&](int lane) {
+      Native2 xy;
+      std::memcpy(&xy, base + offsets[lane], sizeof xy);
+      return xy;
+    };
+    const Native low = detail::collect<n_lanes / 2>(pair), high = detail::collect<n_lanes / 2>(pair, n_lanes / 2);
+    if constexpr (n_lanes == 2) {
+      x = __builtin_shufflevector(low, high, 0, 2);
+      y = __builtin_shufflevector(low, high, 1, 3);
+    } else if constexpr (n_lanes == 4) {
+      x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+      y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
+    } else {
+      x = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14);
+      y = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15);
+    }
+    z = of([&](int lane) { return base[offsets[lane] + 2]; });
+  }
+
+  /// Adds lane by lane to the triples at base + offsets[lane], for the first n_active lanes. Lanes may share a triple.
+  [[gnu::always_inline]] static void add_triples(const Lanes& x, const Lanes& y, const Lanes& z, int n_active,
+                                                 double* base, const unsigned int* offsets) {
+    double xyz[3][n_lanes];
+    std::memcpy(xyz[0], &x, sizeof x);
+    std::memcpy(xyz[1], &y, sizeof y);
+    std::memcpy(xyz[2], &z, sizeof z);
+    for (int lane = 0; lane < n_active; ++lane) {
+      double* triple = base + offsets[lane];
+      Native2 xy;
+      std::memcpy(&xy, triple, sizeof xy);
+      xy += Native2{xyz[0][lane], xyz[1][lane]};
+      std::memcpy(triple, &xy, sizeof xy);
+      triple[2] += xyz[2][lane];
+    }
   }
 
   double least(int n_active) const {

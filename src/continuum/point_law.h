@@ -18,9 +18,9 @@ class PointLaw {
   using L = QuadraturePoint::L;
   virtual ~PointLaw() = default;
 
-  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least_J ← the least det F, lane by lane.
+  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least_J ← the least of it and det F, lane by lane.
   virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least_J) const = 0;
-  /// energy ← Σ w W(F)
+  /// energy += Σ w W(F)
   virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const = 0;
 };
 

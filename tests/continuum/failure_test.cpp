@@ -49,7 +49,7 @@ TEST(Failure, NanInAVelocityIsAStatus) {
 }
 
 TEST(Failure, DegreeWithoutKernelsIsRefused) {
-  EXPECT_THROW(ElasticBall(octant, 7, 0, neo_hookean), std::invalid_argument);
+  EXPECT_THROW(ElasticBall(octant, 9, 0, neo_hookean), std::invalid_argument);
 }
 
 class Stability : public ::testing::TestWithParam<int> {

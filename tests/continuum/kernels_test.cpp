@@ -169,7 +169,31 @@ TEST_P(Kernels, MultiplierOfMotionKeepsTheConstraint) {
   EXPECT_LT(rate.linfty_norm(), 1e-11 * a.linfty_norm());
 }
 
-INSTANTIATE_TEST_SUITE_P(Degree, Kernels, ::testing::Range(2, 7));
+/// Degree 1 has forces and energies, f = −dV in any direction v, and no constraint.
+TEST(FirstDegree, HasForcesAndNoConstraint) {
+  const continuum::BallSpace space(continuum::BallMesh(octant, 1), 1);
+  const auto kernels = continuum::make_cell_kernels(space, ciarlet_geymonat);
+  std::mt19937 generator(3);
+  Vector x = space.reference_positions(), f = space.make_vector(), g = space.make_multiplier();
+  x.add(0.05, random_field(x, generator));
+  const Vector v = random_field(x, generator);
+  const auto energy = [&](double s) {
+    Vector moved = x;
+    moved.add(s, v);
+    return kernels->integrals(moved, v).elastic;
+  };
+  ASSERT_GT(kernels->force(x, f), 0);
+  constexpr double h = 1e-4;  // differences of fourth order: the error is below 1e-9 of the slope
+  const double slope = (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
+  ASSERT_GT(std::abs(f * v), 1e-3);
+  EXPECT_NEAR(slope, -(f * v), 1e-8 * std::abs(f * v));
+  EXPECT_THROW(kernels->constraint(x, g), std::invalid_argument);
+  EXPECT_THROW(kernels->constraint_rate(x, v, g), std::invalid_argument);
+  EXPECT_THROW(kernels->constraint_curvature(x, v, g), std::invalid_argument);
+  EXPECT_THROW(kernels->add_reaction(x, g, f), std::invalid_argument);
+}
+
+INSTANTIATE_TEST_SUITE_P(Degree, Kernels, ::testing::Range(2, 9));
 
 }  // namespace
 }  // namespace pseudorigid::testing

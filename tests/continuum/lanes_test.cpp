@@ -87,5 +87,26 @@ TEST(Lanes, ANanIsTheLeastWhereverItStands) {
   EXPECT_EQ(min(x, one)[1], -1);
 }
 
+/// Triples of a vector into lanes and back, where two lanes share a triple and the last lane has no cell of its own.
+TEST(Lanes, TriplesAreReadAndAddedLaneByLane) {
+  std::vector<double> values(3 * (native_lanes + 1));
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
+  unsigned int offsets[native_lanes];
+  for (int l = 0; l < native_lanes; ++l) offsets[l] = 3 * (native_lanes - l);
+  offsets[1] = offsets[0];
+  L x, y, z;
+  L::load_triples(values.data(), offsets, x, y, z);
+  for (int l = 0; l < native_lanes; ++l) {
+    EXPECT_EQ(x[l], offsets[l]);
+    EXPECT_EQ(y[l], offsets[l] + 1);
+    EXPECT_EQ(z[l], offsets[l] + 2);
+  }
+  std::vector<double> expected = values;
+  for (int l = 0; l + 1 < native_lanes; ++l)
+    for (int c = 0; c < 3; ++c) expected[offsets[l] + c] += offsets[l] + c;
+  L::add_triples(x, y, z, native_lanes - 1, values.data(), offsets);
+  EXPECT_EQ(values, expected);
+}
+
 }  // namespace
 }  // namespace pseudorigid::continuum

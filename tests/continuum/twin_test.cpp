@@ -114,7 +114,7 @@ TEST_P(Twin, HoldsOnRefinedMeshes) {
   compare_constraint(ball, body, Q, Qdot);
 }
 
-INSTANTIATE_TEST_SUITE_P(Degree, Twin, ::testing::Range(2, 7));
+INSTANTIATE_TEST_SUITE_P(Degree, Twin, ::testing::Range(2, 9));
 
 }  // namespace
 }  // namespace pseudorigid::testing

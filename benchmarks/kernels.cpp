@@ -1,0 +1,125 @@
+/// The cell kernels against the machine's limits and against dealii::FEEvaluation, on one core (docs/kernels.md):
+///
+///     kernels [first degree] [last degree] > kernels.csv
+///
+/// on the octant, refined to at least 10⁵ unknowns (components of positions), each kernel for each degree. Calls are
+/// interleaved, times are CPU times. Lines with # are the machine's limits and accounts of memory. Columns:
+///
+///   degree, refinements, unknowns   of the mesh
+///   kernel                          force, constraint, rate, reaction, gram (S = G M⁻¹ Gᵀ), or FEEvaluation (force)
+///   per_second, best_per_second     unknowns per second: median and best of the rounds
+///   over_fe_evaluation              median against that of FEEvaluation's force
+///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "continuum/cell_kernels.h"
+#include "fe_evaluation_force.h"
+#include "machine_limits.h"
+
+namespace {
+
+using namespace pseudorigid;
+using namespace pseudorigid::benchmarks;
+using continuum::BallMesh;
+using continuum::BallSpace;
+using continuum::Vector;
+
+constexpr continuum::Sector octant{{true, true, true}};
+constexpr materials::CiarletGeymonat neo_hookean{1, 0};
+constexpr unsigned int least_unknowns = 100'000;
+constexpr int n_rounds = 25;
+constexpr double least_seconds = 0.01;  // of one timing
+
+struct Job {
+  std::string kernel;
+  std::function<void()> call;
+  double difference = 0;
+  int n_calls = 1;
+  std::vector<double> seconds{};  ///< of one call
+
+  double timed() const {
+    const double start = cpu_seconds();
+    for (int i = 0; i < n_calls; ++i) call();
+    return (cpu_seconds() - start) / n_calls;
+  }
+  double median() {
+    std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
+    return seconds[seconds.size() / 2];
+  }
+};
+
+void time_interleaved(std::vector<Job>& jobs) {
+  for (Job& job : jobs) {
+    job.call();
+    job.n_calls = 1 + static_cast<int>(least_seconds / job.timed());
+  }
+  for (int round = 0; round < n_rounds; ++round)
+    for (Job& job : jobs) job.seconds.push_back(job.timed());
+}
+
+/// Positions `placement`, a velocity and a multiplier without meaning, results.
+struct Fields {
+  explicit Fields(const BallSpace& space)
+      : x(space.make_vector()), v(x), f(x), multiplier(space.make_multiplier()), g(multiplier) {
+    const Vector& X = space.reference_positions();
+    for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
+      const auto placed = placement({X.local_element(i), X.local_element(i + 1), X.local_element(i + 2)});
+      for (unsigned int c = 0; c < 3; ++c) x.local_element(i + c) = placed[c];
+    }
+    for (unsigned int i = 0; i < v.locally_owned_size(); ++i) v.local_element(i) = std::sin(i);
+    for (unsigned int i = 0; i < multiplier.locally_owned_size(); ++i) multiplier.local_element(i) = std::cos(i);
+  }
+  Vector x, v, f, multiplier, g;
+};
+
+void measure(int degree) {
+  int n_refinements = 1;
+  auto space = std::make_unique<BallSpace>(BallMesh(octant, n_refinements), degree);
+  while (3 * space->n_nodes() < least_unknowns)
+    space = std::make_unique<BallSpace>(BallMesh(octant, ++n_refinements), degree);
+  const double n_unknowns = 3.0 * space->n_nodes();
+  const auto kernels = continuum::make_cell_kernels(*space, neo_hookean);
+  const auto rival = make_fe_evaluation_force(space->mesh(), degree, neo_hookean);
+  Fields y(*space);
+  const Vector rival_x = rival->placed();
+  Vector rival_f = rival_x;
+
+  std::vector<Job> jobs;
+  jobs.push_back({"FEEvaluation", [&] { rival->force(rival_x, rival_f); }});
+  jobs.push_back({"force", [&] { kernels->force(y.x, y.f); }});
+  jobs.push_back({"constraint", [&] { kernels->constraint(y.x, y.g); }});
+  jobs.push_back({"rate", [&] { kernels->constraint_rate(y.x, y.v, y.g); }});
+  jobs.push_back({"reaction", [&] { kernels->add_reaction(y.x, y.multiplier, y.f); }});
+  jobs.push_back({"gram", [&] {
+                    y.f = 0.0;
+                    kernels->add_reaction(y.x, y.multiplier, y.f);
+                    y.f.scale(space->inverse_mass());
+                    kernels->constraint_rate(y.x, y.f, y.g);
+                  }});
+  jobs[0].call();
+  jobs[1].call();
+  jobs[1].difference = std::abs(y.f.l2_norm() / rival_f.l2_norm() - 1);
+  time_interleaved(jobs);
+  for (Job& job : jobs)
+    std::printf("%d,%d,%.0f,%s,%.4g,%.4g,%.3f,%.1e\n", degree, n_refinements, n_unknowns, job.kernel.c_str(),
+                n_unknowns / job.median(), n_unknowns / *std::min_element(job.seconds.begin(), job.seconds.end()),
+                jobs[0].median() / job.median(), job.difference);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const int first = argc > 1 ? std::atoi(argv[1]) : 2, last = argc > 2 ? std::atoi(argv[2]) : argc > 1 ? first : 8;
+  const MachineLimits limits = measure_machine_limits();
+  std::printf("# one core: %.4g flops/s (fused multiply-adds, %d lanes), %.4g bytes/s (triad)\n",
+              limits.flops_per_second, limits.lanes, limits.bytes_per_second);
+  std::printf("degree,refinements,unknowns,kernel,per_second,best_per_second,over_fe_evaluation,difference\n");
+  for (int degree = first; degree <= last; ++degree) measure(degree);
+}
