@@ -274,8 +274,10 @@ void visit_time(S& scene, Visit& visit) {
 template <SceneOrConst S, class Visit>
 void visit_continuum(S& scene, Visit& visit) {
   auto& [degree, refinements, mesh, symmetry] = scene.continuum;
-  visit(degree, Integer{2, 6},
-        About{"Continuum/Degree", "", "Polynomial degree of the displacement; the pressure has one degree less."});
+  visit(
+      degree, Integer{1, 8},
+      About{"Continuum/Degree", "",
+            "Polynomial degree of the displacement; the pressure has one degree less. 1 is for compressible bodies."});
   visit(refinements, Integer{0, 4},
         About{"Continuum/Refinements", "", "How often each cell of the mesh is divided into eight."});
   visit(mesh, mesh_kind, About{"Continuum/Mesh", "", "The mesh to start from: the builtin mesh of the ball."});

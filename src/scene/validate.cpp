@@ -216,6 +216,8 @@ class Validator {
     const auto refuse_for_continuum = [&](const char* path, const char* what) {
       refuse(path, fmt::format("{} is offered for the reduced model; set Models = reduced", what));
     };
+    if (scene_.body.incompressible && scene_.continuum.degree < 2)
+      refuse("Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1");
     if (scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
     if (scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");

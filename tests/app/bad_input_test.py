@@ -109,8 +109,8 @@ class BadInput(RefusedInputTest):
 
     def test_value_out_of_range(self):
         self.refused_entries({"Time/Tolerance": "0.5"}, "Time/Tolerance", "a number from 1e-13 to", '"0.5"')
-        self.refused_entries({"Continuum/Degree": "7"}, "Continuum/Degree", "a whole number from 2 to 6", '"7"')
-        self.refused_entries({"Continuum/Degree": "2.5"}, "Continuum/Degree", "a whole number from 2 to 6", '"2.5"')
+        self.refused_entries({"Continuum/Degree": "9"}, "Continuum/Degree", "a whole number from 1 to 8", '"9"')
+        self.refused_entries({"Continuum/Degree": "2.5"}, "Continuum/Degree", "a whole number from 1 to 8", '"2.5"')
         self.refused_entries({"Output/Samples": "0"}, "Output/Samples", '"0"')
         self.refused_entries({"Time/Step": "-1"}, "Time/Step", "auto or a number > 0", '"-1"')
         self.refused_entries({"Time/End": "0"}, "Time/End", "a number > 0", '"0"')

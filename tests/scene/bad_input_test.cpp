@@ -68,11 +68,11 @@ INSTANTIATE_TEST_SUITE_P(
     Integers, BadInputTest,
     testing::Values(
         BadInput{"degree_low",
-                 entry("Continuum", "Degree = 1"),
+                 entry("Continuum", "Degree = 0"),
                  {},
-                 "scene.prm:2: Continuum/Degree: expected a whole number from 2 to 6, got \"1\""},
+                 "scene.prm:2: Continuum/Degree: expected a whole number from 1 to 8, got \"0\""},
         BadInput{
-            "degree_high", entry("Continuum", "Degree = 7"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
+            "degree_high", entry("Continuum", "Degree = 9"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
         BadInput{
             "degree_real", entry("Continuum", "Degree = 2.0"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
         BadInput{"refinements",

@@ -81,6 +81,10 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"fluid_continuum",
                 "subsection Material\nset Law = none\nend",
                 {"scene.prm:2: Material/Law: none, a fluid, is not offered for the continuum", "Models = reduced"}},
+        Refused{
+            "degree_1_of_an_incompressible_continuum",
+            "subsection Continuum\nset Degree = 1\nend",
+            {"scene.prm:2: Continuum/Degree: expected a whole number from 2 to 8 for an incompressible body, got 1"}},
         Refused{"absurd_units", "subsection Body\nset Radius = 1e200\nend", {"scene.prm:2: Body/Radius: ", "1e+200"}},
         Refused{"step_beyond_end",
                 "subsection Time\nset End = 1\nset Step = 2\nend",
