@@ -10,17 +10,24 @@
 ///   per_second, best_per_second     unknowns per second: median and best of the rounds
 ///   over_fe_evaluation              median against that of FEEvaluation's force
 ///   difference                      of |f|₂ from FEEvaluation's, relative (0 where there is nothing to compare)
+///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation)
+///   roofline                        unknowns per second that the machine's limits allow with them
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
-#include <numeric>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "continuum/cell_kernels.h"
 #include "fe_evaluation_force.h"
+#include "kernel_cost.h"
 #include "machine_limits.h"
 
 namespace {
@@ -40,6 +47,7 @@ constexpr double least_seconds = 0.01;  // of one timing
 struct Job {
   std::string kernel;
   std::function<void()> call;
+  double flops = 0, bytes = 0;  ///< of one unknown
   double difference = 0;
   int n_calls = 1;
   std::vector<double> seconds{};  ///< of one call
@@ -79,38 +87,65 @@ struct Fields {
   Vector x, v, f, multiplier, g;
 };
 
-void measure(int degree) {
+/// Resident memory of the process in bytes.
+double resident_bytes() {
+  std::ifstream statm("/proc/self/statm");
+  double total = 0, resident = 0;
+  statm >> total >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+void measure(int degree, const MachineLimits& limits) {
   int n_refinements = 1;
+  double resident = resident_bytes();
   auto space = std::make_unique<BallSpace>(BallMesh(octant, n_refinements), degree);
-  while (3 * space->n_nodes() < least_unknowns)
+  while (3 * space->n_nodes() < least_unknowns) {
+    space.reset();
+    resident = resident_bytes();
     space = std::make_unique<BallSpace>(BallMesh(octant, ++n_refinements), degree);
+  }
   const double n_unknowns = 3.0 * space->n_nodes();
   const auto kernels = continuum::make_cell_kernels(*space, neo_hookean);
+  std::printf(
+      "# degree %d: %.0f bytes of each unknown for geometry, indices and basis, %.0f resident for all of the ball\n",
+      degree, static_cast<double>(kernels->memory()) / n_unknowns, (resident_bytes() - resident) / n_unknowns);
   const auto rival = make_fe_evaluation_force(space->mesh(), degree, neo_hookean);
   Fields y(*space);
   const Vector rival_x = rival->placed();
   Vector rival_f = rival_x;
 
   std::vector<Job> jobs;
+  const auto add = [&](const char* kernel, double vector_bytes, const std::function<void()>& call) {
+    const CellCost cost = cell_cost(kernel, degree);
+    jobs.push_back({kernel, call, cost.flops * space->n_cells() / n_unknowns,
+                    cost.cell_bytes * space->n_cells() / n_unknowns + vector_bytes});
+  };
   jobs.push_back({"FEEvaluation", [&] { rival->force(rival_x, rival_f); }});
-  jobs.push_back({"force", [&] { kernels->force(y.x, y.f); }});
-  jobs.push_back({"constraint", [&] { kernels->constraint(y.x, y.g); }});
-  jobs.push_back({"rate", [&] { kernels->constraint_rate(y.x, y.v, y.g); }});
-  jobs.push_back({"reaction", [&] { kernels->add_reaction(y.x, y.multiplier, y.f); }});
-  jobs.push_back({"gram", [&] {
+  add("force", 8 + 24, [&] { kernels->force(y.x, y.f); });
+  add("constraint", 8, [&] { kernels->constraint(y.x, y.g); });
+  add("rate", 16, [&] { kernels->constraint_rate(y.x, y.v, y.g); });
+  add("reaction", 8 + 16, [&] { kernels->add_reaction(y.x, y.multiplier, y.f); });
+  jobs.push_back({"gram",
+                  [&] {
                     y.f = 0.0;
                     kernels->add_reaction(y.x, y.multiplier, y.f);
                     y.f.scale(space->inverse_mass());
                     kernels->constraint_rate(y.x, y.f, y.g);
-                  }});
+                  },
+                  jobs[3].flops + jobs[4].flops + 1, jobs[3].bytes + jobs[4].bytes + 32});
   jobs[0].call();
   jobs[1].call();
   jobs[1].difference = std::abs(y.f.l2_norm() / rival_f.l2_norm() - 1);
   time_interleaved(jobs);
-  for (Job& job : jobs)
-    std::printf("%d,%d,%.0f,%s,%.4g,%.4g,%.3f,%.1e\n", degree, n_refinements, n_unknowns, job.kernel.c_str(),
-                n_unknowns / job.median(), n_unknowns / *std::min_element(job.seconds.begin(), job.seconds.end()),
-                jobs[0].median() / job.median(), job.difference);
+  const double median_of_rival = jobs[0].median();
+  for (Job& job : jobs) {
+    const double median = job.median(), best = *std::min_element(job.seconds.begin(), job.seconds.end());
+    const double least_time = std::max(job.flops / limits.flops_per_second, job.bytes / limits.bytes_per_second);
+    std::printf("%d,%d,%.0f,%s,%.4g,%.4g,%.3f,%.1e,%.0f,%.0f,%.4g\n", degree, n_refinements, n_unknowns,
+                job.kernel.c_str(), n_unknowns / median, n_unknowns / best, median_of_rival / median, job.difference,
+                job.flops, job.bytes, least_time > 0 ? 1 / least_time : 0);
+  }
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -120,6 +155,8 @@ int main(int argc, char** argv) {
   const MachineLimits limits = measure_machine_limits();
   std::printf("# one core: %.4g flops/s (fused multiply-adds, %d lanes), %.4g bytes/s (triad)\n",
               limits.flops_per_second, limits.lanes, limits.bytes_per_second);
-  std::printf("degree,refinements,unknowns,kernel,per_second,best_per_second,over_fe_evaluation,difference\n");
-  for (int degree = first; degree <= last; ++degree) measure(degree);
+  std::printf(
+      "degree,refinements,unknowns,kernel,per_second,best_per_second,over_fe_evaluation,difference,"
+      "flops,bytes,roofline\n");
+  for (int degree = first; degree <= last; ++degree) measure(degree, limits);
 }

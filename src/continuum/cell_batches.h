@@ -109,7 +109,7 @@ class CellBatches {
 
   SumFactorization<n> factorization;
   std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
-  Vector reference_positions;                 ///< with ghost entries
+  const Vector* reference_positions;          ///< with the ghost nodes
   std::vector<Batch> batches;
 
  private:

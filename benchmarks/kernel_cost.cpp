@@ -1,0 +1,125 @@
+#include "kernel_cost.h"
+
+#include <memory>
+#include <stdexcept>
+
+#include "continuum/pressure_basis.h"
+#include "continuum/sum_factorization.h"
+#include "materials/ciarlet_geymonat.h"
+
+namespace pseudorigid::benchmarks {
+namespace {
+
+/// A number that counts what is done to it.
+struct Counted {
+  static inline long n_operations = 0;
+  double v = 1;
+
+  Counted() = default;
+  Counted(double value) : v(value) {}
+  static Counted counted(double value) {
+    ++n_operations;
+    return value;
+  }
+  friend Counted operator+(Counted a, Counted b) { return counted(a.v + b.v); }
+  friend Counted operator-(Counted a, Counted b) { return counted(a.v - b.v); }
+  friend Counted operator*(Counted a, Counted b) { return counted(a.v * b.v); }
+  friend Counted operator/(Counted a, Counted b) { return counted(a.v / b.v); }
+  Counted& operator+=(Counted b) { return *this = *this + b; }
+};
+
+template <class Run>
+double operations(const Run& run) {
+  const long before = Counted::n_operations;
+  run();
+  return static_cast<double>(Counted::n_operations - before);
+}
+
+using Tensor = materials::Tensor<Counted>;
+constexpr double log_operations = 34;  // lanes.h: quotient, powers, eleven terms, sums
+
+template <int degree>
+struct Cost {
+  static constexpr int n = degree + 1, n_points = n * n * n;
+  using Monomials = continuum::PressureMonomials<degree - 1>;
+  static constexpr double n_pressure = Monomials::size;
+
+  continuum::SumFactorization<n> factorization{continuum::ReferenceCell(degree)};
+  std::unique_ptr<Counted[]> buffer = std::make_unique<Counted[]>(n_points + 4 * n * n);
+  Counted *nodal = buffer.get(), *plane = nodal + n_points;
+  static constexpr int p = n * n;
+
+  /// From nodes to gradients, and back.
+  double gradient() {
+    return 3 * operations([&] {
+             factorization.interpolate_layers(nodal);
+             for (int q3 = 0; q3 < n; ++q3)
+               factorization.plane_gradient(nodal, q3, plane, plane + p, plane + 2 * p, plane + 3 * p);
+           });
+  }
+  double integration() {
+    return 3 * operations([&] {
+             for (int q3 = 0; q3 < n; ++q3)
+               factorization.integrate_plane(plane, plane + p, plane + 2 * p, q3, plane + 3 * p, nodal);
+             factorization.distribute_layers(nodal);
+           });
+  }
+
+  static double stress_at_point() {
+    return operations([] {
+      const materials::CiarletGeymonat law{1, 0};
+      const Tensor F = product(Tensor{}, Tensor{});
+      const Tensor P = Counted(-1) * law.stress(F);  // its cofactors give det F too
+      product(P, Tensor{});
+    });
+  }
+  static double inverse_at_point() {
+    return operations([] {
+      const Tensor H{}, cof = cofactor(H);
+      Counted(1) / determinant(H, cof);
+    });
+  }
+  static double moments_at_point() {
+    return operations([] {
+      Counted moments[Monomials::size];
+      Monomials::add_moments(Counted(1) * Counted(1), Counted(), Counted(), Counted(), moments);
+    });
+  }
+  static double pressure_at_point() {
+    return operations([] {
+      const Counted coefficients[Monomials::size];
+      Monomials::evaluate(coefficients, Counted(), Counted(), Counted());
+    });
+  }
+
+  CellCost of(const std::string& kernel) {
+    constexpr double indices = 4.0 * n_points, basis = 8 * n_pressure * (n_pressure + 1) / 2 + 8 * n_pressure;
+    constexpr double pressure_points = 8 * 4 * n_points, basis_operations = n_pressure * (n_pressure + 1);
+    if (kernel == "force")
+      return {gradient() + integration() + n_points * stress_at_point(), indices + 8 * 10 * n_points};
+    if (kernel == "constraint")
+      return {gradient() + basis_operations + n_points * (inverse_at_point() + 1 + log_operations + moments_at_point()),
+              indices + pressure_points + basis};
+    if (kernel == "rate")
+      return {2 * gradient() + basis_operations + n_points * (inverse_at_point() + 18 + moments_at_point()),
+              indices + pressure_points + basis};
+    if (kernel == "reaction")
+      return {
+          gradient() + integration() + basis_operations + n_points * (inverse_at_point() + 10 + pressure_at_point()),
+          indices + pressure_points + basis};
+    throw std::invalid_argument("no cost known of " + kernel);
+  }
+};
+
+template <int degree>
+CellCost cost_up_to(const std::string& kernel, int wanted) {
+  if (wanted == degree) return Cost<degree>().of(kernel);
+  if constexpr (degree > 2) return cost_up_to<degree - 1>(kernel, wanted);
+  throw std::invalid_argument("no cost known of that degree");
+}
+
+}  // namespace
+
+CellCost cell_cost(const std::string& kernel, int degree) { return cost_up_to<8>(kernel, degree); }
+
+}  // namespace pseudorigid::benchmarks
