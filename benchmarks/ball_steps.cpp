@@ -68,7 +68,7 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
   if (arguments.gram == "two-level") method = continuum::GramMethod::two_level;
   const double setup = seconds([&] {
     made.emplace(continuum::Sector{{true, true, true}}, arguments.degree, arguments.n_refinements,
-                 materials::CiarletGeymonat{1, 0}, communicator, method);
+                 materials::CiarletGeymonat{1, 0}, continuum::BallLoads{}, communicator, method);
   });
   const ElasticBall& ball = *made;
   const Eigen::Matrix3d velocity = Eigen::Vector3d(0.3, 0.3, -0.6).asDiagonal();
