@@ -110,6 +110,13 @@ void mark_boundary(dealii::Triangulation<3>& coarse) {
     }
 }
 
+/// Place of the coarse cell that a cell comes from, among those that the mesh was made of. (The number in its CellId is
+/// another one in p4est's meshes.)
+int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
+  while (cell->level() > 0) cell = cell->parent();
+  return cell->index();
+}
+
 }  // namespace
 
 BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator)
@@ -138,7 +145,7 @@ BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicato
 
 std::size_t BallMesh::global_number(const dealii::Triangulation<3>::cell_iterator& cell) const {
   const dealii::CellId id = cell->id();
-  std::size_t number = id.get_coarse_cell_id();
+  std::size_t number = coarse_index(cell);
   for (const auto child : id.get_child_indices()) number = 8 * number + child;
   return number;
 }
@@ -150,7 +157,7 @@ dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterato
   const auto children = id.get_child_indices();
   for (std::size_t level = children.size(); level-- > 0;)
     for (unsigned int d = 0; d < 3; ++d) coarse_xi[d] = 0.5 * (coarse_xi[d] + (children[level] >> d & 1));
-  return transfinite(coarse_vertices_[id.get_coarse_cell_id()], coarse_xi);
+  return transfinite(coarse_vertices_[coarse_index(cell)], coarse_xi);
 }
 
 }  // namespace pseudorigid::continuum
