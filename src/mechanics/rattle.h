@@ -22,6 +22,7 @@
 /// The small increments of q and v are summed with compensation (vector_space.h), and where the system can do it
 /// (resolves_rounding), the constraint is met by q + q_rounding.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -231,7 +232,9 @@ struct Rattle {
       if (Status status = project_velocity(system, state, w); !status) return status;
       axpy(-1.0, state.v, change);
       const double size = max_norm(change), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
-      if (size <= round_off || (size >= 0.5 * before && size <= 100 * round_off)) {
+      // What the projection may leave of G v, and so of v, is no sign of divergence either.
+      const double jitter = std::max(100 * round_off, 1000 * system.constraint_tolerance());
+      if (size <= round_off || (size >= 0.5 * before && size <= jitter)) {
         w.acceleration_known = false;  // of the velocity before
         return {};
       }

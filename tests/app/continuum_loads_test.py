@@ -40,13 +40,13 @@ class ContinuumLoads(StoppedRunTest):
 
     def test_damped_scene(self):
         reduced, continuum = self.run_params("damped", *overrides({"Time/End": 8, "Output/Samples": 80}))
-        for table in (reduced, continuum):
+        for table, momentum in ((reduced, 1e-5), (continuum, 1e-12)):  # an explicit method, and RATTLE
             energy, dissipated = table.column("energy"), table.column("dissipated")
             print(max(energy) - min(energy), dissipated[-1])
             self.assert_constant(energy, 1e-3 * energy[0])
             self.assertGreater(dissipated[-1], 0.1 * energy[0])
             self.assertTrue(all(b >= a - 1e-12 for a, b in zip(dissipated, dissipated[1:])))
-            self.assert_constant(table.column("J3"), 1e-9)
+            self.assert_constant(table.column("J3"), momentum)
 
     def test_compressible_scene(self):
         reduced, continuum = self.run_params("compressible", *overrides({"Time/End": 5, "Output/Samples": 100}))
@@ -63,8 +63,8 @@ class ContinuumLoads(StoppedRunTest):
         self.assertIn("pressure space: the body is compressible", (self.scratch / "output/compressible/log.txt").read_text())
 
     def test_every_law_of_the_compressible_body(self):
-        for law in ("neo-hookean", "mooney-rivlin", "ciarlet-geymonat", "saint-venant-kirchhoff", "ciarlet-geymonat (as printed)",
-                    "saint-venant-kirchhoff (as printed)"):
+        for law in ("neo-hookean", "mooney-rivlin", "ciarlet-geymonat", "saint-venant-kirchhoff",
+                    "ciarlet-geymonat (as printed)"):
             with self.subTest(law):
                 tables = self.run_scene({**BOTH, "Body/Incompressible": "false", "Material/Law": law, "Time/End": 0.5,
                                          "Initial state/Deformation": "1.05, 0, 0; 0, 1, 0; 0, 0, 0.98"})
@@ -73,6 +73,14 @@ class ContinuumLoads(StoppedRunTest):
                     self.assert_constant(energy, 1e-3 * max(max(table.column("kinetic")), abs(energy[0])))
                 log = (self.scratch / "output/scene/log.txt").read_text()
                 self.assertEqual("Warnings:" in log, "saint" in law or "printed" in law)
+
+    def test_a_law_that_is_stressed_at_rest_ends_in_a_message(self):
+        """Saint Venant–Kirchhoff as printed: the wave from the surface, which is stressed, turns the centre inside out."""
+        self.scene({**BOTH, "Models": "continuum", "Body/Incompressible": "false",
+                    "Material/Law": "saint-venant-kirchhoff (as printed)"})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("turned inside out", result.stderr)
 
     def test_nearly_incompressible_steps_are_stable(self):
         """Pressure waves 30 times as fast as shear waves set the step that the program chooses."""
@@ -140,8 +148,8 @@ class ContinuumLoads(StoppedRunTest):
         self.assertLess(largest_difference(tables["reference"], tables["scaled"]), 1e-10)
 
     def test_a_damped_run_goes_on_after_an_interrupt(self):
-        scene = {**BOTH, "Models": "continuum", "Continuum/Degree": 3, "Material/Viscosity": 0.01, "Time/End": 60,
-                 "Time/Step": 0.005, "Time/Method": "rattle", "Output/Samples": 600,
+        scene = {**BOTH, "Models": "continuum", "Continuum/Degree": 3, "Material/Viscosity": 0.01, "Time/End": 10,
+                 "Time/Step": 0.005, "Time/Method": "rattle", "Output/Samples": 100,
                  "Initial state/Velocity": "0, -0.3, 0; 0.3, 0, 0; 0, 0, 0"}
         self.check_control_c(scene, "continuum", 1e-11)
         self.assert_constant(self.table("parts/continuum.csv").column("energy"), 1e-4)
