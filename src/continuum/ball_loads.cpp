@@ -5,13 +5,11 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX: the reaction Gᵀλ at rest to the multiplier λ_h = 1, whose coefficients are G X / tr Id.
+/// ∫∇φ_n dX: the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, where d = F = Id, with 2η = −1.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
-  Vector one = space.make_multiplier(), gradients = space.make_vector();
-  kernels.constraint_rate(X, X, one);
-  one /= 3;
-  kernels.add_reaction(X, one, gradients);
+  Vector gradients = space.make_vector();
+  kernels.add_viscous_force(-0.5, X, X, gradients);
   return gradients;
 }
 

@@ -40,6 +40,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
         key = std::min(key, number * nodes_per_cell + i);
       }
   }
+  if (space.account()) node_keys.push_back(not_seen);  // its place is behind all nodes, there as here
   fields_ = make_order(node_keys, 3);
   multipliers_ = make_order(cell_keys, space.n_pressure());
 }

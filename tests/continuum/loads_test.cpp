@@ -104,7 +104,7 @@ TYPED_TEST(LoadedTwin, SectorsDegreesAndRefinedMeshes) {
   std::mt19937 generator(2);
   const materials::AnyLaw law = ciarlet_geymonat;
   for (const Sector& sector : all_sectors)
-    for (int degree = 2; degree <= 6; ++degree) {
+    for (int degree = incompressible<TypeParam> ? 2 : 1; degree <= 6; ++degree) {
       const BallLoads loads = admissible(sector, all_loads());
       this->compare(TypeParam(sector, degree, 0, law, loads), law, loads, generator);
     }
