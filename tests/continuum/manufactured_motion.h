@@ -24,7 +24,7 @@
 namespace pseudorigid::testing {
 
 struct ManufacturedMotion {
-  double amplitude = 0.25, omega = 3;
+  double amplitude = 0.25, omega = 6;
 
   template <class T>
   T a(T t) const {
@@ -69,7 +69,7 @@ struct ManufacturedMotion {
     return F;
   }
   double multiplier(const Vector3d& X, double t) const {
-    return 0.3 + std::sin(2 * t) * std::cos(X[0]) * std::cos(X[1]) * std::cos(2 * X[2]);
+    return 0.3 + std::sin(4 * t) * std::cos(X[0]) * std::cos(X[1]) * std::cos(2 * X[2]);
   }
 };
 
