@@ -6,12 +6,12 @@
 /// stability limit. One line of CSV (and a header): degree, refinements, ranks, unknowns, multipliers, gram (the
 /// preconditioner), force_s (seconds of a force evaluation), constraint_s, rate_s, reaction_s, step_s, step_per_force
 /// (the ratio), forces, newton, solves, gram_iterations (each per step), iterations_per_solve, iterations_at_most,
-/// renewals, gram_MB (preconditioner, this rank), kernel_MB, resident_MB (this rank), setup_s. Times are medians of
+/// renewals, gram_MB (preconditioner, this rank), kernel_MB, allocated_MB (all of the ball and the method, this
+/// rank), setup_s. Times are medians of
 /// CPU-bound wall clock; STEPS (default 40) are taken after 10 that are not timed.
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
-#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <chrono>
@@ -22,6 +22,7 @@
 #include <string>
 #include <vector>
 
+#include "allocated_memory.h"
 #include "continuum/elastic_ball.h"
 #include "continuum/ranks.h"
 #include "mechanics/largest_frequency.h"
@@ -66,6 +67,7 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
   std::optional<continuum::GramMethod> method;
   if (arguments.gram == "dense") method = continuum::GramMethod::dense;
   if (arguments.gram == "two-level") method = continuum::GramMethod::two_level;
+  const double allocated_before = benchmarks::allocated_bytes();
   const double setup = seconds([&] {
     made.emplace(continuum::Sector{{true, true, true}}, arguments.degree, arguments.n_refinements,
                  materials::CiarletGeymonat{1, 0}, continuum::BallLoads{}, communicator, method);
@@ -95,14 +97,12 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
   const double n_steps = arguments.n_steps;
   const double n_solves = static_cast<double>(after.n_solves - before.n_solves);
   const double n_iterations = static_cast<double>(after.n_iterations - before.n_iterations);
-  dealii::Utilities::System::MemoryStats memory;
-  dealii::Utilities::System::get_memory_stats(memory);
   if (continuum::this_rank(communicator) != 0) return;
   const auto& space = ball.space();
   std::printf(
       "degree,refinements,ranks,unknowns,multipliers,gram,force_s,constraint_s,rate_s,reaction_s,step_s,"
       "step_per_force,forces,newton,solves,gram_iterations,iterations_per_solve,iterations_at_most,renewals,gram_MB,"
-      "kernel_MB,resident_MB,setup_s\n");
+      "kernel_MB,allocated_MB,setup_s\n");
   std::printf(
       "%d,%d,%u,%zu,%zu,%s,%.3g,%.3g,%.3g,%.3g,%.4g,%.1f,%.2f,%.2f,%.2f,%.1f,%.1f,%ld,%ld,%.1f,%.1f,%.0f,%.2f\n",
       arguments.degree, arguments.n_refinements, continuum::n_ranks(communicator), 3 * space.n_global_nodes(),
@@ -111,7 +111,8 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
       static_cast<double>(w.counters.n_position_iterations - counted.n_position_iterations) / n_steps,
       n_solves / n_steps, n_iterations / n_steps, n_solves > 0 ? n_iterations / n_solves : 0,
       after.n_iterations_at_most, after.n_renewals, static_cast<double>(after.memory) / 1e6,
-      static_cast<double>(ball.kernels().memory()) / 1e6, static_cast<double>(memory.VmRSS) / 1e3, setup);
+      static_cast<double>(ball.kernels().memory()) / 1e6, (benchmarks::allocated_bytes() - allocated_before) / 1e6,
+      setup);
 }
 
 }  // namespace

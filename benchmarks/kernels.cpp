@@ -13,18 +13,16 @@
 ///   flops, bytes                    of one unknown, counted (kernel_cost.h; 0 for FEEvaluation)
 ///   roofline                        unknowns per second that the machine's limits allow with them
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "allocated_memory.h"
 #include "continuum/cell_kernels.h"
 #include "fe_evaluation_force.h"
 #include "kernel_cost.h"
@@ -87,28 +85,20 @@ struct Fields {
   Vector x, v, f, multiplier, g;
 };
 
-/// Resident memory of the process in bytes.
-double resident_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  double total = 0, resident = 0;
-  statm >> total >> resident;
-  return resident * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
-
 void measure(int degree, const MachineLimits& limits) {
   int n_refinements = 1;
-  double resident = resident_bytes();
+  double before = allocated_bytes();
   auto space = std::make_unique<BallSpace>(BallMesh(octant, n_refinements), degree);
   while (3 * space->n_nodes() < least_unknowns) {
     space.reset();
-    resident = resident_bytes();
+    before = allocated_bytes();
     space = std::make_unique<BallSpace>(BallMesh(octant, ++n_refinements), degree);
   }
   const double n_unknowns = 3.0 * space->n_nodes();
   const auto kernels = continuum::make_cell_kernels(*space, neo_hookean);
   std::printf(
-      "# degree %d: %.0f bytes of each unknown for geometry, indices and basis, %.0f resident for all of the ball\n",
-      degree, static_cast<double>(kernels->memory()) / n_unknowns, (resident_bytes() - resident) / n_unknowns);
+      "# degree %d: %.0f bytes of each unknown for geometry, indices and basis, %.0f with mesh, nodes and masses\n",
+      degree, static_cast<double>(kernels->memory()) / n_unknowns, (allocated_bytes() - before) / n_unknowns);
   const auto rival = make_fe_evaluation_force(space->mesh(), degree, neo_hookean);
   Fields y(*space);
   const Vector rival_x = rival->placed();
