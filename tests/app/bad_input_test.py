@@ -2,10 +2,9 @@
 import os
 import re
 import shutil
-import subprocess
 import unittest
 
-from program_test import DONE, WRONG_INPUT, overrides
+from program_test import WRONG_INPUT, overrides
 from refused_input import BASE, RefusedInputTest
 
 DIAGONAL = "Initial state/Deformation"
@@ -300,27 +299,6 @@ class BadInput(RefusedInputTest):
         self.refused("run", "scene.prm", fragments=("pseudorigid-continuum", "cannot be started", "Models = reduced"))
         self.scene(BASE)
         self.run_done("run", "scene.prm", "--quiet")
-
-    def test_two_processes(self):
-        if not shutil.which("mpirun"):
-            self.skipTest("no mpirun")
-        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-
-        def run(*arguments):
-            command = ["mpirun", "-np", "2", "--oversubscribe", *self.command(arguments)]
-            return subprocess.run(command, env=environment, cwd=self.scratch, capture_output=True, text=True, timeout=60)
-
-        self.scene({**BASE, "Models": "continuum"})
-        refused = run("run", "scene.prm")
-        self.assertEqual(refused.returncode, WRONG_INPUT, refused.stderr)
-        self.assertEqual(re.findall("^error: .*", refused.stderr, re.M),
-                         ["error: the continuum model runs in one process; start it without mpirun, or with -np 1"])
-        self.assertEqual(self.files(), ["scene.prm"])
-        self.assertEqual(run("run", "nowhere.prm").stderr.count("error: "), 1)
-        self.scene(BASE)
-        done = run("run", "scene.prm")
-        self.assertEqual(done.returncode, DONE, done.stderr)
-        self.assertEqual(done.stderr.count("results are in"), 1)
 
 
 if __name__ == "__main__":

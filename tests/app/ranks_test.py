@@ -123,6 +123,8 @@ class Ranks(ProgramTest):
         self.scene({**SCENE, "Continuum/Degree": 99})
         result = self.run_on(2, "run", "scene.prm", code=WRONG_INPUT)
         self.assertEqual(result.stderr.count("error:"), 1)
+        self.assertEqual(self.files(), ["scene.prm"])
+        self.assertEqual(self.run_on(2, "run", "nowhere.prm", code=WRONG_INPUT).stderr.count("error: "), 1)
 
     def test_a_scene_without_continuum_runs_on_one_rank(self):
         self.scene({"Models": "reduced", "Time/End": 1})
