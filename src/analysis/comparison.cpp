@@ -205,7 +205,10 @@ void compare_states(Workshop& w) {
   out.has_state = true;
   const Deformation r(w.r, w.options.resolution, out.reduced), c(w.c, w.options.resolution, out.continuum);
   const std::vector<double> apart = distances(c.Q, r.Q);
-  w.add("q_difference", 1, each(ratio_or_zero, apart, norms(r.Q)));
+  const std::vector<double> sizes = norms(r.Q);
+  w.add("q_difference", 1, each(ratio_or_zero, apart, sizes));
+  if (w.options.space_error)
+    out.error = {*w.options.space_error, ratio_or_zero(3 * w.options.time_error, std::ranges::min(sizes))};
   // Where nothing moves, what is left to divide by is the resolution itself.
   const double departure =
       std::max({out.reduced.departure, out.continuum.departure, w.options.resolution * r.Q[0].norm()});

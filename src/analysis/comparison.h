@@ -38,9 +38,19 @@ namespace pseudorigid::analysis {
 /// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
+/// What of q_difference may be the finite elements' and the integrators' own: |δQ|/|Q|, estimated, largest over the
+/// samples.
+struct DiscretizationError {
+  double space = 0;  ///< given
+  double time = 0;   ///< 3 e / min_t |Q_r|, e the estimated time errors of both models together, largest entry of Q
+  double total() const { return space + time; }
+};
+
 struct ComparisonOptions {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
   std::optional<double> exact_frequency_ratio;  ///< small-amplitude value where the scene has one
+  std::optional<double> space_error;            ///< of the continuum, |δQ|/|Q|, if known
+  double time_error = 0;                        ///< of both models, largest entry of Q, as far as known
 };
 
 struct Series {
@@ -74,6 +84,7 @@ struct Comparison {
   bool has_state = false;
   std::string signal;         ///< "C33"
   std::string signal_reason;  ///< why this one
+  std::optional<DiscretizationError> error;
   std::optional<FrequencyRatio> ratio;
   std::optional<double> exact_ratio;  ///< only where it applies: the body does not spin
   std::optional<double>
@@ -82,6 +93,8 @@ struct Comparison {
   std::vector<std::string> not_compared;  ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
+  /// Whether the models differ by more than the discretisation may have made.
+  bool is_resolved() const { return !error || find("q_difference")->max > error->total(); }
 };
 
 /// UserError if the tables are empty, hold different sample times or a value that is not finite. Groups of columns that

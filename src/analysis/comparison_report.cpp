@@ -46,6 +46,15 @@ Json frequency_json(const Comparison& c) {
   return json;
 }
 
+Json model_difference_json(const Comparison& c) {
+  Json json{{"value", c.find("q_difference")->max}};
+  json["space_error"] = c.error ? Json(c.error->space) : Json(nullptr);
+  json["time_error"] = c.error ? Json(c.error->time) : Json(nullptr);
+  json["uncertainty"] = c.error ? Json(c.error->total()) : Json(nullptr);
+  json["resolved"] = c.error ? Json(c.is_resolved()) : Json(nullptr);
+  return json;
+}
+
 Json model_json(const ModelSummary& m, bool has_state) {
   Json json;
   json["departure"] = has_state ? Json(m.departure) : Json(nullptr);
@@ -186,6 +195,7 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   for (const Series& s : c.series)
     json["differences"][s.name] = {
         {"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
+  json["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
   json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);
   json["reduced"] = model_json(c.reduced, c.has_state);
   json["continuum"] = model_json(c.continuum, c.has_state);
@@ -210,6 +220,13 @@ std::string summary_sentence(const Comparison& c) {
   return sentence + ".";
 }
 
+std::string model_difference(const Comparison& c) {
+  const double value = c.find("q_difference")->max;
+  if (!c.error) return fmt::format("model difference {:.3g} (discretisation error: not estimated)", value);
+  return fmt::format("model difference {:.3g} +- {:.1g} (discretisation error, estimated){}", value, c.error->total(),
+                     c.is_resolved() ? "" : "; the two overlap: the difference is not resolved");
+}
+
 std::string terminal_table(const Comparison& c) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{:<38}{:>13}{:>13}",
@@ -219,6 +236,7 @@ std::string terminal_table(const Comparison& c) {
   if (!c.series.empty())
     lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "difference", "rms", "largest", "at t"));
   add_series_rows(c, lines);
+  if (c.has_state) lines.push_back(model_difference(c));
   if (!c.not_compared.empty()) lines.push_back(fmt::format("not compared: {}", fmt::join(c.not_compared, "; ")));
   return fmt::format("{}\n{}\n", fmt::join(lines, "\n"), summary_sentence(c));
 }

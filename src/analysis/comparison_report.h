@@ -22,7 +22,11 @@ void write_comparison(const std::filesystem::path& folder, const Comparison& com
 /// What the comparison means, in one sentence that ends with a full stop.
 std::string summary_sentence(const Comparison& comparison);
 
-/// A table of at most 15 lines, the last one the sentence.
+/// "model difference 0.0123 +- 0.0004 (discretisation error, estimated)", of Q relative to |Q|, and whether the two
+/// overlap. Takes a comparison that has_state.
+std::string model_difference(const Comparison& comparison);
+
+/// A table of at most 16 lines, the last one the sentence.
 std::string terminal_table(const Comparison& comparison);
 
 }  // namespace pseudorigid::analysis

@@ -29,7 +29,7 @@ class ContinuumModel {
   explicit ContinuumModel(const RunContext& context)
       : context_(context),
         law_(internal_law(context.scene)),
-        ball_({context.needs.sector.reflect}, context.scene.continuum.degree, context.scene.continuum.refinements, law_,
+        ball_({context.needs.sector.reflect}, context.discretization.degree, context.discretization.refinements, law_,
               ball_loads(context.scene), context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF),
         rank_order_(ball_.space()),
         request_(context.request()) {}
@@ -55,7 +55,15 @@ class ContinuumModel {
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     io::continuum_row(time, observables_, context_.units, context_.needs.quantities, row);
+    if (context_.trace) (*context_.trace)[sample_at(time)] = configuration(state);
     return {};
+  }
+  void take_up(const io::Table& rows) {
+    if (!context_.trace || !rows.has_column("Q11")) return;
+    const std::size_t first = rows.column_index("Q11");
+    for (std::size_t n = 0; n < rows.n_rows(); ++n)
+      (*context_.trace)[sample_at(rows.row(n)[0])] =
+          Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
 
   mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
@@ -97,6 +105,9 @@ class ContinuumModel {
   }
 
  private:
+  long sample_at(double time) const {
+    return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
+  }
   static continuum::BallLoads ball_loads(const scene::Scene& scene) {
     const InternalLoads loads = internal_loads(scene);
     return {loads.quadratic, loads.acceleration, loads.nominal_traction, loads.viscosity, loads.drag};

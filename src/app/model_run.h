@@ -343,7 +343,8 @@ class ModelRun {
       c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
     }
     statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
-    return {state, message.empty() ? message : std::string(Model::name) + " " + message, std::move(statistics_)};
+    return {state, message.empty() ? message : std::string(Model::name) + " " + message, std::move(statistics_),
+            KnownStepping{position_.method, position_.step}};
   }
 
   Model& model_;

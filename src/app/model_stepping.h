@@ -36,6 +36,7 @@ class ModelStepping {
   /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
   /// somebody is announced and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
+    if (context_.stepping) return take_over(*context_.stepping, state, position);
     const std::optional<mechanics::MethodId> method = method_of(context_.scene);
     const double bound = step_bound();
     if (method && std::isfinite(bound) && !is_adaptive(*method)) {
@@ -104,6 +105,21 @@ class ModelStepping {
     if (!damping.status) return damping.status;
     limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
                      mechanics::damped_step_limit(damping.gamma, safety));
+    return {};
+  }
+
+  /// What another run has found, the step no longer than stability admits here.
+  Status take_over(const KnownStepping& known, const State& state, RunPosition& position) const {
+    position.method = known.method;
+    position.step = known.step;
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (Status status = rattle_limit(state, 0.8, limit); !status) return status;
+      with_fitting_method<System>(known.method, [&]<class Method>(Method) {
+        if constexpr (!Method::adaptive)
+          position.step = std::min(known.step, limit * Method::stability_limit / mechanics::Rattle::stability_limit);
+      });
+    }
     return {};
   }
 

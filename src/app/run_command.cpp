@@ -5,6 +5,7 @@
 
 #include "analysis/comparison_report.h"
 #include "app/ball_equilibria.h"
+#include "app/discretization_search.h"
 #include "app/model_checkpoint.h"
 #include "app/run_models.h"
 #include "app/scene_to_model.h"
@@ -31,7 +32,17 @@ void shorten_to_common(io::Table& a, io::Table& b) {
   b.values.resize(n * b.columns.size());
 }
 
-void compare_models(const RunContext& context, bool quiet) {
+/// What the models' runs know of their errors.
+void take_errors(const std::map<std::string, io::Manifest::Model>& models, analysis::ComparisonOptions& options) {
+  for (const auto& [name, model] : models) {
+    if (const auto e = model.counters.find("relative_space_error"); e != model.counters.end())
+      options.space_error = e->second;
+    if (const auto e = model.counters.find("estimated_time_error"); e != model.counters.end())
+      options.time_error += e->second;
+  }
+}
+
+void compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
   io::Table reduced = io::read_csv(context.directory.csv("reduced"));
   io::Table continuum = io::read_csv(context.directory.csv("continuum"));
   shorten_to_common(reduced, continuum);
@@ -40,9 +51,11 @@ void compare_models(const RunContext& context, bool quiet) {
   options.resolution = context.scene.time.tolerance;
   if (context.scene.body.incompressible && scene::is_free(context.scene))
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
+  take_errors(manifest.models, options);
   const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);
   analysis::write_comparison(context.directory.path(), comparison);
   context.log->debug("{}", analysis::summary_sentence(comparison));
+  if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
   if (quiet) return;
   std::fputs(analysis::terminal_table(comparison).c_str(), stdout);
   std::fflush(stdout);  // in order with what goes to stderr
@@ -79,15 +92,16 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
     complete = run_model("continuum", executable.run_continuum, of_all, manifest, message, interrupted);
   }
   const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
-  if (needs.comparison && both_exist && !interrupted) compare_models(context, quiet);
+  if (needs.comparison && both_exist && !interrupted) compare_models(context, manifest.content(), quiet);
   if (complete) {
     context.log->info("results are in {}", context.directory.path().string());
     manifest.finish("done", exit_done);
     return exit_done;
   }
   const auto has_checkpoint = [&](const char* model) { return exists(context.directory.checkpoint(model)); };
-  const bool resumable =
-      needs.system ? has_checkpoint(system.c_str()) : has_checkpoint("reduced") || has_checkpoint("continuum");
+  const bool resumable = needs.system ? has_checkpoint(system.c_str())
+                                      : has_checkpoint("reduced") || has_checkpoint("continuum") ||
+                                            has_checkpoint(DiscretizationSearch::checkpoint_name);
   context.log->error("{}{}", message,
                      !resumable    ? ""
                      : interrupted ? " (--resume goes on from there)"
@@ -111,7 +125,7 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, io::
 
 /// Every checkpoint in the directory can be read and belongs to this scene.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
-  std::vector<std::string> models{"reduced", "continuum", SweepRows::name};
+  std::vector<std::string> models{"reduced", "continuum", SweepRows::name, DiscretizationSearch::checkpoint_name};
   if (const auto* system = scene.catalogue->system(scene.system)) models.emplace_back(system->file);
   for (const std::string& model : models) {
     const auto path = directory.checkpoint(model);

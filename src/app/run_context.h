@@ -2,9 +2,11 @@
 /// What all models of one run share.
 
 #include <memory>
+#include <optional>
 
 #include <spdlog/logger.h>
 
+#include "app/deformation_trace.h"
 #include "app/ranks.h"
 #include "io/csv.h"
 #include "io/manifest.h"
@@ -12,10 +14,18 @@
 #include "io/signals.h"
 #include "io/units.h"
 #include "mechanics/body_observables.h"
+#include "mechanics/methods.h"
+#include "scene/discretization.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
+
+/// What a run steps with.
+struct KnownStepping {
+  mechanics::MethodId method;
+  double step;  ///< internal time, an upper bound
+};
 
 struct RunContext {
   const scene::Scene& scene;
@@ -27,6 +37,9 @@ struct RunContext {
   bool show_progress;
   io::Table* rows = nullptr;  ///< where the rows go instead of files, and no checkpoint is written (sweeps)
   const Ranks* ranks = &one_rank();
+  scene::Discretization discretization{};   ///< of the continuum
+  std::optional<KnownStepping> stepping{};  ///< found by another run of the scene, in place of a search
+  DeformationTrace* trace = nullptr;        ///< where the continuum leaves Q as it goes
 
   /// The scene's times in internal units.
   double internal_time(double physical) const { return physical / units.time; }
@@ -40,11 +53,24 @@ struct RunContext {
   }
 };
 
+/// The context of a run of the same scene with other needs or another section Time.
+inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
+  return {.scene = scene,
+          .needs = needs,
+          .directory = context.directory,
+          .units = context.units,
+          .log = context.log,
+          .resume = context.resume,
+          .show_progress = context.show_progress,
+          .ranks = context.ranks};
+}
+
 /// How a model's run ended.
 struct ModelOutcome {
   enum class State { finished, interrupted, failed } state = State::finished;
   std::string message;  ///< one sentence, for the user, if not finished
   io::Manifest::Model statistics;
+  std::optional<KnownStepping> stepping{};
 };
 
 }  // namespace pseudorigid::app

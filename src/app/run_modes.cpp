@@ -94,8 +94,8 @@ ModelOutcome run_modes(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   const auto start = Clock::now();
   const materials::AnyLaw law = internal_law(scene);
-  const continuum::BallSpace space(continuum::BallMesh({{true, true, true}}, scene.continuum.refinements),
-                                   scene.continuum.degree);
+  const continuum::BallSpace space(continuum::BallMesh({{true, true, true}}, *scene.continuum.refinements),
+                                   *scene.continuum.degree);
   const auto kernels = continuum::make_cell_kernels(space, law);
   const continuum::RestProblem problem(space, *kernels, law, scene.body.incompressible);
   std::vector<BallFrequency> frequencies;

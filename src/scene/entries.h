@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "scene/catalogue.h"
+#include "scene/discretization.h"
 #include "scene/entry_kinds.h"
 #include "scene/scene.h"
 
@@ -47,6 +48,8 @@ inline constexpr Choice<Family, 9> family_kind = [] {
   return kind;
 }();
 inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
+inline constexpr Choice<ErrorEstimate, 2> error_estimate_kind{
+    {{{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
 inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
     {"auto", Symmetry::automatic},
@@ -273,13 +276,22 @@ void visit_time(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_continuum(S& scene, Visit& visit) {
-  auto& [degree, refinements, mesh, symmetry] = scene.continuum;
-  visit(
-      degree, Integer{1, 8},
-      About{"Continuum/Degree", "",
-            "Polynomial degree of the displacement; the pressure has one degree less. 1 is for compressible bodies."});
-  visit(refinements, Integer{0, 4},
-        About{"Continuum/Refinements", "", "How often each cell of the mesh is divided into eight."});
+  auto& [degree, refinements, tolerance, error_estimate, mesh, symmetry] = scene.continuum;
+  visit(degree, AutoOrInteger{{1, largest_degree}},
+        About{"Continuum/Degree", "",
+              "Polynomial degree of the displacement; the pressure has one degree less. 1 is for compressible bodies. "
+              "auto: the cheapest that meets Tolerance, found by runs on coarser discretisations."});
+  visit(refinements, AutoOrInteger{{0, 4}},
+        About{"Continuum/Refinements", "",
+              "How often each cell of the mesh is divided into eight. auto: as Tolerance needs, up to 2."});
+  visit(tolerance, Number{1e-10, 1e-1},
+        About{"Continuum/Tolerance", "",
+              "Bound of the discretisation error in space of Q over the run (largest entry, over all samples), where "
+              "Degree or Refinements is auto; a time error larger than a twentieth of it is not admitted then."});
+  visit(error_estimate, error_estimate_kind,
+        About{"Continuum/Error estimate", "",
+              "auto: where the models are compared, the continuum is also run on a coarser discretisation, for about a "
+              "third of the cost, and the comparison says its discretisation error; none: it is left out."});
   visit(mesh, mesh_kind, About{"Continuum/Mesh", "", "The mesh to start from: the builtin mesh of the ball."});
   visit(
       symmetry, symmetry_kind,

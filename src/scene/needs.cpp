@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/matrix3.h"
 
@@ -17,12 +18,30 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
 }
 
 std::string continuum_line(const Scene& scene, const Sector& sector) {
-  const auto& [degree, refinements, mesh, symmetry] = scene.continuum;
-  return fmt::format("continuum: finite elements of degree {} on the {} mesh, refined {} time{}", degree,
-                     mesh_kind.print(mesh), refinements, refinements == 1 ? "" : "s") +
+  const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
+  const auto fixed = fixed_discretization(scene);
+  return fmt::format("continuum: finite elements on the {} mesh, {}", mesh_kind.print(scene.continuum.mesh),
+                     fixed
+                         ? describe(*fixed)
+                         : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
+                                       found(scene.continuum.degree), found(scene.continuum.refinements),
+                                       print_number(scene.continuum.tolerance))) +
          (scene.analysis == Analysis::modes
               ? ", one octant in all its parities"
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
+}
+
+/// The discretisation error: known of a search, estimated by a companion run where somebody reads it.
+void describe_error_estimate(const Scene& scene, Needs& needs) {
+  if (!needs.continuum || scene.analysis != Analysis::motion) return;
+  const auto fixed = fixed_discretization(scene);
+  if (!fixed) return needs.needed.push_back("discretisation error: estimated by runs on coarser discretisations");
+  const bool asked = scene.continuum.error_estimate == ErrorEstimate::automatic;
+  needs.companion = needs.comparison && asked;
+  sort_out(needs, needs.companion,
+           fmt::format("discretisation error: estimated by a companion run ({})", describe(companion(*fixed))),
+           asked ? "discretisation error: no comparison to set it beside"
+                 : "discretisation error: Continuum/Error estimate is none; no companion run");
 }
 
 void describe_models(const Scene& scene, Needs& needs) {
@@ -35,7 +54,9 @@ void describe_models(const Scene& scene, Needs& needs) {
            "constraint: the body is compressible");
   if (needs.continuum)
     sort_out(needs, needs.pressure_space,
-             fmt::format("pressure space: degree {}, volume preserved everywhere", scene.continuum.degree - 1),
+             fmt::format("pressure space: {}, volume preserved everywhere",
+                         scene.continuum.degree ? fmt::format("degree {}", *scene.continuum.degree - 1)
+                                                : "one degree less than the displacement"),
              "pressure space: the body is compressible");
   const bool loaded = largest_entry(scene.loads.quadratic) != 0;
   const bool pulled = largest_entry(scene.loads.nominal_traction) != 0;
@@ -46,6 +67,7 @@ void describe_models(const Scene& scene, Needs& needs) {
   sort_out(needs, scene.dissipation.viscosity != 0 || scene.dissipation.drag != 0,
            "dissipation, and the energy that it takes", "dissipation: neither viscosity nor drag");
   sort_out(needs, needs.comparison, "comparison of the two models", "comparison: only one model runs");
+  describe_error_estimate(scene, needs);
 }
 
 void describe_output(const Scene& scene, Needs& needs) {

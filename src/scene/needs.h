@@ -17,6 +17,7 @@ struct Needs {
   bool constraint = false;                   ///< det = 1 and its multiplier
   bool pressure_space = false;               ///< of the continuum
   bool comparison = false;                   ///< of both models
+  bool companion = false;                    ///< a run on another discretisation, for the error of the first
   bool graphics = false;                     ///< files for ParaView
   Quantities quantities;                     ///< the observables to evaluate
   Sector sector;                             ///< of the continuum

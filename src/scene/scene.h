@@ -42,6 +42,8 @@ enum class Family {
 };
 enum class Mesh { builtin };
 enum class Graphics { none, vtu };
+/// How the continuum's discretisation error becomes known.
+enum class ErrorEstimate { none, automatic };
 
 /// Which coordinate planes are symmetry planes of the computed sector; `automatic` lets the scene decide.
 /// x, y, z name the normals of the planes: xyz is one octant, none the full ball.
@@ -115,7 +117,9 @@ struct Scene {
     double tolerance = 1e-6;
   } time;
   struct Continuum {
-    int degree = 4, refinements = 0;
+    std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
+    double tolerance = 1e-3;
+    ErrorEstimate error_estimate = ErrorEstimate::automatic;
     Mesh mesh = Mesh::builtin;
     Symmetry symmetry = Symmetry::automatic;
   } continuum;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/entry_kinds.h"
 #include "scene/matrix3.h"
@@ -162,6 +163,9 @@ class Validator {
     if (!is_free(scene_) || !centered)
       refuse("Analysis",
              "modes are those of the free ball; leave out loads, viscosity, drag and motions of the centre");
+    if (!fixed_discretization(scene_))
+      refuse(scene_.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
+             "auto is offered for motions; modes have their spread as a measure of the mesh's error, so give a number");
     if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)
       refuse("Continuum/Symmetry",
              "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto");
@@ -216,7 +220,7 @@ class Validator {
     const auto refuse_for_continuum = [&](const char* path, const char* what) {
       refuse(path, fmt::format("{} is offered for the reduced model; set Models = reduced", what));
     };
-    if (scene_.body.incompressible && scene_.continuum.degree < 2)
+    if (scene_.body.incompressible && scene_.continuum.degree == 1)
       refuse("Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1");
     if (scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
