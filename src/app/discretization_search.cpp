@@ -45,7 +45,7 @@ ModelOutcome DiscretizationSearch::run() {
       return outcome;
     }
     if (written && outcome.state == ModelOutcome::State::failed) return outcome;
-    if (!settled_) note(outcome, std::move(trace));
+    if (!settled_ || n_failures_ > 0) note(outcome, std::move(trace));
     settled_ = settles();
     if (settled_ && written) {
       save();

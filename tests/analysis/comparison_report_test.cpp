@@ -1,5 +1,6 @@
 #include "analysis/comparison_report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,6 +76,31 @@ TEST(ComparisonReport, TerminalTableIsShortAndAligned) {
   EXPECT_TRUE(contains(lines[1], "3.162278     2.665622   ratio 1.186319"));
   EXPECT_EQ(lines[0].find("continuum"), lines[1].find("2.665622") - 1);
   EXPECT_EQ(lines.back(), summary_sentence(c));
+}
+
+TEST(ComparisonReport, TellsTheDiscretizationErrorAndWhetherTheTwoOverlap) {
+  const auto report = [](ComparisonOptions options) {
+    const Comparison c =
+        compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten), std::move(options));
+    EXPECT_TRUE(contains(terminal_table(c), model_difference(c)));
+    return std::pair(model_difference(c), comparison_json(c)["model_difference"]);
+  };
+  const double value = report({}).second["value"].get<double>();
+  const std::string shown = fmt::format("model difference {:.3g}", value);
+  EXPECT_EQ(report({}).first, shown + " (discretisation error: not estimated)");
+  EXPECT_TRUE(report({}).second["resolved"].is_null());
+
+  const auto [resolved, json] = report({.space_error = 4e-4, .time_error = 1e-7});
+  EXPECT_EQ(resolved, shown + " +- 0.0004 (discretisation error, estimated)");
+  EXPECT_TRUE(json["resolved"].get<bool>());
+  EXPECT_EQ(json["space_error"].get<double>(), 4e-4);
+  // |Q| ≥ √3 where det Q = 1, with equality at rest; entries up to e are a matrix of norm up to 3e.
+  EXPECT_NEAR(json["time_error"].get<double>(), 1e-7 * std::sqrt(3), 1e-9);
+  EXPECT_EQ(json["uncertainty"].get<double>(), json["space_error"].get<double>() + json["time_error"].get<double>());
+
+  const auto [overlapping, of_overlap] = report({.space_error = 1.1 * value});
+  EXPECT_TRUE(contains(overlapping, "; the two overlap: the difference is not resolved"));
+  EXPECT_FALSE(of_overlap["resolved"].get<bool>());
 }
 
 TEST(ComparisonReport, TerminalTableNamesWhatIsMissing) {

@@ -1,0 +1,226 @@
+/// The search for a discretisation, on runs whose errors are known.
+
+#include "app/discretization_search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+
+#include "app/error_estimate.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr int n_samples = 10;
+
+/// What a run of the search was asked for.
+struct Call {
+  scene::Discretization discretization;
+  bool written, stepping_is_known;
+  double step, time_tolerance;
+};
+
+/// The continuum: Q = Id + e(k, r) sin(t) H, and as many forces as the stable step takes.
+struct Continuum {
+  std::function<double(const scene::Discretization&)> error;
+  std::function<ModelOutcome::State(const scene::Discretization&)> state = [](const auto&) {
+    return ModelOutcome::State::finished;
+  };
+  std::vector<Call> calls{};
+
+  static double unknowns(const scene::Discretization& d) {
+    return 12 * std::pow(std::ldexp(d.degree, d.refinements), 3);
+  }
+  static double forces(const scene::Discretization& d) { return 8 * d.degree * std::ldexp(d.degree, d.refinements); }
+
+  ModelOutcome operator()(const RunContext& c) {
+    const scene::Discretization d = c.discretization;
+    calls.push_back({d, !c.rows, c.stepping.has_value(), c.stepping ? c.stepping->step : 0, c.scene.time.tolerance});
+    ModelOutcome outcome{.state = state(d), .message = "stopped", .statistics = {}};
+    outcome.statistics.counters = {{"unknowns", unknowns(d)}, {"forces", forces(d)}};
+    outcome.stepping = KnownStepping{mechanics::id_of<mechanics::Rattle4>, 0.1};
+    for (int k = 0; c.trace && k <= n_samples; ++k) {
+      (*c.trace)[k] = Eigen::Matrix3d::Identity();
+      (*c.trace)[k](2, 2) += error(d) * std::sin(k);
+    }
+    return outcome;
+  }
+};
+
+class DiscretizationSearchTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "pseudorigid-search-XXXXXX").native();
+    folder_ = ::mkdtemp(name.data());
+    scene_.continuum.degree.reset();
+    scene_.continuum.refinements.reset();
+    scene_.time.tolerance = 1e-6;
+    scene_.output.samples = n_samples;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  ModelOutcome search(Continuum& continuum, double tolerance, bool resume = false) {
+    scene_.continuum.tolerance = tolerance;
+    needs_ = scene::needs(scene_);
+    const io::RunDirectory directory(folder_);
+    const RunContext context{.scene = scene_,
+                             .needs = needs_,
+                             .directory = directory,
+                             .units = io::ball_units(1, 1, 1),
+                             .log = io::make_logger(io::Verbosity::silent, {}),
+                             .resume = resume,
+                             .show_progress = false};
+    if (scene::fixed_discretization(scene_)) return run_with_estimate(context, std::ref(continuum));
+    return DiscretizationSearch(context, std::ref(continuum)).run();
+  }
+
+  scene::Scene scene_;
+  scene::Needs needs_;
+  std::filesystem::path folder_;
+};
+
+double work_of(const scene::Discretization& d) { return Continuum::unknowns(d) * Continuum::forces(d); }
+
+/// Errors of one sign, of alternating signs, and those that fall faster than any power.
+const std::vector<std::function<double(const scene::Discretization&)>> laws{
+    [](const auto& d) { return 0.1 * std::pow(scene::resolution(d), -3.5); },
+    [](const auto& d) { return 0.4 * (d.degree % 2 ? -1 : 1) * std::pow(scene::resolution(d), -4.0); },
+    [](const auto& d) { return 0.3 * std::exp(-1.5 * scene::resolution(d)); }};
+
+TEST_F(DiscretizationSearchTest, MeetsTheToleranceForAFewTimesTheLeastWork) {
+  for (const auto& error : laws)
+    for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
+      Continuum continuum{.error = error};
+      const ModelOutcome outcome = search(continuum, tolerance);
+      const auto& c = outcome.statistics.counters;
+      const scene::Discretization chosen = continuum.calls.back().discretization;
+      EXPECT_EQ(chosen, (scene::Discretization{int(c.at("degree")), int(c.at("refinements"))}));
+      EXPECT_LE(std::abs(error(chosen)), tolerance);
+      EXPECT_LE(std::abs(error(chosen)), c.at("estimated_space_error"));
+      EXPECT_LE(c.at("estimated_space_error"), tolerance);
+      EXPECT_TRUE(continuum.calls.back().written);
+      double least = HUGE_VAL, spent = 0;
+      for (int k = 2; k <= scene::largest_degree; ++k)
+        for (int r = 0; r <= 4; ++r)
+          if (std::abs(error({k, r})) <= tolerance) least = std::min(least, work_of({k, r}));
+      for (const Call& call : continuum.calls) spent += work_of(call.discretization);
+      EXPECT_DOUBLE_EQ(spent, c.at("work") + c.at("search_work"));
+      EXPECT_LE(spent, 8 * least) << tolerance;
+    }
+}
+
+TEST_F(DiscretizationSearchTest, KeepsTimeErrorsOutOfTheDifferences) {
+  Continuum continuum{.error = laws[0]};
+  search(continuum, 1e-4);
+  ASSERT_GE(continuum.calls.size(), 4u);
+  EXPECT_FALSE(continuum.calls[0].stepping_is_known);
+  EXPECT_DOUBLE_EQ(continuum.calls[0].time_tolerance, 5e-6);
+  // The step that degree 2 found, for degree 3.
+  EXPECT_TRUE(continuum.calls[1].stepping_is_known);
+  EXPECT_DOUBLE_EQ(continuum.calls[1].step, 0.1 * 2 / 3);
+  EXPECT_FALSE(continuum.calls.back().stepping_is_known);
+  EXPECT_DOUBLE_EQ(continuum.calls.back().time_tolerance, 1e-6);
+  // A looser Time/Tolerance than the search can stand, and a step that is the user's.
+  scene_.time.tolerance = 1e-2;
+  scene_.time.step = 0.1;
+  Continuum fixed{.error = laws[0]};
+  search(fixed, 1e-4);
+  EXPECT_DOUBLE_EQ(fixed.calls.back().time_tolerance, 5e-6);
+  EXPECT_DOUBLE_EQ(fixed.calls[1].step, 0.1);
+}
+
+TEST_F(DiscretizationSearchTest, HonoursAFixedDegreeOrRefinement) {
+  scene_.continuum.refinements = 1;
+  Continuum degrees{.error = laws[0]};
+  search(degrees, 1e-3);
+  for (const Call& call : degrees.calls) EXPECT_EQ(call.discretization.refinements, 1);
+  scene_.continuum = {.degree = 3, .refinements = {}};
+  Continuum refinements{.error = laws[0]};
+  search(refinements, 1e-3);
+  for (const Call& call : refinements.calls) EXPECT_EQ(call.discretization.degree, 3);
+}
+
+TEST_F(DiscretizationSearchTest, TakesTheFinestWhereNoneSuffices) {
+  Continuum continuum{.error = [](const auto& d) { return 1 / scene::resolution(d); }};
+  const ModelOutcome outcome = search(continuum, 1e-6);
+  EXPECT_EQ(outcome.state, ModelOutcome::State::finished);
+  EXPECT_EQ(continuum.calls.back().discretization, scene::ladder(scene_).back());
+  EXPECT_GT(outcome.statistics.counters.at("estimated_space_error"), 1e-6);
+}
+
+TEST_F(DiscretizationSearchTest, GoesOnAfterAnInterruptWithoutRepeatingARun) {
+  Continuum whole{.error = laws[1]};
+  const ModelOutcome expected = search(whole, 1e-4);
+  for (std::size_t stop = 0; stop < whole.calls.size(); ++stop) {
+    Continuum parts{.error = laws[1]};
+    parts.state = [&](const auto&) {
+      return parts.calls.size() == stop + 1 ? ModelOutcome::State::interrupted : ModelOutcome::State::finished;
+    };
+    EXPECT_EQ(search(parts, 1e-4).state, ModelOutcome::State::interrupted);
+    const ModelOutcome resumed = search(parts, 1e-4, true);
+    EXPECT_EQ(resumed.statistics.counters, expected.statistics.counters);
+    EXPECT_EQ(parts.calls.size(), whole.calls.size() + 1);  // that in hand, twice
+  }
+  // Of a run that is complete nothing is left to search.
+  Continuum again{.error = laws[1]};
+  EXPECT_EQ(search(again, 1e-4, true).statistics.counters, expected.statistics.counters);
+  EXPECT_EQ(again.calls.size(), 1u);
+}
+
+TEST_F(DiscretizationSearchTest, PassesOverAMeshThatIsTooCoarseForTheMotion) {
+  Continuum continuum{.error = laws[0]};
+  continuum.state = [](const auto& d) {
+    return d.degree == 2 && d.refinements == 0 ? ModelOutcome::State::failed : ModelOutcome::State::finished;
+  };
+  const ModelOutcome outcome = search(continuum, 1e-3);
+  EXPECT_EQ(outcome.state, ModelOutcome::State::finished);
+  EXPECT_LE(laws[0](continuum.calls.back().discretization), 1e-3);
+}
+
+TEST_F(DiscretizationSearchTest, StopsWhereTheMotionBreaksOff) {
+  Continuum continuum{.error = laws[0]};
+  continuum.state = [](const auto&) { return ModelOutcome::State::failed; };
+  const ModelOutcome outcome = search(continuum, 1e-3);
+  EXPECT_EQ(outcome.state, ModelOutcome::State::failed);
+  ASSERT_EQ(continuum.calls.size(), 3u);
+  EXPECT_TRUE(continuum.calls.back().written);
+}
+
+/// A fixed discretisation beside another model.
+TEST_F(DiscretizationSearchTest, CompanionEstimatesTheErrorAndCostsAThird) {
+  for (const int k : {3, 4, 5}) {
+    scene_.continuum = {.degree = k, .refinements = 0};
+    Continuum continuum{.error = laws[1]};
+    const auto counters = search(continuum, 1e-3).statistics.counters;
+    ASSERT_EQ(continuum.calls.size(), 2u);
+    EXPECT_TRUE(continuum.calls[0].written);
+    EXPECT_FALSE(continuum.calls[1].written);
+    EXPECT_DOUBLE_EQ(continuum.calls[1].step, 0.1);
+    // Errors of alternating sign: from the error itself to a few times as much.
+    const double e = std::abs(laws[1]({k, 0}));
+    EXPECT_GE(counters.at("estimated_space_error"), e);
+    EXPECT_LE(counters.at("estimated_space_error"), 6 * e);
+    EXPECT_LE(counters.at("companion_work"), 0.35 * counters.at("work"));
+  }
+}
+
+TEST_F(DiscretizationSearchTest, NoCompanionWhereNobodyAsks) {
+  scene_.continuum.degree = 4;
+  scene_.continuum.refinements = 0;
+  const auto n_runs = [&] {
+    Continuum continuum{.error = laws[0]};
+    search(continuum, 1e-3);
+    return continuum.calls.size();
+  };
+  EXPECT_EQ(n_runs(), 2u);
+  scene_.continuum.error_estimate = scene::ErrorEstimate::none;
+  EXPECT_EQ(n_runs(), 1u);
+  scene_.continuum.error_estimate = scene::ErrorEstimate::automatic;
+  scene_.models.reduced = false;
+  EXPECT_EQ(n_runs(), 1u);
+}
+
+}  // namespace
+}  // namespace pseudorigid::app
