@@ -92,6 +92,7 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
     first_stepping_ = outcome.stepping;
     first_resolution_ = N;
   }
+  warn_of_gaps(context_, trace);
   const TraceDifference apart = difference(trace, trace_);
   relative_to_largest_ = apart.largest > 0 ? apart.relative / apart.largest : 0;
   errors_.add(N, apart.largest);

@@ -27,6 +27,7 @@ ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& ru
                       companion.message);
     return outcome;
   }
+  warn_of_gaps(context, trace);
   const TraceDifference apart = difference(trace, coarse);
   const auto error = [&](double d) {
     return analysis::space_error(d, scene::resolution(discretization), scene::resolution(other));

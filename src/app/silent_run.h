@@ -30,6 +30,15 @@ inline ModelOutcome run_silently(const ContinuumRun& run, const RunContext& cont
   return run(silent);
 }
 
+/// A resumed run knows Q before its resume from the columns of continuum.csv alone.
+inline void warn_of_gaps(const RunContext& context, const DeformationTrace& trace) {
+  if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
+    context.log->warn(
+        "continuum: the discretisation error is estimated from {} of {} samples: of the time before the "
+        "resume Q is not in continuum.csv, as Output/Quantities has no state",
+        trace.size(), context.scene.output.samples + 1);
+}
+
 /// Unknowns times evaluations of the force, those of pilots included: what a run has cost, whatever the machine.
 inline double work(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;

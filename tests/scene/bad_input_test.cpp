@@ -66,27 +66,31 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Integers, BadInputTest,
-    testing::Values(
-        BadInput{"degree_low",
-                 entry("Continuum", "Degree = 0"),
-                 {},
-                 "scene.prm:2: Continuum/Degree: expected a whole number from 1 to 8, got \"0\""},
-        BadInput{
-            "degree_high", entry("Continuum", "Degree = 9"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
-        BadInput{
-            "degree_real", entry("Continuum", "Degree = 2.0"), {}, "scene.prm:2: Continuum/Degree: expected a whole"},
-        BadInput{"refinements",
-                 entry("Continuum", "Refinements = -1"),
-                 {},
-                 "scene.prm:2: Continuum/Refinements: expected a whole number from 0 to 4, got \"-1\""},
-        BadInput{"samples",
-                 entry("Output", "Samples = 10000001"),
-                 {},
-                 "scene.prm:2: Output/Samples: expected a whole number from 1 to 10000000"},
-        BadInput{"int_overflow",
-                 entry("Output", "Frames = 99999999999"),
-                 {},
-                 "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
+    testing::Values(BadInput{"degree_low",
+                             entry("Continuum", "Degree = 0"),
+                             {},
+                             "scene.prm:2: Continuum/Degree: expected auto or a whole number from 1 to 8, got \"0\""},
+                    BadInput{"degree_high",
+                             entry("Continuum", "Degree = 9"),
+                             {},
+                             "scene.prm:2: Continuum/Degree: expected auto or a whole"},
+                    BadInput{"degree_real",
+                             entry("Continuum", "Degree = 2.0"),
+                             {},
+                             "scene.prm:2: Continuum/Degree: expected auto or a whole"},
+                    BadInput{
+                        "refinements",
+                        entry("Continuum", "Refinements = -1"),
+                        {},
+                        "scene.prm:2: Continuum/Refinements: expected auto or a whole number from 0 to 4, got \"-1\""},
+                    BadInput{"samples",
+                             entry("Output", "Samples = 10000001"),
+                             {},
+                             "scene.prm:2: Output/Samples: expected a whole number from 1 to 10000000"},
+                    BadInput{"int_overflow",
+                             entry("Output", "Frames = 99999999999"),
+                             {},
+                             "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
 
 const std::string at_law =
     "scene.prm:2: Material/Law: expected one of neo-hookean, mooney-rivlin, ciarlet-geymonat, ciarlet-geymonat (as "

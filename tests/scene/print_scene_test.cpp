@@ -138,7 +138,7 @@ TEST_F(PrintScene, EveryDefaultIsAllowedAndEveryEntryIsDocumented) {
     EXPECT_FALSE(kind.expected().empty()) << about.path;
     EXPECT_TRUE(about.documentation.ends_with(".")) << about.path;
   });
-  EXPECT_EQ(n_entries, 48);
+  EXPECT_EQ(n_entries, 50);
 }
 
 TEST_F(PrintScene, JsonHoldsEveryEntry) {
