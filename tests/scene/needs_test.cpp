@@ -71,6 +71,24 @@ TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
   EXPECT_EQ(name([](Scene& s) { s.dissipation = {1, 1}; }), "octant");
 }
 
+TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMesh) {
+  Scene scene;
+  EXPECT_TRUE(needs(scene).companion);
+  EXPECT_TRUE(
+      mentions(needs(scene).needed, "discretisation error: estimated by a companion run (degree 3, unrefined)"));
+  scene.continuum.error_estimate = ErrorEstimate::none;
+  EXPECT_FALSE(needs(scene).companion);
+  EXPECT_TRUE(mentions(needs(scene).skipped, "Continuum/Error estimate is none; no companion run"));
+  scene.continuum.degree.reset();
+  EXPECT_FALSE(needs(scene).companion);
+  EXPECT_TRUE(mentions(needs(scene).needed, "discretisation error: estimated by runs on coarser discretisations"));
+  EXPECT_TRUE(mentions(needs(scene).needed, "degree auto, refinements 0: the cheapest"));
+  scene = {};
+  scene.models.reduced = false;
+  EXPECT_FALSE(needs(scene).companion);
+  EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: no comparison to set it beside"));
+}
+
 TEST(NegativeZero, IsZeroForTheSector) {
   Scene scene;
   scene.initial_state.deformation[0][1] = -0.0;

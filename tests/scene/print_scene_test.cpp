@@ -80,8 +80,14 @@ Scene any_scene(std::mt19937_64& random) {
   if (random() % 2) scene.time.step = positive_number();
   scene.time.method = method_kind(test::test_catalogue()).allowed[random() % 4];
   scene.time.tolerance = std::uniform_real_distribution<>(1e-13, 1e-1)(random);
-  scene.continuum = {static_cast<int>(2 + random() % 5), static_cast<int>(random() % 5), Mesh::builtin,
+  scene.continuum = {static_cast<int>(1 + random() % 8),
+                     static_cast<int>(random() % 5),
+                     std::uniform_real_distribution<>(1e-10, 1e-1)(random),
+                     static_cast<ErrorEstimate>(random() % 2),
+                     Mesh::builtin,
                      static_cast<Symmetry>(random() % 9)};
+  if (random() % 2) scene.continuum.degree.reset();
+  if (random() % 2) scene.continuum.refinements.reset();
   const auto coin = [&] { return random() % 2 == 0; };
   scene.output = {"out/" + std::to_string(random()),
                   static_cast<int>(1 + random() % 10'000'000),
