@@ -48,9 +48,9 @@ struct DiscretizationError {
 
 struct ComparisonOptions {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
-  std::optional<double> exact_frequency_ratio;  ///< small-amplitude value where the scene has one
-  std::optional<double> space_error;            ///< of the continuum, |δQ|/|Q|, if known
-  double time_error = 0;                        ///< of both models, largest entry of Q, as far as known
+  std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value where the scene has one
+  std::optional<double> space_error{};            ///< of the continuum, |δQ|/|Q|, if known
+  double time_error = 0;                          ///< of both models, largest entry of Q, as far as known
 };
 
 struct Series {
