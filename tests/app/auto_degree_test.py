@@ -3,7 +3,7 @@ interrupts; every comparison says its discretisation error.
 
 The references are Q(t) of the same scenes on much finer discretisations, in auto_degree_reference.json, made by
     PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/auto_degree_test.py reference
-and the table of costs in docs/benchmarks.md (CPU seconds and counted work, by hand and by auto) by
+and a table of costs (CPU seconds and counted work, by hand and by auto) is printed by
     PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/auto_degree_test.py costs
 """
 import json
@@ -20,14 +20,11 @@ Q = [f"Q{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
 SCENES = {
     "release": {"Initial state/Deformation": "0.95, 0, 0; 0, 0.95, 0; 0, 0, 1.1080332409972299"},
     "velocity": {"Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6"},
-    # Half a ball, of another law.
-    "spin": {"Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8", "Material/Law": "mooney-rivlin",
-             "Initial state/Velocity": "0, -0.5, 0; 0.625, 0, 0; 0, 0, 0", "Time/End": 0.5},
 }
-COMMON = {"Models": "continuum", "Time/End": 1, "Output/Samples": 10, "Output/Quantities": "state"}
+COMMON = {"Models": "continuum", "Time/End": 2, "Output/Samples": 10, "Output/Quantities": "state"}
 AUTO = {"Continuum/Degree": "auto", "Continuum/Refinements": "auto"}
 # Finer than anything that the tolerances ask for.
-FINEST = {"release": (6, 1), "velocity": (6, 1), "spin": (6, 1)}
+FINEST = {"release": (6, 1), "velocity": (6, 1)}
 
 
 class AutoDegree(ProgramTest):
@@ -60,7 +57,7 @@ class AutoDegree(ProgramTest):
         return counters
 
     def check_cost(self, scene, tolerance, best):
-        """`best`: the cheapest (k, refinements) whose error meets the tolerance, found by hand (docs/benchmarks.md)."""
+        """`best`: the cheapest (k, refinements) whose error meets the tolerance, found by hand."""
         auto = self.check_tolerance(scene, tolerance)
         hand = self.run_scene({**self.at_tolerance(scene, tolerance), "Continuum/Degree": best[0],
                                "Continuum/Refinements": best[1]}, "hand")
@@ -76,9 +73,6 @@ class AutoDegree(ProgramTest):
         self.check_cost("velocity", 1e-3, (3, 0))
         self.check_cost("velocity", 1e-4, (4, 0))
         self.check_cost("velocity", 1e-5, (5, 0))
-
-    def test_spin(self):
-        self.check_cost("spin", 1e-3, (3, 0))
 
     def test_fixed_refinements_are_honoured(self):
         counters = self.run_scene({**self.at_tolerance("velocity", 1e-3), "Continuum/Degree": "auto",
@@ -142,10 +136,10 @@ def make_references():
     run.setUp()
     references = {}
     for scene, (k, r) in FINEST.items():
-        run.run_scene({**SCENES[scene], "Time/Tolerance": 2e-7, "Continuum/Degree": k, "Continuum/Refinements": r})
+        run.run_scene({**SCENES[scene], "Time/Tolerance": 1e-6, "Continuum/Degree": k, "Continuum/Refinements": r})
         references[scene] = run.deformation()
         print(scene, f"{run.cpu:.0f} s", flush=True)
-    REFERENCES.write_text(json.dumps(references).replace("]], ", "]],\n").replace("], ", "],\n") + "\n")
+    REFERENCES.write_text(json.dumps(references).replace("], [", "],\n["))
     run.doCleanups()
 
 
