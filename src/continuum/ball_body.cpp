@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "continuum/ranks.h"
 
@@ -11,11 +12,14 @@ namespace pseudorigid::continuum {
 
 BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
                    const BallLoads& loads, MPI_Comm communicator)
-    : space_(BallMesh(sector, n_refinements, communicator), degree, loads.dissipative()),
+    : BallBody(BallMesh(sector, n_refinements, communicator), degree, law, loads) {}
+
+BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads)
+    : space_(std::move(mesh), degree, loads.dissipative()),
       kernels_(make_cell_kernels(space_, law)),
       loads_(loads, space_, *kernels_),
       dissipative_(loads.dissipative()),
-      volume_(sector.n_images() * sum_over_ranks(kernels_->reference_volume(), communicator)) {
+      volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 

@@ -30,6 +30,8 @@ class BallBody {
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
            const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
+  /// The body of a mesh, likewise.
+  BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads = {});
   BallBody(const BallBody&) = delete;  // its parts refer to one another
   BallBody& operator=(const BallBody&) = delete;
 

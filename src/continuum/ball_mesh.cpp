@@ -55,16 +55,26 @@ CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   return result;
 }
 
-std::vector<CoarseCell> sector_cells(const Sector& sector) {
-  std::vector<CoarseCell> cells;
+CoarseMesh sector_of_ball(const Sector& sector) {
+  CoarseMesh mesh;
+  std::map<Corner, unsigned int> numbers;
+  const auto number = [&](const Corner& V) {
+    const auto [entry, is_new] = numbers.try_emplace(V, mesh.vertices.size());
+    if (is_new) mesh.vertices.emplace_back(V[0], V[1], V[2]);
+    return entry->second;
+  };
   for (int bits = 0; bits < 8; ++bits) {
     const std::array<bool, 3> mirrored{(bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0};
     bool wanted = true;
     for (int d = 0; d < 3; ++d) wanted = wanted && !(mirrored[d] && sector.reflect[d]);
     if (!wanted) continue;
-    for (const CoarseCell& cell : octant()) cells.push_back(image(cell, mirrored));
+    for (const CoarseCell& cell : octant()) {
+      const CoarseCell corners = image(cell, mirrored);
+      auto& numbered = mesh.cells.emplace_back();
+      for (int v = 0; v < 8; ++v) numbered[v] = number(corners[v]);
+    }
   }
-  return cells;
+  return mesh;
 }
 
 /// Equiangular point of the sphere: y in the faces of the cube |y|_∞ = 1 stands for angles of π/4 y.
@@ -89,20 +99,26 @@ dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, co
   return s > 0 ? inside + s * onto_sphere(cube / s) : inside;
 }
 
+dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
+  dealii::Point<3> X;
+  for (unsigned int v = 0; v < 8; ++v) X += dealii::GeometryInfo<3>::d_linear_shape_function(xi, v) * vertices[v];
+  return X;
+}
+
 /// A mesh in one process does without p4est, which wants MPI to run.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();
 }
 
-/// Faces of the coarse mesh that lie in the plane x_i = 0 get the id i, the others `surface_id`.
-void mark_boundary(dealii::Triangulation<3>& coarse) {
+/// Faces of the coarse mesh in a symmetry plane x_i = 0 get the id i, the others `surface_id`.
+void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
   for (const auto& cell : coarse.cell_iterators_on_level(0))
     for (const auto& face : cell->face_iterators()) {
       if (!face->at_boundary()) continue;
       dealii::types::boundary_id id = BallMesh::surface_id;
       for (unsigned int d = 0; d < 3; ++d) {
-        bool in_plane = true;
+        bool in_plane = sector.reflect[d];
         for (unsigned int v = 0; v < 4; ++v) in_plane = in_plane && face->vertex(v)[d] == 0;
         if (in_plane) id = d;
       }
@@ -120,26 +136,24 @@ int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
 }  // namespace
 
 BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator)
-    : sector_(sector), triangulation_(empty_triangulation(communicator)) {
-  std::map<Corner, unsigned int> numbers;
-  std::vector<dealii::Point<3>> vertices;
+    : BallMesh(sector, sector_of_ball(sector), true, n_refinements, communicator) {}
+
+BallMesh::BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator)
+    : BallMesh(Sector{}, body, false, n_refinements, communicator) {}
+
+BallMesh::BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements,
+                   MPI_Comm communicator)
+    : sector_(sector), on_sphere_(on_sphere), triangulation_(empty_triangulation(communicator)) {
   std::vector<dealii::CellData<3>> cells;
-  for (const CoarseCell& coarse : sector_cells(sector)) {
-    dealii::CellData<3> cell;
-    for (int v = 0; v < 8; ++v) {
-      const auto [entry, is_new] = numbers.try_emplace(coarse[v], vertices.size());
-      if (is_new) vertices.emplace_back(coarse[v][0], coarse[v][1], coarse[v][2]);
-      cell.vertices[v] = entry->second;
-    }
-    cells.push_back(cell);
-  }
+  for (const auto& vertices : coarse.cells)
+    std::copy(vertices.begin(), vertices.end(), cells.emplace_back().vertices.begin());
   dealii::GridTools::consistently_order_cells(cells);
-  triangulation_->create_triangulation(vertices, cells, {});
+  triangulation_->create_triangulation(coarse.vertices, cells, {});
   for (const auto& cell : cells) {
     auto& corners = coarse_vertices_.emplace_back();
-    for (unsigned int v = 0; v < 8; ++v) corners[v] = vertices[cell.vertices[v]];
+    for (unsigned int v = 0; v < 8; ++v) corners[v] = coarse.vertices[cell.vertices[v]];
   }
-  mark_boundary(*triangulation_);
+  mark_boundary(*triangulation_, sector);
   triangulation_->refine_global(n_refinements);
 }
 
@@ -157,7 +171,8 @@ dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterato
   const auto children = id.get_child_indices();
   for (std::size_t level = children.size(); level-- > 0;)
     for (unsigned int d = 0; d < 3; ++d) coarse_xi[d] = 0.5 * (coarse_xi[d] + (children[level] >> d & 1));
-  return transfinite(coarse_vertices_[coarse_index(cell)], coarse_xi);
+  const auto& vertices = coarse_vertices_[coarse_index(cell)];
+  return on_sphere_ ? transfinite(vertices, coarse_xi) : trilinear(vertices, coarse_xi);
 }
 
 }  // namespace pseudorigid::continuum

@@ -1,5 +1,6 @@
 #pragma once
-/// The unit ball, or a sector of it cut out by coordinate planes, on curved hexahedra.
+/// The unit ball, or a sector of it cut out by coordinate planes, on curved hexahedra; or a whole body of another shape
+/// made of hexahedra with trilinear maps, X(ξ) = Σ N_i(ξ) V_i.
 ///
 /// One octant has 4 coarse cells: a block at the centre and three cells between its faces and the sphere. A coarse cell
 /// with vertices V_i (trilinear shape functions N_i) is mapped by the transfinite interpolation
@@ -26,10 +27,18 @@ struct Sector {
   int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }
 };
 
+/// A whole body by its hexahedra: the vertices of a cell have the first local direction fastest.
+struct CoarseMesh {
+  std::vector<dealii::Point<3>> vertices;
+  std::vector<std::array<unsigned int, 8>> cells;
+};
+
 class BallMesh {
  public:
   /// The sector of the unit ball, refined `n_refinements` times, over the ranks of a communicator.
   BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
+  /// The body of these cells, likewise: right-handed, conforming, in one piece, its centre of mass at the origin.
+  BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
 
   const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }
   MPI_Comm communicator() const { return triangulation_->get_communicator(); }
@@ -43,7 +52,10 @@ class BallMesh {
   dealii::Point<3> position(const dealii::Triangulation<3>::cell_iterator& cell, const dealii::Point<3>& xi) const;
 
  private:
+  BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
+
   Sector sector_;
+  bool on_sphere_;  ///< vertices at the distance 1 are on the sphere
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
 };

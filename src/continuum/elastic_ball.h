@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "continuum/ball_body.h"
 #include "continuum/gram_solver.h"
@@ -27,9 +28,12 @@ class ElasticBall : public BallBody {
   ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
               const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
-      : BallBody(sector, degree, n_refinements, law, loads, communicator),
+      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, law, loads, gram_method) {}
+  ElasticBall(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads = {},
+              std::optional<GramMethod> gram_method = std::nullopt)
+      : BallBody(std::move(mesh), degree, law, loads),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
-        multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), communicator))) {}
+        multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
   mechanics::Status force(double, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
     return applied_force(x, v, f);

@@ -1,0 +1,250 @@
+#include "io/gmsh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "scene/user_error.h"
+
+namespace pseudorigid::io {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 28;
+constexpr int hexahedron = 5;
+
+/// Number of nodes of Gmsh's elements that are no body: point, line, quadrangle; nothing for the others.
+std::optional<std::size_t> n_nodes_of_boundary(int type) {
+  switch (type) {
+    case 15:
+      return 1;
+    case 1:
+      return 2;
+    case 3:
+      return 4;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::error_code ignored;
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream || std::filesystem::is_directory(file, ignored))
+    throw UserError(fmt::format("cannot open the mesh {}", file.string()));
+  std::string text;
+  while (stream && text.size() <= largest_file) {
+    const std::size_t n_before = text.size();
+    text.resize(n_before + (std::size_t{1} << 20));
+    stream.read(text.data() + n_before, static_cast<std::streamsize>(text.size() - n_before));
+    text.resize(n_before + static_cast<std::size_t>(stream.gcount()));
+  }
+  if (stream.bad()) throw UserError(fmt::format("cannot read the mesh {}", file.string()));
+  if (text.size() > largest_file) throw UserError(fmt::format("{}: expected a mesh of at most 256 MiB", file.string()));
+  return text;
+}
+
+class GmshReader {
+ public:
+  explicit GmshReader(const std::filesystem::path& file) : file_(file.string()), text_(text_of(file)), rest_(text_) {}
+
+  HexahedralMesh read() {
+    read_format();
+    bool has_nodes = false, has_elements = false;
+    while (next_line()) {
+      if (line_.empty()) continue;
+      const std::string_view section = line_;
+      if (!section.starts_with('$')) refuse("expected the beginning of a section, $Nodes or $Elements");
+      if (section == "$Nodes" && !has_nodes)
+        has_nodes = true, read_nodes();
+      else if (section == "$Elements" && has_nodes && !has_elements)
+        has_elements = true, read_elements();
+      else if (section == "$Nodes" || section == "$Elements")
+        refuse(fmt::format("expected one section $Nodes and after it one section $Elements, got {} here", section));
+      else
+        skip(section);
+    }
+    if (!has_nodes || !has_elements)
+      throw UserError(fmt::format("{}: the file ends without the section {}; is it truncated?", file_,
+                                  has_nodes ? "$Elements" : "$Nodes"));
+    check();
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& sentence) const {
+    throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
+  }
+
+  /// The next line without white space at its ends; false at the end of the file.
+  bool next_line() {
+    if (rest_.empty()) return false;
+    const auto end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    const auto first = std::min(line_.find_first_not_of(" \t\r"), line_.size());
+    line_ = line_.substr(first, line_.find_last_not_of(" \t\r") + 1 - first);
+    ++n_lines_;
+    return true;
+  }
+
+  void require_line(std::string_view within) {
+    if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
+  }
+
+  /// Takes the next number of the line.
+  template <class T>
+  T take(const char* what) {
+    line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
+    T value{};
+    const auto [end, error] = std::from_chars(line_.data(), line_.data() + line_.size(), value);
+    const auto n = static_cast<std::size_t>(end - line_.data());
+    const bool whole = n == line_.size() || line_[n] == ' ' || line_[n] == '\t';
+    if (error != std::errc() || !whole) refuse(fmt::format("expected {}", what));
+    line_.remove_prefix(n);
+    return value;
+  }
+
+  void require_end_of_line() {
+    if (line_.find_first_not_of(" \t") != line_.npos) refuse("there is more on this line than expected");
+  }
+
+  void require(std::string_view keyword) {
+    require_line(keyword);
+    if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
+  }
+
+  void read_format() {
+    if (!next_line() || line_ != "$MeshFormat")
+      throw UserError(fmt::format("{}:1: expected $MeshFormat, with which a file of Gmsh begins", file_));
+    require_line("$MeshFormat");
+    const auto version = take<double>("the version of the format, 2.2");
+    if (version != 2.2)
+      refuse(fmt::format("expected version 2.2 of the format, got {:.6g}; \"gmsh -format msh22 -save\" writes it",
+                         version));
+    if (take<int>("0 for ASCII") != 0) refuse("expected an ASCII file, this one is binary");
+    take<int>("the size of a number");
+    require_end_of_line();
+    require("$EndMeshFormat");
+  }
+
+  std::size_t read_count(std::string_view section) {
+    require_line(section);
+    const auto n = take<std::size_t>("how many lines the section has");
+    require_end_of_line();
+    return n;
+  }
+
+  void read_nodes() {
+    const std::size_t n = read_count("$Nodes");
+    for (std::size_t i = 0; i < n; ++i) {
+      require_line("$Nodes");
+      const auto name = take<long>("the number of a node");
+      HexahedralMesh::Point X;
+      for (double& x : X) {
+        x = take<double>("three finite coordinates after the number of the node");
+        if (!std::isfinite(x)) refuse("expected three finite coordinates after the number of the node");
+      }
+      require_end_of_line();
+      if (!vertex_of_.try_emplace(name, static_cast<unsigned int>(i)).second)
+        refuse(fmt::format("there are two nodes {}", name));
+      mesh_.vertices.push_back(X);
+      mesh_.vertex_names.push_back(name);
+    }
+    require("$EndNodes");
+  }
+
+  unsigned int take_node() {
+    const auto name = take<long>("the nodes of the element");
+    const auto found = vertex_of_.find(name);
+    if (found == vertex_of_.end()) refuse(fmt::format("there is no node {}", name));
+    return found->second;
+  }
+
+  void read_elements() {
+    const std::size_t n = read_count("$Elements");
+    std::unordered_set<long> names;
+    for (std::size_t i = 0; i < n; ++i) {
+      require_line("$Elements");
+      const auto name = take<long>("the number of an element");
+      if (!names.insert(name).second) refuse(fmt::format("there are two elements {}", name));
+      const int type = take<int>("the type of the element");
+      const auto n_tags = take<unsigned int>("the number of tags");
+      for (unsigned int tag = 0; tag < n_tags; ++tag) take<long>("as many tags as announced");
+      if (type == hexahedron)
+        read_hexahedron(name);
+      else if (const auto n_nodes = n_nodes_of_boundary(type))
+        for (std::size_t node = 0; node < *n_nodes; ++node) on_boundary_.insert(take_node());
+      else
+        refuse(fmt::format("expected hexahedra of 8 nodes (type 5), got an element of type {}", type));
+      require_end_of_line();
+    }
+    require("$EndElements");
+  }
+
+  /// Gmsh goes around the lower face and then around the upper one.
+  void read_hexahedron(long name) {
+    auto& cell = mesh_.cells.emplace_back();
+    for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();
+    auto sorted = cell;
+    std::sort(sorted.begin(), sorted.end());
+    if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+      refuse(fmt::format("element {} has a node twice", name));
+    mesh_.cell_names.push_back(name);
+  }
+
+  void skip(std::string_view section) {
+    const std::string end = "$End" + std::string(section.substr(1));
+    do require_line(section);
+    while (line_ != end);
+  }
+
+  /// Nodes of the boundary's elements alone, such as the centre of an arc, are left out.
+  void drop_construction_nodes() {
+    std::vector<bool> used(mesh_.vertices.size(), false);
+    for (const auto& cell : mesh_.cells)
+      for (const unsigned int v : cell) used[v] = true;
+    std::vector<unsigned int> place(used.size());
+    unsigned int n_kept = 0;
+    for (unsigned int v = 0; v < used.size(); ++v) {
+      if (!used[v] && on_boundary_.contains(v)) continue;
+      mesh_.vertices[n_kept] = mesh_.vertices[v];
+      mesh_.vertex_names[n_kept] = mesh_.vertex_names[v];
+      place[v] = n_kept++;
+    }
+    mesh_.vertices.resize(n_kept);
+    mesh_.vertex_names.resize(n_kept);
+    for (auto& cell : mesh_.cells)
+      for (unsigned int& v : cell) v = place[v];
+  }
+
+  void check() {
+    drop_construction_nodes();
+    try {
+      require_one_body(mesh_);
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{}: {}", file_, error.what()));
+    }
+  }
+
+  std::string file_, text_;
+  std::string_view rest_, line_;
+  int n_lines_ = 0;
+  std::unordered_map<long, unsigned int> vertex_of_;
+  std::unordered_set<unsigned int> on_boundary_;
+  HexahedralMesh mesh_;
+};
+
+}  // namespace
+
+HexahedralMesh read_gmsh(const std::filesystem::path& file) { return GmshReader(file).read(); }
+
+}  // namespace pseudorigid::io
