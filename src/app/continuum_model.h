@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "app/mesh_file.h"
 #include "app/model_run.h"
 #include "app/scene_to_model.h"
 #include "continuum/nodal_fields.h"
@@ -29,8 +30,7 @@ class ContinuumModel {
   explicit ContinuumModel(const RunContext& context)
       : context_(context),
         law_(internal_law(context.scene)),
-        ball_({context.needs.sector.reflect}, context.discretization.degree, context.discretization.refinements, law_,
-              ball_loads(context.scene), context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF),
+        ball_(mesh_of(context), context.discretization.degree, law_, ball_loads(context.scene)),
         rank_order_(ball_.space()),
         request_(context.request()) {}
 
@@ -107,6 +107,21 @@ class ContinuumModel {
  private:
   long sample_at(double time) const {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
+  }
+  static continuum::BallMesh mesh_of(const RunContext& context) {
+    const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
+    const int n_refinements = context.discretization.refinements;
+    if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
+    const CenteredMesh body = read_mesh_file(context.scene);
+    if (body.is_moved)
+      context.log->info(
+          "continuum: the body of {} is moved by ({:.6g}, {:.6g}, {:.6g}), so that its centre of mass is "
+          "the origin",
+          context.scene.continuum.mesh, -body.center[0], -body.center[1], -body.center[2]);
+    continuum::CoarseMesh mesh;
+    for (const auto& X : body.mesh.vertices) mesh.vertices.emplace_back(X[0], X[1], X[2]);
+    mesh.cells = body.mesh.cells;
+    return {mesh, n_refinements, communicator};
   }
   static continuum::BallLoads ball_loads(const scene::Scene& scene) {
     const InternalLoads loads = internal_loads(scene);

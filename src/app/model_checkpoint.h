@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/mesh_file.h"
 #include "io/checkpoint.h"
 #include "mechanics/memory.h"
 #include "mechanics/methods.h"
@@ -39,6 +40,7 @@ inline RunIdentity run_identity(const scene::Scene& scene) {
   stepping.time.end = 1;
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
+  frozen.continuum.mesh = mesh_identity(scene);
   frozen.output.directory = "-";
   frozen.sweep_threads.reset();
   frozen.title.clear();

@@ -11,6 +11,7 @@
 #include "app/catalogue.h"
 #include "app/command_line.h"
 #include "app/launch.h"
+#include "app/mesh_file.h"
 #include "app/run_command.h"
 #include "app/scene_to_run.h"
 #include "app/sweep.h"
@@ -47,6 +48,7 @@ Input read_and_validate(const Options& options) {
   input.read = input.raw;
   input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
   check_sweep(input.raw);
+  require_mesh_file(input.read.scene, input.read.origins);
   return input;
 }
 

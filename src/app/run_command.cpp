@@ -49,7 +49,7 @@ void compare_models(const RunContext& context, const io::Manifest& manifest, boo
   if (reduced.n_rows() < 2) return;
   analysis::ComparisonOptions options;
   options.resolution = context.scene.time.tolerance;
-  if (context.scene.body.incompressible && scene::is_free(context.scene))
+  if (context.scene.body.incompressible && scene::is_free(context.scene) && !scene::has_mesh_file(context.scene))
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
   take_errors(manifest.models, options);
   const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);

@@ -47,7 +47,6 @@ inline constexpr Choice<Family, 9> family_kind = [] {
   for (std::size_t i = 0; i < kind.table.size(); ++i) kind.table[i] = initial_family_kind.table[i + 1];
   return kind;
 }();
-inline constexpr Choice<Mesh, 1> mesh_kind{{{{"builtin", Mesh::builtin}}}};
 inline constexpr Choice<ErrorEstimate, 2> error_estimate_kind{
     {{{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
@@ -138,7 +137,7 @@ void visit_body(S& scene, Visit& visit) {
   visit(semi_axes, Numbers{3, positive},
         About{"Body/Semi-axes", "radius",
               "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are offered "
-              "for the reduced model."});
+              "for the reduced model, and beside a mesh from a file."});
   visit(inertia, AutoOrMatrix{},
         About{"Body/Inertia", "mass*length^2",
               "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: that of "
@@ -292,12 +291,20 @@ void visit_continuum(S& scene, Visit& visit) {
         About{"Continuum/Error estimate", "",
               "auto: where the models are compared, the continuum is also run on a coarser discretisation, for about a "
               "third of the cost, and the comparison says its discretisation error; none: it is left out."});
-  visit(mesh, mesh_kind, About{"Continuum/Mesh", "", "The mesh to start from: the builtin mesh of the ball."});
+  visit(
+      mesh, BuiltinOrMeshFile{},
+      About{
+          "Continuum/Mesh", "",
+          "The mesh to start from: the builtin mesh of the ball, or a file of Gmsh (format 2.2, ASCII, hexahedra of 8 "
+          "nodes), sought beside the parameter file. The file has the whole body, with coordinates in the unit of "
+          "Body/Radius, and is moved so that its centre of mass is the origin; Semi-axes and Inertia are then those "
+          "of the reduced body beside it."});
   visit(
       symmetry, symmetry_kind,
       About{"Continuum/Symmetry", "",
             "Normals of the coordinate planes taken as symmetry planes, so that only a sector of the ball is computed "
-            "(octant: all three; none: the full ball). auto: every plane that initial state and loads admit. "
+            "(octant: all three; none: the full ball). auto: every plane that initial state and loads admit, "
+            "none where the mesh is from a file. "
             "Motions that would break the symmetry are then excluded."});
 }
 

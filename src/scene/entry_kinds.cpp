@@ -142,6 +142,16 @@ Problem Text::read(std::string_view text, std::string& value) const {
   return std::nullopt;
 }
 
+Problem BuiltinOrMeshFile::read(std::string_view text, std::string& value) const {
+  if (text != builtin_mesh && !text.ends_with(".msh")) return got(text);
+  value = text;
+  return std::nullopt;
+}
+
+std::string BuiltinOrMeshFile::located(const std::string& value, const std::filesystem::path& folder) const {
+  return value == builtin_mesh ? value : std::filesystem::absolute(folder / value).lexically_normal().string();
+}
+
 Problem Word::read(std::string_view text, std::string& value) const {
   for (const std::string_view word : allowed)
     if (word == text) return value = word, std::nullopt;

@@ -10,6 +10,7 @@
 ///   // the words allowed, if they are a list
 
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <span>
@@ -106,6 +107,17 @@ struct Text {
   std::string print(const std::string& value) const { return value; }
   std::string expected() const { return may_be_empty ? "any text" : "a text that is not empty"; }
   std::vector<std::string_view> words() const { return {}; }
+};
+
+/// The word `builtin` or the name of a file.
+struct BuiltinOrMeshFile {
+  static constexpr std::string_view type = "mesh";
+  Problem read(std::string_view text, std::string& value) const;
+  std::string print(const std::string& value) const { return value; }
+  std::string expected() const { return "builtin or the name of a .msh file"; }
+  std::vector<std::string_view> words() const { return {builtin_mesh}; }
+  /// The file as an absolute path, if it is sought in this folder.
+  std::string located(const std::string& value, const std::filesystem::path& folder) const;
 };
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.

@@ -20,14 +20,16 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
 std::string continuum_line(const Scene& scene, const Sector& sector) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = fixed_discretization(scene);
-  return fmt::format("continuum: finite elements on the {} mesh, {}", mesh_kind.print(scene.continuum.mesh),
+  return fmt::format("continuum: finite elements on the {}, {}",
+                     has_mesh_file(scene) ? "mesh " + scene.continuum.mesh : "builtin mesh",
                      fixed
                          ? describe(*fixed)
                          : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
                                        found(scene.continuum.degree), found(scene.continuum.refinements),
                                        print_number(scene.continuum.tolerance))) +
-         (scene.analysis == Analysis::modes
-              ? ", one octant in all its parities"
+         (scene.analysis == Analysis::modes ? ", one octant in all its parities"
+          : has_mesh_file(scene)
+              ? ", the whole body"
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 

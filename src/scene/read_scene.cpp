@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <type_traits>
 #include <utility>
 
 #include "scene/entries.h"
@@ -35,13 +37,25 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                                 did_you_mean(statement.path, sections)));
 }
 
+/// A file is sought beside the parameter file that names it; one of an override in the working directory.
+std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
+  const bool in_file = statement.line > 0;
+  std::string path =
+      kind.located(name, in_file ? std::filesystem::path(statement.file).parent_path() : std::filesystem::path());
+  if (path.find('#') != std::string::npos)  // used.prm records it
+    throw UserError(fmt::format("{}: {}: expected a file whose path has no \"#\", {}", statement.where(),
+                                statement.path, got(path)));
+  return path;
+}
+
 void set_entry(const Statement& statement, ReadScene& read) {
   bool known = false;
   visit_entries(read.scene, [&](auto& member, const auto& kind, const About& about) {
     if (about.path != statement.path) return;
     known = true;
     read.scene.expressions.erase(statement.path);
-    const bool may_have_expression = kind.type != Text::type && about.path != "Sweep/Parameters";
+    const bool may_have_expression =
+        kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
     if (may_have_expression && has_expression(*statement.value)) {  // waits for the parameters of the sweep
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
@@ -49,6 +63,8 @@ void set_entry(const Statement& statement, ReadScene& read) {
     }
     if (const Problem problem = kind.read(*statement.value, member))
       throw UserError(fmt::format("{}: {}: expected {}, {}", statement.where(), about.path, kind.expected(), *problem));
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(kind)>, BuiltinOrMeshFile>)
+      member = located(statement, kind, member);
     read.origins.record(statement.path, statement.where());
   });
   if (!known)

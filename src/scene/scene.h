@@ -40,7 +40,6 @@ enum class Family {
   riemann_planar,
   riemann_planar_dual
 };
-enum class Mesh { builtin };
 enum class Graphics { none, vtu };
 /// How the continuum's discretisation error becomes known.
 enum class ErrorEstimate { none, automatic };
@@ -65,6 +64,8 @@ struct Catalogue;
 
 /// The values of the entries `System` and `Time/Method` that stand for none of the catalogue.
 inline constexpr std::string_view ball = "ball", automatic = "auto";
+/// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
+inline constexpr std::string_view builtin_mesh = "builtin";
 
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
@@ -120,7 +121,7 @@ struct Scene {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
     double tolerance = 1e-3;
     ErrorEstimate error_estimate = ErrorEstimate::automatic;
-    Mesh mesh = Mesh::builtin;
+    std::string mesh{builtin_mesh};  ///< or an absolute path
     Symmetry symmetry = Symmetry::automatic;
   } continuum;
   struct Output {
@@ -137,5 +138,7 @@ struct Scene {
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
   std::map<std::string, std::string, std::less<>> system_values;
 };
+
+inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }
 
 }  // namespace pseudorigid::scene

@@ -79,6 +79,10 @@ std::optional<std::string> breaks_plane(const Scene& scene, int i) {
 
 Sector sector(const Scene& scene) {
   Sector sector;
+  if (has_mesh_file(scene)) {
+    sector.reason = "a mesh from a file is the whole body";
+    return sector;
+  }
   const bool automatic = scene.continuum.symmetry == Symmetry::automatic;
   if (automatic) {
     for (int i = 0; i < 3; ++i) sector.reflect[i] = !breaks_plane(scene, i);

@@ -26,6 +26,7 @@ constexpr double largest_axis = 1e6;
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
 
 constexpr const char* deformation_path = "Initial state/Deformation";
+constexpr const char* mesh_path = "Continuum/Mesh";
 constexpr const char* velocity_path = "Initial state/Velocity";
 
 /// Q^-1 : Qdot^T = tr(Q^-1 Qdot), and how large it is by round-off alone.
@@ -149,6 +150,7 @@ class Validator {
 
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
   void check_modes() const {
+    if (has_mesh_file(scene_)) refuse(mesh_path, "modes are those of the ball; set Mesh = builtin");
     if (!scene_.models.continuum) refuse("Analysis", "modes are those of the continuum; set Models = continuum");
     const auto& state = scene_.initial_state;
     if (state.deformation != identity3 || state.equilibrium != Family::none)
@@ -222,9 +224,14 @@ class Validator {
     };
     if (scene_.body.incompressible && scene_.continuum.degree == 1)
       refuse("Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1");
-    if (scene_.body.semi_axes != std::vector<double>{1, 1, 1})
+    const bool builtin = !has_mesh_file(scene_);
+    if (builtin && scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
-    if (scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
+    if (builtin && scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
+    if (!builtin && scene_.continuum.degree < 2)
+      refuse("Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1");
+    if (!builtin && scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::none)
+      refuse("Continuum/Symmetry", "a mesh from a file is the whole body; set Symmetry = auto");
     if (scene_.gravity_constant != 0) refuse_for_continuum("Gravity/Constant", "self-gravity");
   }
 

@@ -116,7 +116,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "\"rattle4\"; did you mean \"rattle-4\"?"},
         BadInput{
             "symmetry", entry("Continuum", "Symmetry = quarter"), {}, "scene.prm:2: Continuum/Symmetry: expected one"},
-        BadInput{"mesh", entry("Continuum", "Mesh = file"), {}, "scene.prm:2: Continuum/Mesh: expected builtin, got"},
+        BadInput{"mesh",
+                 entry("Continuum", "Mesh = file"),
+                 {},
+                 "scene.prm:2: Continuum/Mesh: expected builtin or the name of a .msh file, got"},
         BadInput{"graphics",
                  entry("Output", "Graphics = vtk"),
                  {},

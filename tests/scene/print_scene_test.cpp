@@ -84,7 +84,7 @@ Scene any_scene(std::mt19937_64& random) {
                      static_cast<int>(random() % 5),
                      std::uniform_real_distribution<>(1e-10, 1e-1)(random),
                      static_cast<ErrorEstimate>(random() % 2),
-                     Mesh::builtin,
+                     random() % 2 ? std::string(builtin_mesh) : "/meshes/a body.msh",
                      static_cast<Symmetry>(random() % 9)};
   if (random() % 2) scene.continuum.degree.reset();
   if (random() % 2) scene.continuum.refinements.reset();

@@ -1,0 +1,27 @@
+#pragma once
+/// The file of Continuum/Mesh: a body in the unit of Body/Radius, which becomes one in internal units (X/r) with its
+/// centre of mass at the origin.
+
+#include <string>
+
+#include "io/hexahedral_mesh.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+struct CenteredMesh {
+  io::HexahedralMesh mesh;           ///< internal units
+  io::HexahedralMesh::Point center;  ///< the centre of mass in the file, in the file's units
+  bool is_moved;                     ///< by more than round-off
+};
+
+/// Throws UserError.
+CenteredMesh read_mesh_file(const scene::Scene& scene);
+
+/// Throws UserError, of the entry, if the scene's continuum has a mesh from a file that cannot be used.
+void require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
+
+/// What stands for the mesh in the scene of a checkpoint: the bytes of a file count, not its place.
+std::string mesh_identity(const scene::Scene& scene);
+
+}  // namespace pseudorigid::app
