@@ -228,7 +228,7 @@ class Validator {
     if (builtin && scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
     if (builtin && scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
-    if (!builtin && scene_.continuum.degree < 2)
+    if (!builtin && scene_.continuum.degree == 1)
       refuse("Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1");
     if (!builtin && scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::none)
       refuse("Continuum/Symmetry", "a mesh from a file is the whole body; set Symmetry = auto");

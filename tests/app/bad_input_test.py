@@ -4,7 +4,7 @@ import re
 import shutil
 import unittest
 
-from program_test import WRONG_INPUT, overrides
+from program_test import SOURCE, WRONG_INPUT, overrides
 from refused_input import BASE, RefusedInputTest
 
 DIAGONAL = "Initial state/Deformation"
@@ -192,6 +192,26 @@ class BadInput(RefusedInputTest):
         self.refused("run", "scene.prm", fragments=("scene.prm:2:", '"nowhere.prm"'))
         self.scene("include scene.prm\n")
         self.refused("run", "scene.prm", fragments=("scene.prm:1:", "includes itself"))
+
+    def test_meshes(self):
+        whole = (SOURCE / "meshes/rough_ball.msh").read_text()
+        def refused(text, *fragments):
+            (self.scratch / "body.msh").write_text(text)
+            self.refused_entries({"Models": "continuum", "Continuum/Mesh": "body.msh"}, "body.msh", *fragments)
+        self.refused_entries({"Models": "continuum", "Continuum/Mesh": "nowhere.msh"}, "nowhere.msh")
+        refused(whole[:len(whole) // 2])
+        refused(whole[:-20])
+        refused("")
+        refused(whole.replace("2.2 0 8", "4.1 0 8"), "2.2")
+        first_node = whole.index("$Nodes") + len("$Nodes\n")
+        lines = whole[first_node:].split("\n")
+        number, *_ = lines[1].split()
+        lines[1] = f"{number} nan 0 0"
+        refused(whole[:first_node] + "\n".join(lines))
+        # A node of the first cell on the other side of the body turns the cell inside out.
+        coordinates = whole[first_node:].split("\n")[1].split()
+        lines[1] = f"{number} {' '.join(str(-3 * float(x) + 0.1) for x in coordinates[1:])}"
+        refused(whole[:first_node] + "\n".join(lines))
 
     def test_output_below_a_file(self):
         self.scene(BASE)

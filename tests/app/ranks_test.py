@@ -6,7 +6,7 @@ import subprocess
 import time
 import unittest
 
-from program_test import DONE, ProgramTest, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
+from program_test import DONE, ProgramTest, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
 
 # Two cores must do for four ranks, and tests run as root in containers.
 MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--quiet"]
@@ -59,6 +59,12 @@ class Ranks(ProgramTest):
             "Continuum/Refinements": 0, "Loads/Tidal matrix": "0.1, 0.02, 0; 0.02, 0, 0; 0, 0, -0.2",
             "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
             "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 10})
+
+    def test_mesh_from_a_file(self):
+        self.check_same_on_all({
+            "Models": "continuum", "Continuum/Mesh": SOURCE / "meshes/rough_ball.msh", "Continuum/Degree": 2,
+            "Body/Semi-axes": "0.98, 0.98, 0.98", "Initial state/Velocity": "0.1, -0.5, 0; 0.5, 0.1, 0; 0, 0, -0.2",
+            "Time/End": 0.1, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 2})
 
     def test_comparison(self):
         self.scene({**SCENE, "Models": "reduced, continuum", "Continuum/Degree": 2})

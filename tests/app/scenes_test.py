@@ -91,6 +91,23 @@ class Scenes(ProgramTest):
     def test_auto_degree(self):
         self.check_scene("auto_degree", ["reduced", "continuum"])
 
+    def test_rough_ball(self):
+        """A mesh from a file, found beside the parameter file; one and two ranks are compared in ranks_test.py."""
+        self.run_done("run", SOURCE / "params/rough_ball.prm", "--output", "rough",
+                      *overrides({"Time/End": 0.5, "Output/Samples": 10}))
+        table = self.table("rough/continuum.csv")
+        self.assertTrue(table.is_finite())
+        self.assertEqual(len(table), 11)
+        counters = self.json("rough/manifest.json")["models"]["continuum"]["counters"]
+        self.assertEqual((counters["cells"], counters["images"]), (256, 1))
+        for name in "J1", "J2", "J3":  # no load has a torque
+            column = table.column(name)
+            self.assertLess(max(abs(x - column[0]) for x in column), 1e-11)
+        # Both bodies have the same inertia and start with the same motion.
+        reduced = self.table("rough/reduced.csv")
+        self.assertAlmostEqual(table.column("J3")[0], reduced.column("J3")[0], delta=1e-9)
+        self.assertAlmostEqual(table.column("kinetic")[0], reduced.column("kinetic")[0], delta=1e-9)
+
     def test_spin_and_stretch(self):
         self.check_scene("spin_and_stretch", ["reduced", "continuum"])
 
