@@ -29,3 +29,9 @@ function(pseudorigid_precompiled target name)
     target_precompile_headers(${target} REUSE_FROM precompiled_${name})
   endif()
 endfunction()
+
+# pseudorigid_not_precompiled(FILE…): sources where g++ 12 sees overflows in "literal" + std::string if the header of the
+# latter is precompiled (GCC bug 105651).
+function(pseudorigid_not_precompiled)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+endfunction()

@@ -23,7 +23,7 @@ struct StepRequest {
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
   std::optional<MethodId> method{};  ///< empty: the cheapest
-  std::function<bool()> give_up;     ///< asked after every pilot step; true ends the search
+  std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search
 };
 
 namespace detail {

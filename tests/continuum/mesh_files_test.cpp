@@ -124,7 +124,7 @@ TEST(MeshFile, AffineRestrictionIsThePseudoRigidBody) {
     auto workspace = ball.make_workspace();
     continuum::Vector f = ball.make_vector();
     ASSERT_TRUE(ball.force(0, ball.affine_field(Q), ball.make_vector(), workspace, f));
-    Matrix3d force;
+    Matrix3d force = Matrix3d::Zero();
     ASSERT_TRUE(body.force(0, Q, Matrix3d::Zero(), body_workspace, force));
     EXPECT_LT((moment_of_force(ball, f) - force).norm(), 1e-12 * std::max(1.0, force.norm()));
   }
