@@ -103,10 +103,11 @@ class Scenes(ProgramTest):
         for name in "J1", "J2", "J3":  # no load has a torque
             column = table.column(name)
             self.assertLess(max(abs(x - column[0]) for x in column), 1e-11)
-        # Both bodies have the same inertia and start with the same motion.
+        # Both bodies start with the same motion. The inertia of the reduced one is that of the mesh by exact integrals, that
+        # of the elements is lumped: at degree 2 they differ by 1e-4.
         reduced = self.table("rough/reduced.csv")
-        self.assertAlmostEqual(table.column("J3")[0], reduced.column("J3")[0], delta=1e-9)
-        self.assertAlmostEqual(table.column("kinetic")[0], reduced.column("kinetic")[0], delta=1e-9)
+        self.assertAlmostEqual(table.column("J3")[0], reduced.column("J3")[0], delta=3e-4)
+        self.assertAlmostEqual(table.column("kinetic")[0], reduced.column("kinetic")[0], delta=3e-4)
 
     def test_spin_and_stretch(self):
         self.check_scene("spin_and_stretch", ["reduced", "continuum"])

@@ -54,7 +54,7 @@ class StoppedRun(StoppedRunTest):
                "Time/End": 4, "Output/Samples": 200}
 
     def test_velocity_that_no_mesh_stands(self):
-        self.scene({**self.VIOLENT, "Time/Step": 1e-3, "Time/Method": "rattle"})
+        self.scene({**self.VIOLENT, "Time/Step": 2e-3, "Time/Method": "rattle"})
         stopped = self.check_stopped_by_inversion(self.run_program("run", "scene.prm", "--quiet"))
         self.assertGreater(len(stopped), 1)
         smaller = self.run_program("run", "scene.prm", "--quiet", "--resume", "--set", "Time/Step=1e-4")
