@@ -6,8 +6,8 @@ Every combination of degree, refinements and order runs with steps for several t
 method, tolerance, step, unknowns, seconds (of the run, from the manifest: start-up is left out; the search for the step
 is contained), error (the largest difference of Q33 from the reference over the 50 samples), Q33 (at t = 5).
 
-The reference is degree 8 refined once with Time/Tolerance 1e-9 by order 8; its own error is estimated by degree 7
-refined once and printed.
+The reference is degree 6 refined once with Time/Tolerance 1e-7 by order 6; its difference from degree 5 refined once is
+printed as a bound of its error.
 """
 import csv
 import json
@@ -29,9 +29,9 @@ subsection Output
   set Quantities = state
 end
 """
-COMBINATIONS = [(2, 1), (2, 2), (3, 0), (3, 1), (3, 2), (4, 0), (4, 1), (5, 0), (5, 1), (6, 0), (6, 1), (7, 0), (8, 0)]
-METHODS = ["rattle", "rattle-4", "rattle-6"]
-TOLERANCES = [1e-3, 1e-4, 1e-5, 1e-6]
+COMBINATIONS = [(2, 1), (3, 0), (4, 0), (3, 1), (5, 0), (6, 0), (4, 1), (7, 0), (2, 2), (8, 0), (5, 1)]
+METHODS = ["rattle", "rattle-4"]
+TOLERANCES = [1e-3, 1e-4, 1e-5]
 
 
 def run(folder, degree, refinements, method, tolerance):
@@ -51,10 +51,10 @@ def run(folder, degree, refinements, method, tolerance):
 def main():
     output = sys.argv[1] if len(sys.argv) > 1 else "ball_release.csv"
     with tempfile.TemporaryDirectory() as folder, open(output, "w", newline="") as file:
-        reference, _ = run(folder, 8, 1, "rattle-8", 1e-9)
-        check, _ = run(folder, 7, 1, "rattle-8", 1e-9)
+        reference, _ = run(folder, 6, 1, "rattle-6", 1e-7)
+        check, _ = run(folder, 5, 1, "rattle-6", 1e-7)
         print(f"reference: Q33(5) = {reference[-1]:.9f}, differs by at most "
-              f"{max(abs(a - b) for a, b in zip(reference, check)):.1e} from degree 7")
+              f"{max(abs(a - b) for a, b in zip(reference, check)):.1e} from degree 5")
         writer = csv.writer(file)
         writer.writerow("degree,refinements,method,tolerance,step,unknowns,seconds,error,Q33".split(","))
         for degree, refinements in COMBINATIONS:
