@@ -2,10 +2,11 @@
 ///
 ///   work_precision [--quick] [--output FILE.csv] [--problem NAME]
 ///
-/// All jobs are run in turn, round after round, and the least time of each is kept: what else the machine does then
-/// disturbs all alike. Columns: problem, method, parameter_name, parameter, evaluations, seconds, error,
+/// All jobs are run in turn, round after round, and the median of each one's times is kept: what else the machine does
+/// then disturbs all alike. Columns: problem, method, parameter_name, parameter, evaluations, seconds, error,
 /// constraint_error, energy_error (docs/benchmarks.md).
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -39,19 +40,17 @@ int main(int argc, char** argv) {
                                               std::pair{"double_pendulum", &double_pendulum_jobs}})
     if (problem.empty() || problem == name)
       for (auto& job : jobs_of_problem()) jobs.push_back(std::move(job));
-  std::vector<Result> best(jobs.size());
+  std::vector<std::vector<Result>> results(jobs.size());
   for (int round = 0; round < n_rounds; ++round)
-    for (std::size_t i = 0; i < jobs.size(); ++i) {
-      const Result result = jobs[i].run();
-      if (round == 0 || result.seconds < best[i].seconds) best[i] = result;
-    }
+    for (std::size_t i = 0; i < jobs.size(); ++i) results[i].push_back(jobs[i].run());
 
   std::ofstream file(output);
-  file << "# " << PSEUDORIGID_BENCHMARK_FLAGS << "; least time of " << n_rounds << " rounds\n"
+  file << "# " << PSEUDORIGID_BENCHMARK_FLAGS << "; medians of " << n_rounds << " rounds\n"
        << "problem,method,parameter_name,parameter,evaluations,seconds,error,constraint_error,energy_error\n";
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto& [name, method, parameter_name, parameter, run] = jobs[i];
-    const Result& r = best[i];
+    std::ranges::nth_element(results[i], results[i].begin() + n_rounds / 2, {}, &Result::seconds);
+    const Result& r = results[i][n_rounds / 2];
     if (!r.failure.empty()) {
       std::printf("%s, %s, %s %.3g: %s\n", name.c_str(), method.c_str(), parameter_name.c_str(), parameter,
                   r.failure.c_str());

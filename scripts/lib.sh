@@ -1,4 +1,4 @@
-# Shared by run.sh, test.sh and .ci/run, which source it: the packages of Debian that the build needs, and the steps
+# Shared by run.sh, test.sh, benchmark.sh and .ci/run, which source it: the packages of Debian that the build needs, and the steps
 # install, configure, build. Every step costs next to nothing when there is nothing to do.
 # shellcheck shell=bash disable=SC2034  # the lists are read by the scripts
 
@@ -7,6 +7,7 @@ reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev n
   libmuparser-dev)
 continuum_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial)
 test_packages=(libgtest-dev libboost-dev python3-meshio python3-vtk9)
+benchmark_packages=(libgsl-dev libboost-dev libsundials-dev libbenchmark-dev python3-matplotlib)
 log_directory=$root/build/log
 
 say() { printf '== %s\n' "$*" >&2; }

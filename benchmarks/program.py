@@ -1,0 +1,43 @@
+"""Runs of pseudorigid for the benchmarks: results, manifest, and what the process took of the machine."""
+import csv
+import dataclasses
+import json
+import os
+import pathlib
+import subprocess
+import time
+
+
+@dataclasses.dataclass
+class Run:
+    manifest: dict
+    wall: float  # seconds from start to end of the process
+    cpu: float  # seconds, user and system, of the process
+    megabytes: float  # largest resident set
+    folder: pathlib.Path
+
+    def table(self, name):
+        """Columns of a CSV file by name."""
+        with open(self.folder / name, newline="") as file:
+            header, *rows = csv.reader(file)
+        return dict(zip(header, ([float(x) for x in column] for column in zip(*rows))))
+
+
+# mpirun wants to be told that root may use it.
+ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def run(program, scene, folder, entries=(), launcher=()):
+    """Runs a scene with entries {"Section/Entry": value} changed; a run that fails ends the benchmark with its message."""
+    command = [*launcher, program, "run", scene, "--quiet", "--output", folder, *(f"--set={p}={v}" for p, v in dict(entries).items())]
+    start = time.monotonic()
+    process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, env=ENVIRONMENT)
+    _, status, used = os.wait4(process.pid, 0)
+    wall = time.monotonic() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        raise SystemExit(f"error: exit code {process.returncode} of {' '.join(map(str, command))}")
+    folder = pathlib.Path(folder)
+    manifest = json.loads((folder / "manifest.json").read_text())
+    return Run(manifest, wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
+

@@ -1,0 +1,133 @@
+#!/usr/bin/env bash
+# Measures run time against error and writes the page of benchmarks: scripts/benchmark.sh [option …] [PART …]
+#
+# Installs what is missing (Debian 12; as root or with sudo), builds the benchmarks in build/release, measures, and
+# writes data, pictures and docs/benchmarks/index.html, and the tables of docs/benchmarks.md and README.md. About 20
+# minutes on 2 cores beside installing and building. Parts (default: all but long-run):
+#   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
+#   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
+#   lamb        small affine release against the exact modes
+#   frequency   the lowest frequency of the ball
+#   kernels     cell kernels against dealii::FEEvaluation and the limits of the machine
+#   steps       what a step costs, with the number of unknowns, the degree and two ranks
+#   skipping    what the scenes of params/ skip, and what it would have cost
+#   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed
+#   long-run    a million periods of the reduced model: 15 minutes more
+# Options:
+#   --quick         all parts in about 3 minutes, for a look; results in build/benchmarks-quick
+#   --output DIR    data, pictures and page there; the documentation stays as it is
+#   --page-only     the page and the tables from data of earlier runs
+# Other work on the machine disturbs; the page tells the load when each part began.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+all_parts=(methods release lamb frequency kernels steps skipping peers)
+parts=()
+quick=()
+output=
+page_only=
+while (($#)); do
+  case $1 in
+    -h | --help)
+      usage "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    --quick) quick=(--quick) ;;
+    --page-only) page_only=yes ;;
+    --output)
+      (($# > 1)) || die "--output wants a directory"
+      output=$2
+      shift
+      ;;
+    -*) die "unknown option $1; --help lists them" ;;
+    *)
+      [[ " ${all_parts[*]} long-run " == *" $1 "* ]] || die "unknown part $1; parts are ${all_parts[*]} long-run"
+      parts+=("$1")
+      ;;
+  esac
+  shift
+done
+((${#parts[@]})) || parts=("${all_parts[@]}")
+if ((${#quick[@]})); then output=${output:-$root/build/benchmarks-quick}; fi
+page_options=(--output "$output")
+if [[ -z $output ]]; then
+  output=$root/docs/benchmarks
+  page_options=()
+fi
+data=$output/data
+bin=$root/build/release/bin
+program=$bin/pseudorigid
+# Numerical libraries that would start threads must not: everything here runs on one core unless it says otherwise.
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+# into FILE COMMAND…: standard output becomes the file when all went well.
+into() {
+  "${@:2}" >"$data/$1.part" && mv "$data/$1.part" "$data/$1"
+}
+
+measure_methods() {
+  "$bin/work_precision" "${quick[@]}" --output "$data/work_precision.csv"
+  local options=(--benchmark_format=csv --benchmark_report_aggregates_only=true --benchmark_repetitions=9)
+  if ((${#quick[@]})); then options=("${options[@]:0:2}" --benchmark_repetitions=3 --benchmark_min_time=0.02); fi
+  into single_calls.csv "$bin/micro" "${options[@]}"
+  into self_gravity.csv "$bin/self_gravity" "${options[@]}"
+}
+
+measure_release() { into ball_release.csv "$root/benchmarks/ball_release.py" "$program" "${quick[@]}"; }
+measure_lamb() { into lamb_response.csv "$bin/lamb_response" "${quick[@]}"; }
+measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}"; }
+measure_kernels() {
+  if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
+}
+
+# Degree and refinements, ranks, preconditioner, steps. Lines of the header but the first are left out.
+step_cases=("2 2 1 auto 40" "3 2 1 auto 40" "4 1 1 auto 40" "4 2 1 auto 40" "4 3 1 auto 20" "6 1 1 auto 40"
+  "6 2 1 auto 20" "8 1 1 auto 20" "4 3 2 auto 20" "6 3 1 auto 10")
+quick_step_cases=("2 2 1 auto 20" "4 1 1 auto 20" "6 1 1 auto 20" "4 2 1 auto 20" "4 2 2 auto 20")
+ball_steps() {
+  local degree refinements ranks gram n_steps launcher case cases=("${step_cases[@]}")
+  if ((${#quick[@]})); then cases=("${quick_step_cases[@]}"); fi
+  for case in "${cases[@]}"; do
+    read -r degree refinements ranks gram n_steps <<<"$case"
+    launcher=()
+    if ((ranks > 1)); then
+      if ! command -v mpirun >/dev/null || (($(nproc) < ranks)); then continue; fi
+      launcher=(mpirun -np "$ranks")
+    fi
+    "${launcher[@]}" "$bin/ball_steps" "$degree" "$refinements" "$gram" "$n_steps"
+  done | awk 'NR == 1 || !/^degree/'
+}
+measure_steps() { into ball_steps.csv ball_steps; }
+measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
+
+measure_peers() {
+  if [[ -n $(missing_packages python3-dolfinx-real) ]]; then
+    say "FEniCSx is left out: apt-get install --no-install-recommends python3-dolfinx-real"
+    return
+  fi
+  into fenicsx_release.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_release.py" "${quick[@]}"
+}
+
+measure_long_run() {
+  into long_run_summary.csv "$bin/long_run" "${quick[@]}" --output "$data/long_run.csv"
+}
+
+mkdir -p "$data"
+if [[ -z $page_only ]]; then
+  install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${benchmark_packages[@]}"
+  # A tree that has tests keeps them; the benchmarks are in no default target, so that scripts/test.sh does not build them.
+  fresh=()
+  is_configured release || fresh=(-DPSEUDORIGID_TESTS=OFF)
+  configure release -DPSEUDORIGID_BENCHMARKS=ON "${fresh[@]}"
+  build release pseudorigid pseudorigid-continuum benchmarks
+  for part in "${parts[@]}"; do
+    say "Measuring: $part"
+    read -r load _ </proc/loadavg
+    start=$SECONDS
+    "measure_${part//-/_}"
+    "$root/benchmarks/machine.py" "$data" "$part" "$((SECONDS - start))" "$load" "$program" "${quick[@]}"
+    say "$part took $((SECONDS - start)) s"
+  done
+fi
+"$root/tools/benchmark_page.py" "${page_options[@]}"
+say "The page is $output/index.html"
