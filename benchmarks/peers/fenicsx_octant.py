@@ -1,0 +1,68 @@
+"""The octant of the unit ball for FEniCSx: the four cells and the map of src/continuum/ball_mesh.h, with geometry of any
+degree. The scripts of this folder know nothing else of pseudorigid."""
+import basix
+import dolfinx
+import numpy as np
+import ufl
+from mpi4py import MPI
+
+BLOCK = (0, 0.528, 0.4533, 0.3752)  # distances of the block's corners from the centre: axes, face and space diagonals
+
+
+def corner(bits, on_sphere):
+    n = sum(bits)
+    return np.array(bits) * (1 / np.sqrt(n) if on_sphere else BLOCK[n])
+
+
+def coarse_cells():
+    """[(vertices, first local direction fastest; which of them are on the sphere)]"""
+    bits = [(v & 1, v >> 1 & 1, v >> 2 & 1) for v in range(8)]
+    cells = [(np.array([corner(b, False) for b in bits]), np.zeros(8, bool))]
+    for axis in range(3):
+        outward = np.eye(3, dtype=int)[axis]
+        vertices = []
+        for b in bits:
+            place = outward.copy()
+            place[(axis + 1) % 3], place[(axis + 2) % 3] = b[1], b[2]
+            vertices.append(corner(tuple(place), bool(b[0])))
+        cells.append((np.array(vertices), np.array([bool(b[0]) for b in bits])))
+    return cells
+
+
+def position(cell, xi):
+    """X(ξ) for the rows of xi: transfinite, with equiangular coordinates of the sphere."""
+    vertices, on_sphere = cell
+    shape = np.ones((len(xi), 8))
+    for v in range(8):
+        for d in range(3):
+            shape[:, v] *= xi[:, d] if v >> d & 1 else 1 - xi[:, d]
+    X = shape[:, ~on_sphere] @ vertices[~on_sphere]
+    s = shape[:, on_sphere].sum(1)
+    outer = s > 0
+    if outer.any():
+        directions = vertices[on_sphere] / np.abs(vertices[on_sphere]).max(1, keepdims=True)
+        y = shape[np.ix_(outer, on_sphere)] @ directions / s[outer, None]
+        Y = np.tan(np.pi / 4 * y)
+        X[outer] += s[outer, None] * Y / np.linalg.norm(Y, axis=1, keepdims=True)
+    return X
+
+
+def octant(degree, n_refinements):
+    # The interpolant of the map at Gauss–Lobatto points, by its values at equidistant ones, which FFCx takes for geometry.
+    gauss_lobatto, equidistant = (basix.create_element(basix.ElementFamily.P, basix.CellType.hexahedron, degree, variant)
+                                  for variant in (basix.LagrangeVariant.gll_warped, basix.LagrangeVariant.equispaced))
+    interpolate = gauss_lobatto.tabulate(0, equidistant.points)[0, :, :, 0]
+    n = 2**n_refinements
+    nodes, cells, number = [], [], {}
+    for cell in coarse_cells():
+        for i in range(n**3):
+            offset = np.array([i % n, i // n % n, i // n**2])
+            X = interpolate @ position(cell, (offset + gauss_lobatto.points) / n)
+            X[np.abs(X) < 1e-12] = 0
+            keys = [tuple(key) for key in np.round(X * 1e9).astype(int)]
+            for key, x in zip(keys, X):
+                if number.setdefault(key, len(nodes)) == len(nodes):
+                    nodes.append(x)
+            cells.append([number[key] for key in keys])
+    element = ufl.VectorElement("Lagrange", "hexahedron", degree)
+    return dolfinx.mesh.create_mesh(MPI.COMM_SELF, np.array(cells, dtype=np.int64), np.array(nodes), ufl.Mesh(element))
