@@ -4,6 +4,7 @@ import dataclasses
 import json
 import os
 import pathlib
+import statistics
 import subprocess
 import time
 
@@ -41,3 +42,13 @@ def run(program, scene, folder, entries=(), launcher=()):
     manifest = json.loads((folder / "manifest.json").read_text())
     return Run(manifest, wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
 
+
+
+def start_up(executable):
+    """Processor time of a process that only starts: median of five."""
+    seconds = []
+    for _ in range(5):
+        process = subprocess.Popen([executable, "--version"], stdout=subprocess.DEVNULL)
+        _, process.returncode, used = os.wait4(process.pid, 0)
+        seconds.append(used.ru_utime + used.ru_stime)
+    return statistics.median(seconds)
