@@ -2,7 +2,8 @@
 
 The comment <!-- file: path --> above a block of C++ says that all blocks so marked for a path, in order and with an empty
 line between them, are that file. <!-- from: path --> says that the block stands in the file somewhere. Every block of
-C++ has such a mark.
+C++ has such a mark. <!-- changes: path --> above a block of diff, with an empty line between places that are apart, says
+that the file has the lines that are changed and those around them.
 """
 import collections
 import difflib
@@ -12,6 +13,7 @@ import sys
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 BLOCK = re.compile(r"(?:<!-- (file|from): (\S+) -->\n\n?)?^```cpp\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+CHANGES = re.compile(r"<!-- changes: (\S+) -->\n\n?^```diff\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 
 
 def problems(page):
@@ -30,6 +32,11 @@ def problems(page):
         there, here = (SOURCE / path).read_text(), "\n".join(blocks)
         if here != there:
             yield "".join(difflib.unified_diff(there.splitlines(True), here.splitlines(True), path, "the page"))
+    for path, changes in CHANGES.findall(page):
+        for place in changes.split("\n\n"):
+            before = "\n".join(line[1:] for line in place.splitlines() if not line.startswith("+"))
+            if before + "\n" not in (SOURCE / path).read_text():
+                yield f"{path} has not the lines\n{before}"
 
 
 def main():
