@@ -1,0 +1,93 @@
+"""The commands of a page of documentation and what they print.
+
+A page is read from top to bottom. Its blocks of the language `console` are run:
+
+    $ command            a line of shell; a backslash at its end continues it
+    output               what it prints, on stdout and stderr; a line … stands for any number of lines
+
+<!-- file: name --> above any block says that the block is a file of that name, written before what follows. Blocks of
+other languages are for the reader.
+"""
+import dataclasses
+import re
+
+BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n\n?)?^```(?P<language>\w*)\n(?P<text>.*?)^```$",
+                   re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+DURATION = re.compile(r"\b\d+(?:\.\d+)?(?:e-?\d+)? s\b")
+# Processors and compilers round differently: numbers agree to three units of the last printed digit or to nine digits,
+# and below 1e-11 a number says only that it is round-off.
+UNITS_OF_LAST_DIGIT, DIGITS, ROUND_OFF = 3.0001, 1e-9, 1e-11
+
+
+@dataclasses.dataclass
+class File:
+    name: str
+    text: str
+
+
+@dataclasses.dataclass
+class Command:
+    line: str
+    expected: list
+
+
+def steps(page):
+    """The files and commands of a page in their order."""
+    for block in BLOCK.finditer(page):
+        if block["file"]:
+            yield File(block["file"], block["text"])
+        elif block["language"] == "console":
+            yield from commands(block["text"])
+
+
+def commands(text):
+    command = None
+    lines = iter(text.splitlines())
+    for line in lines:
+        if line.startswith("$ "):
+            if command:
+                yield command
+            command = Command(line[2:], [])
+            while command.line.endswith("\\"):
+                command.line = command.line[:-1] + next(lines).lstrip("> ")
+        else:
+            command.expected.append(line)
+    if command:
+        yield command
+
+
+def last_digit(text):
+    """The unit of the last digit of a number as it is printed: 1.7e-06 → 1e-7."""
+    mantissa, _, exponent = text.partition("e")
+    return 10.0 ** (int(exponent or 0) - len(mantissa.partition(".")[2]))
+
+
+def same_number(a, b):
+    size, difference = max(abs(float(a)), abs(float(b))), abs(float(a) - float(b))
+    return (size < ROUND_OFF or difference <= DIGITS * size or
+            difference <= UNITS_OF_LAST_DIGIT * max(last_digit(a), last_digit(b)))
+
+
+def same_line(expected, printed):
+    """Whether two lines agree apart from durations, the last digits of numbers, and the spaces that align them."""
+    expected, printed = (DURATION.sub("# s", line) for line in (expected, printed))
+    words = [re.sub(r"\s+", " ", NUMBER.sub("#", line)).strip() for line in (expected, printed)]
+    numbers = [NUMBER.findall(line) for line in (expected, printed)]
+    return words[0] == words[1] and all(same_number(a, b) for a, b in zip(*numbers))
+
+
+def first_difference(expected, printed):
+    """None, or what differs first."""
+    at = 0
+    for i, line in enumerate(expected):
+        if line.strip() == "…":
+            rest = expected[i + 1:]
+            ends = [k for k in range(at, len(printed) + 1) if first_difference(rest, printed[k:]) is None]
+            return None if ends else f"after … expected {rest}, got {printed[at:]}"
+        if at == len(printed):
+            return f"expected {line!r}, got no further line"
+        if not same_line(line, printed[at]):
+            return f"expected {line!r}, got {printed[at]!r}"
+        at += 1
+    return None if at == len(printed) else f"printed more: {printed[at]!r}"

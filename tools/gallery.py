@@ -1,0 +1,61 @@
+#!/usr/bin/python3
+"""Makes every picture of docs/gallery.md again: runs the scenes with the program and draws their results.
+
+Needs Debian's python3-matplotlib and python3-vtk9, which draws through an X server; without a screen:
+
+    apt-get install python3-matplotlib python3-vtk9 xvfb xauth libgl1-mesa-dri
+    xvfb-run -a tools/gallery.py build/release/bin/pseudorigid
+    xvfb-run -a tools/gallery.py build/release/bin/pseudorigid --only torus geodesic
+"""
+
+import argparse
+import functools
+import pathlib
+import subprocess
+import sys
+
+import gallery_bodies
+import gallery_curves
+from run_directory import fail
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+PICTURES = {**gallery_bodies.PICTURES, **gallery_curves.PICTURES}  # name -> drawing(run, path of the picture)
+
+
+class Runs:
+    """Runs of scenes, each made once."""
+
+    def __init__(self, program, directory):
+        self.program, self.directory = program, directory
+
+    @functools.cache
+    def __call__(self, scene, *overrides):
+        """The run directory of params/SCENE.prm with overrides "Section/Entry=value"."""
+        directory = self.directory / "-".join([scene, *(o.split("=")[1].replace("/", "_") for o in overrides)])
+        options = [word for o in overrides for word in ("--set", o)]
+        command = [self.program, "run", ROOT / "params" / f"{scene}.prm", "--quiet", "--output", directory, *options]
+        if subprocess.run(command).returncode != 0:
+            fail(f"{scene} has not run to its end")
+        return directory
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("--only", nargs="+", choices=sorted(PICTURES), metavar="NAME", default=list(PICTURES))
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "docs/images/gallery", help="of the pictures")
+    parser.add_argument("--runs", type=pathlib.Path, default=pathlib.Path("output/gallery"), help="of the runs")
+    arguments = parser.parse_args()
+    if not arguments.program.is_file():
+        fail(f"{arguments.program} does not exist; scripts/run.sh builds it")
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    run = Runs(arguments.program, arguments.runs)
+    for name in arguments.only:
+        path = arguments.output / f"{name}.png"
+        PICTURES[name](run, path)
+        print(f"{path}: {path.stat().st_size // 1000} kB")
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,240 @@
+"""The pictures of docs/gallery.md that are bodies and surfaces, drawn off-screen with VTK (tools/gallery.py)."""
+
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
+import vtkmodules.vtkRenderingFreeType  # noqa: F401
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkWindowToImageFilter
+
+import render
+from run_directory import read_csv, read_pvd
+
+TOOLS = pathlib.Path(__file__).resolve().parent
+BLUE, ORANGE, GREEN, BLACK = (0, 0.447, 0.698), (0.835, 0.369, 0), (0, 0.62, 0.451), (0, 0, 0)  # Okabe and Ito's
+GREY = (0.8, 0.8, 0.8)
+KINDS = {1: "S", 2: "T"}  # spheroidal, toroidal
+
+
+def new_window(width, height):
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(8)
+    window.SetSize(width, height)
+    return window
+
+
+def write(window, path):
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    writer = vtkPNGWriter()
+    writer.SetFileName(str(path))
+    writer.SetCompressionLevel(9)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+def polydata(points, quadrilaterals, scalars=None):
+    data, vtk_points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    for quadrilateral in quadrilaterals:
+        cells.InsertNextCell(4, [int(i) for i in quadrilateral])
+    data.SetPoints(vtk_points)
+    data.SetPolys(cells)
+    if scalars is not None:
+        values = numpy_to_vtk(np.ascontiguousarray(scalars), deep=True)
+        values.SetName(render.FIELD)
+        data.GetPointData().SetScalars(values)
+    return data
+
+
+class Surface:
+    """The surface of the hexahedra of a .vtu, whose cells have points of their own: those at one place are joined, and a
+    face that one hexahedron alone has is on the surface."""
+
+    FACES = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
+
+    def __init__(self, path, fields):
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        grid = reader.GetOutput()
+        x = vtk_to_numpy(grid.GetPoints().GetData())
+        _, first, joined = np.unique(np.round(x, 9), axis=0, return_index=True, return_inverse=True)
+        self.points = x[first]
+        self.fields = {name: vtk_to_numpy(grid.GetPointData().GetArray(name))[first] for name in fields}
+        cells = joined.reshape(-1)[vtk_to_numpy(grid.GetCells().GetConnectivityArray())].reshape(-1, 8)
+        faces = np.concatenate([cells[:, face] for face in self.FACES])
+        _, index, number = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+        self.faces = faces[index[number == 1]]
+
+
+def painted(data, table):
+    """With normals, coloured by the scalars; all one colour without a table."""
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SplittingOff()
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(normals.GetOutputPort())
+    if table:
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+    else:
+        mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().SetDiffuse(0.5)
+    return actor
+
+
+def release(run, path):
+    """Both balls with their stress, by tools/render.py."""
+    directory = run("spin_and_stretch")
+    subprocess.run([sys.executable, TOOLS / "render.py", directory, "--frame", "3", "--output", path], check=True)
+
+
+def rough_ball(run, path):
+    """The body of the mesh file at rest and at the end, with its stress."""
+    frames = read_pvd(run("rough_ball", "Output/Graphics=vtu", "Output/Frames=3") / "continuum.pvd")
+    window = new_window(860, 520)
+    surfaces = [Surface(file, ("displacement", "von_mises")) for _, file in frames]
+    table = render.colours(render.rounded_up(max(np.quantile(s.fields["von_mises"], 0.98) for s in surfaces)))
+    for k, ((time, _), surface) in enumerate(zip(frames, surfaces)):
+        view = render.renderer(window, k / 3, render.STRIP, (k + 1) / 3, 1)
+        view.AddActor(painted(polydata(surface.points, surface.faces, surface.fields["von_mises"]), table))
+        sides = surface.points[surface.faces[:, [0, 1, 2, 3, 0]]]
+        view.AddActor(render.lines(render.polylines(sides), (1, 1, 1), 1, 0.35))
+        view.AddActor2D(render.text(f"t = {time:g} r/c", 26, 0.5, 0.9, bold=True))
+        render.aim(view, 1.25)
+    strip = render.renderer(window, 0, 0, 1, render.STRIP)
+    strip.AddActor2D(render.colour_bar(table))
+    strip.AddActor2D(render.text("von Mises stress (μ)", 26, 0.5, 0.1))
+    write(window, path)
+
+
+def modes(run, path):
+    """One mode of each of the eight lowest frequencies, with a largest displacement of 0.35 r."""
+    directory = run("modes", "Modes/Number=8")
+    rows = read_csv(directory / "modes.csv")
+    frames = read_pvd(directory / "modes.pvd")
+    window = new_window(900, 520)
+    table = render.colours(1)
+    for k, (_, file) in enumerate(frames[:8]):
+        surface = Surface(file, ("displacement",))
+        u = surface.fields["displacement"]
+        column, row = k % 4, 1 - k // 4
+        view = render.renderer(window, column / 4, row / 2, (column + 1) / 4, (row + 1) / 2)
+        size = np.linalg.norm(u, axis=1)
+        view.AddActor(painted(polydata(surface.points + 0.35 * u, surface.faces, size), table))
+        sides = surface.points + 0.35 * u
+        view.AddActor(render.lines(render.polylines(sides[surface.faces[:, [0, 1, 2, 3, 0]]]), (1, 1, 1), 1, 0.5))
+        name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "′" * int(rows["overtone"][k])
+        view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 22, 0.5, 0.88))
+        render.aim(view, 1.2)
+    write(window, path)
+
+
+def torus_surface(n=96, R=3.0, r=1.0):
+    """Oliva 5.8.8: (r sin w, (R + r cos w) sin u, (R + r cos w) cos u)."""
+    w, u = np.meshgrid(np.arange(n // 2) * 4 * np.pi / n, np.arange(n) * 2 * np.pi / n, indexing="ij")
+    points = np.stack([r * np.sin(w), (R + r * np.cos(w)) * np.sin(u), (R + r * np.cos(w)) * np.cos(u)], -1)
+    index = np.arange(w.size).reshape(w.shape)
+    next_w, next_u = np.roll(index, -1, 0), np.roll(index, -1, 1)
+    return points.reshape(-1, 3), np.stack([index, next_w, np.roll(next_w, -1, 1), next_u], -1).reshape(-1, 4)
+
+
+def tube(curve, colour, radius):
+    filter_ = vtkTubeFilter()
+    filter_.SetInputData(render.polylines([curve]))
+    filter_.SetRadius(radius)
+    filter_.SetNumberOfSides(12)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(filter_.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(colour)
+    actor.GetProperty().SetAmbient(0.6)
+    actor.GetProperty().SetDiffuse(0.4)
+    return actor
+
+
+def ball(center, radius, colour):
+    source = vtkSphereSource()
+    source.SetCenter(*center)
+    source.SetRadius(radius)
+    source.SetThetaResolution(24)
+    source.SetPhiResolution(24)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(source.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(colour)
+    return actor
+
+
+def torus_view(window, x0, x1, title, view_from):
+    view = render.renderer(window, x0, 0, x1, 1)
+    surface = painted(polydata(*torus_surface()), None)
+    surface.GetProperty().SetColor(GREY)
+    surface.GetProperty().SetOpacity(0.55)
+    view.AddActor(surface)
+    view.AddActor2D(render.text(title, 22, 0.5, 0.94))
+    camera = view.GetActiveCamera()
+    camera.ParallelProjectionOn()
+    camera.SetFocalPoint(0, 0, 0)
+    camera.SetPosition([40 * x for x in render.normalized(view_from)])
+    camera.SetViewUp(0, 0, 1)
+    camera.SetParallelScale(4.7)
+    view.ResetCameraClippingRange()
+    return view
+
+
+def way(directory, file):
+    t = read_csv(directory / f"{file}.csv")
+    return np.stack([t["x"], t["y"], t["z"]], -1)
+
+
+def torus(run, path):
+    window = new_window(860, 480)
+    for k, (tilt, title) in enumerate((("0", "upright: to the lower saddle"), ("0.05", "tilted by 0.05: to the sink"))):
+        curve = way(run("torus", f"Torus/Tilt={tilt}", "Output/Samples=2000"), "torus")
+        view = torus_view(window, k / 2, (k + 1) / 2, title, (1, -0.45, 0.2))
+        view.AddActor(tube(curve, (BLUE, ORANGE)[k], 0.06))
+        view.AddActor(ball(curve[0], 0.16, BLACK))
+        view.AddActor(ball(curve[-1], 0.2, (BLUE, ORANGE)[k]))
+    write(window, path)
+
+
+def geodesic(run, path):
+    window = new_window(860, 480)
+    cases = (((), "Clairaut's integral 2.001: turns back"),
+             (("Geodesic/Velocity=0.8661697, 0.124938",), "1.999: passes through the hole"))
+    for k, (entries, title) in enumerate(cases):
+        curve = way(run("geodesic", *entries, "Output/Samples=4000"), "geodesic")
+        view = torus_view(window, k / 2, (k + 1) / 2, title, (1, -0.45, 0.2))
+        view.AddActor(tube(curve, (BLUE, ORANGE)[k], 0.045))
+        view.AddActor(ball(curve[0], 0.16, BLACK))
+    write(window, path)
+
+
+PICTURES = {
+    "spin_and_stretch": release,
+    "rough_ball": rough_ball,
+    "modes": modes,
+    "torus": torus,
+    "geodesic": geodesic,
+}

@@ -1,0 +1,241 @@
+"""The pictures of docs/gallery.md that are curves (tools/gallery.py)."""
+
+import io
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+import PIL.Image  # noqa: E402
+
+from run_directory import read_csv  # noqa: E402
+
+# Okabe and Ito's colours: distinct with every kind of colour vision; curves differ in their strokes as well.
+BLUE, ORANGE, GREEN, SKY, BLACK, GREY = "#0072B2", "#D55E00", "#009E73", "#56B4E9", "#000000", "#777777"
+REDUCED = {"color": ORANGE, "linestyle": "--", "label": "pseudo-rigid ball"}
+CONTINUUM = {"color": BLUE, "linestyle": "-", "label": "elastic ball"}
+TIME = "time (r/c)"
+
+
+def table(directory, name):
+    return {column: np.array(values) for column, values in read_csv(directory / f"{name}.csv").items()}
+
+
+def both(directory):
+    return table(directory, "continuum"), table(directory, "reduced")
+
+
+def figure(n_rows=1, n_columns=1, height=3.2, **options):
+    plt.rcParams.update({"font.size": 10.5, "font.family": "DejaVu Sans", "lines.linewidth": 1.7})
+    drawn, axes = plt.subplots(n_rows, n_columns, figsize=(8, height), layout="constrained", squeeze=False, **options)
+    for ax in axes.flat:
+        ax.grid(color="#dddddd", linewidth=0.6)
+        ax.spines[["top", "right"]].set_visible(False)
+    return drawn, list(axes.flat)
+
+
+def save(drawn, path):
+    """With a palette: half the size of the file."""
+    buffer = io.BytesIO()
+    drawn.savefig(buffer, dpi=100)
+    plt.close(drawn)
+    PIL.Image.open(buffer).convert("RGB").quantize(128).save(path, optimize=True)
+
+
+def legend_above(ax, n_columns):
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=n_columns, frameon=False)
+
+
+def label_axes(ax, x, y):
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+
+
+def two_models(ax, directory, column, y):
+    for models_table, style in zip(both(directory), (CONTINUUM, REDUCED)):
+        ax.plot(models_table["time"], column(models_table), **style)
+    label_axes(ax, TIME, y)
+
+
+def stretch_along_z(t):
+    return np.sqrt(t["Q13"] ** 2 + t["Q23"] ** 2 + t["Q33"] ** 2)
+
+
+def lamb(run, path):
+    """The release with a velocity of lamb.prm: Q33 = 1 − 2·10⁻³ Σ f_k sin(ω_k t)/ω_k by Lamb's modes."""
+    directory = run("lamb", "Time/End=20", "Output/Samples=400")
+    drawn, (ax,) = figure(height=3.4)
+    two_models(ax, directory, lambda t: 1e3 * (t["Q33"] - 1), "(Q$_{33}$ − 1) · 10³")
+    t = table(directory, "reduced")["time"][::4]
+    modes = ((0.9164349, 2.665622189236), (0.0754642, 5.473039811966), (0.0057270, 8.877243237))
+    exact = -2 * sum(f * np.sin(omega * t) / omega for f, omega in modes)
+    ax.plot(t, exact, ".", color=BLACK, markersize=4, label="exact sphere, three modes (Lamb 1882)")
+    legend_above(ax, 3)
+    save(drawn, path)
+
+
+def compressible(run, path):
+    drawn, axes = figure(1, 2)
+    directory = run("compressible")
+    two_models(axes[0], directory, lambda t: t["volume_ratio"], "volume / volume at rest")
+    two_models(axes[1], directory, lambda t: t["a1"], "longest semi-axis (r)")
+    drawn.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=2, frameon=False)
+    save(drawn, path)
+
+
+def damped_and_pulled(run, path):
+    drawn, (damped, pulled) = figure(1, 2)
+    two_models(damped, run("damped"), stretch_along_z, "length of Q e$_z$")
+    damped.set_title("viscous, spinning", fontsize=10.5)
+    two_models(pulled, run("traction"), stretch_along_z, "length of Q e$_z$")
+    pulled.axhline(1.18234, color=BLACK, linestyle=":", linewidth=1.2, label="exact rest of the pulled ball")
+    pulled.set_title("pulled along z, with drag", fontsize=10.5)
+    drawn.legend(*pulled.get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False)
+    save(drawn, path)
+
+
+def unstable_spheroid(run, path):
+    t = table(run("unstable_spheroid"), "reduced")
+    drawn, (axes, growth) = figure(1, 2)
+    for i, (colour, line) in enumerate(((BLUE, "-"), (ORANGE, "--"), (GREEN, "-.")), 1):
+        axes.plot(t["time"], t[f"a{i}"], line, color=colour, label=f"a$_{i}$")
+    label_axes(axes, "time (1/√(πGρ))", "semi-axes (r)")
+    legend_above(axes, 3)
+    growth.semilogy(t["time"][1:], (t["a1"] - t["a2"])[1:], color=BLUE, label="a$_1$ − a$_2$")
+    early = t["time"] < 60
+    growth.semilogy(t["time"][early], 3e-6 * np.exp(0.1476 * t["time"][early]), ":", color=BLACK, label="∝ e$^{0.1476 t}$")
+    label_axes(growth, "time (1/√(πGρ))", "difference of the axes (r)")
+    legend_above(growth, 2)
+    save(drawn, path)
+
+
+def tide(run, path):
+    t = table(run("tide"), "reduced")
+    drawn, (axes, energy) = figure(1, 2)
+    for i, rest, (colour, line) in ((1, 1.01532, (BLUE, "-")), (3, 0.99242, (ORANGE, "--"))):
+        axes.plot(t["time"], t[f"a{i}"], line, color=colour, label=f"a$_{i}$")
+        axes.axhline(rest, color=BLACK, linestyle=":", linewidth=1.1)
+    label_axes(axes, TIME, "longest and shortest semi-axis (r)")
+    legend_above(axes, 2)
+    energy.plot(t["time"], t["kinetic"], color=BLUE, label="kinetic")
+    energy.plot(t["time"], t["dissipated"], "--", color=ORANGE, label="taken by viscosity")
+    label_axes(energy, TIME, "energy (ρ c² r³)")
+    legend_above(energy, 2)
+    save(drawn, path)
+
+
+def gravitating_tumbler(run, path):
+    t = table(run("gravitating_tumbler"), "reduced")
+    part = t["time"] <= 8
+    drawn, (axes, residual) = figure(2, 1, height=4.4, sharex=True, height_ratios=(2.4, 1))
+    for i, (colour, line) in enumerate(((BLUE, "-"), (ORANGE, "--"), (GREEN, "-.")), 1):
+        axes.plot(t["time"][part], t[f"A{i}"][part], line, color=colour, label=f"A$_{i}$, followed")
+    axes.plot(t["time"][part], t["a1"][part], ":", color=BLACK, linewidth=2.4, label="a$_1$, the longest")
+    axes.set_ylabel("semi-axes (r)")
+    legend_above(axes, 4)
+    residual.semilogy(t["time"][part], np.maximum(t["bipolar_residual"][part], 1e-17), color=GREY)
+    label_axes(residual, TIME, "residual\nof (5.121)")
+    save(drawn, path)
+
+
+def sweep_of_releases(run, path):
+    t = table(run("sweep_of_releases"), "sweep")
+    drawn, (ax,) = figure(height=3.6)
+    strokes = ((BLUE, "-"), (SKY, "--"), (GREEN, "-."), (ORANGE, (0, (5, 1, 1, 1, 1, 1))), (GREY, ":"))
+    for b, (colour, line) in zip(sorted(set(t["b"])), strokes):
+        chosen = t["b"] == b
+        ax.plot(t["l"][chosen], t["a3_min"][chosen], color=colour, linestyle=line, label=f"b = {b:g}")
+    l = np.linspace(1.02, 2, 15)
+    ax.plot(l, (np.sqrt(l**2 + 8 / l) - l) / 2, ".", color=BLACK, label="b = 0, exact")
+    label_axes(ax, "stretch ℓ at which the ball is let go", "least thickness reached (r)")
+    ax.legend(frameon=False)
+    save(drawn, path)
+
+
+def three_bodies_and_kepler(run, path):
+    drawn, (eight, ellipse) = figure(1, 2, height=3.4)
+    t = table(run("three_bodies", "Output/Samples=600"), "mass_points")
+    strokes = ((BLUE, "-", "o"), (ORANGE, "--", "s"), (GREEN, ":", "^"))
+    for i, (colour, line, marker) in enumerate(strokes, 1):
+        third = slice(0, 101)  # of a period: two of them are 600 intervals
+        eight.plot(t[f"x{i}"][third], t[f"y{i}"][third], linestyle=line, color=colour, label=f"point {i}")
+        eight.plot(t[f"x{i}"][0], t[f"y{i}"][0], marker, color=colour)
+    eight.set_aspect("equal", "datalim")
+    eight.set_title("three bodies, a third of a period", fontsize=10.5)
+    label_axes(eight, "x (unit of length)", "y (unit of length)")
+    eight.legend(frameon=False, loc="upper center", ncols=3, fontsize=9)
+    t = table(run("jacobi_kepler", "Output/Samples=80"), "jacobi_geodesic")
+    first = slice(0, 41)
+    ellipse.plot(t["x"][first], t["y"][first], "o-", color=BLUE, markersize=4, linewidth=1)
+    ellipse.plot([0], [0], "*", color=BLACK, markersize=10)
+    ellipse.set_aspect("equal", "datalim")
+    ellipse.set_title("Kepler: equal arcs of the Jacobi metric", fontsize=10.5)
+    label_axes(ellipse, "x (unit of length)", "y (unit of length)")
+    save(drawn, path)
+
+
+def double_pendulum(run, path):
+    here = table(run("double_pendulum", "Output/Samples=1000"), "double_pendulum")
+    there = table(run("double_pendulum", "Output/Samples=1000", "Double pendulum/Angles=2.000001, 2.5"),
+                  "double_pendulum")
+    drawn, (way, apart) = figure(1, 2, height=3.6)
+    way.plot(here["x2"], -here["y2"], color=BLUE, linewidth=0.9, label="lower point")
+    way.plot([0, here["x1"][0], here["x2"][0]], [0, -here["y1"][0], -here["y2"][0]], "o-", color=BLACK, linewidth=1.4,
+             label="start")
+    way.set_aspect("equal", "datalim")
+    label_axes(way, "x (m)", "height (m)")
+    way.legend(frameon=False, fontsize=9)
+    distance = np.hypot(here["x2"] - there["x2"], here["y2"] - there["y2"])
+    apart.semilogy(here["time"][1:], distance[1:], color=ORANGE)
+    label_axes(apart, "time (s)", "distance of the lower points (m)")
+    apart.set_title("two starts 10⁻⁶ apart", fontsize=10.5)
+    save(drawn, path)
+
+
+def tops(run, path):
+    drawn, (heavy, free) = figure(1, 2, height=3.8)
+    t = table(run("heavy_top", "Output/Samples=1600"), "rigid_body")
+    heavy.plot(t["R13"], t["R23"], color=BLUE)
+    heavy.plot(t["R13"][:1], t["R23"][:1], "o", color=BLACK)
+    heavy.annotate("start", (t["R13"][0], t["R23"][0]), (-0.05, -0.42), ha="right")
+    heavy.plot([0], [0], "+", color=BLACK, markersize=10)
+    heavy.annotate("upright", (0, 0), (0.04, 0.04))
+    heavy.set_aspect("equal", "datalim")
+    heavy.set_title("axis of the heavy top, from above", fontsize=10.5)
+    label_axes(heavy, "R$_{13}$ (x of the axis)", "R$_{23}$ (y of the axis)")
+    t = table(run("free_body", "Output/Samples=1000"), "rigid_body")
+    for i, (colour, line) in enumerate(((GREEN, ":"), (BLUE, "-"), (ORANGE, "--")), 1):
+        free.plot(t["time"], t[f"Omega{i}"], line, color=colour, label=f"Ω$_{i}$")
+    free.set_title("free body, angular velocity along its axes", fontsize=10.5)
+    label_axes(free, "time (unit of time)", "Ω (1/unit of time)")
+    free.set_ylim(-1.1, 1.5)
+    free.legend(frameon=False, ncols=3, loc="upper center", fontsize=9)
+    save(drawn, path)
+
+
+def foucault(run, path):
+    t = table(run("foucault", "Output/Samples=3000"), "moving_frame")
+    drawn, (ax,) = figure(height=4.2)
+    for first, last, colour, line, name in ((0, 200, BLUE, "-", "swings 1 and 2"), (1400, 1600, GREEN, "--", "15 and 16"),
+                                            (2800, 3000, ORANGE, "-", "29 and 30")):
+        ax.plot(t["relative_x"][first:last + 1], t["relative_y"][first:last + 1], color=colour, linestyle=line, label=name)
+    ax.set_aspect("equal", "datalim")
+    label_axes(ax, "x, away from the nearer pole (amplitudes)", "y (amplitudes)")
+    ax.legend(frameon=False, loc="center left", bbox_to_anchor=(0.78, 0.5))
+    save(drawn, path)
+
+
+PICTURES = {
+    "lamb": lamb,
+    "compressible": compressible,
+    "damped_and_pulled": damped_and_pulled,
+    "unstable_spheroid": unstable_spheroid,
+    "tide": tide,
+    "gravitating_tumbler": gravitating_tumbler,
+    "sweep_of_releases": sweep_of_releases,
+    "three_bodies_and_kepler": three_bodies_and_kepler,
+    "double_pendulum": double_pendulum,
+    "tops": tops,
+    "foucault": foucault,
+}
