@@ -14,10 +14,13 @@ import pathlib
 import subprocess
 import sys
 
+import PIL.Image
+
 import gallery_bodies
 import gallery_curves
 from run_directory import fail
 
+WIDTH, N_COLOURS = 800, 256
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PICTURES = {**gallery_bodies.PICTURES, **gallery_curves.PICTURES}  # name -> drawing(run, path of the picture)
 
@@ -39,6 +42,14 @@ class Runs:
         return directory
 
 
+def make_small(path):
+    """At most WIDTH pixels wide, with a palette: a third of the size of the file."""
+    image = PIL.Image.open(path).convert("RGB")
+    if image.width > WIDTH:
+        image = image.resize((WIDTH, image.height * WIDTH // image.width), PIL.Image.Resampling.LANCZOS)
+    image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE).save(path, optimize=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
@@ -53,6 +64,7 @@ def main():
     for name in arguments.only:
         path = arguments.output / f"{name}.png"
         PICTURES[name](run, path)
+        make_small(path)
         print(f"{path}: {path.stat().st_size // 1000} kB")
         sys.stdout.flush()
 

@@ -111,7 +111,8 @@ def rough_ball(run, path):
     frames = read_pvd(run("rough_ball", "Output/Graphics=vtu", "Output/Frames=3") / "continuum.pvd")
     window = new_window(860, 520)
     surfaces = [Surface(file, ("displacement", "von_mises")) for _, file in frames]
-    table = render.colours(render.rounded_up(max(np.quantile(s.fields["von_mises"], 0.98) for s in surfaces)))
+    shown = np.concatenate([s.fields["von_mises"][np.unique(s.faces)] for s in surfaces])
+    table = render.colours(render.rounded_up(np.quantile(shown, render.SATURATED)))
     for k, ((time, _), surface) in enumerate(zip(frames, surfaces)):
         view = render.renderer(window, k / 3, render.STRIP, (k + 1) / 3, 1)
         view.AddActor(painted(polydata(surface.points, surface.faces, surface.fields["von_mises"]), table))
@@ -126,7 +127,7 @@ def rough_ball(run, path):
 
 
 def modes(run, path):
-    """One mode of each of the eight lowest frequencies, with a largest displacement of 0.35 r."""
+    """One mode of each of the eight lowest frequencies, with a largest displacement of 0.3 r."""
     directory = run("modes", "Modes/Number=8")
     rows = read_csv(directory / "modes.csv")
     frames = read_pvd(directory / "modes.pvd")
@@ -138,11 +139,11 @@ def modes(run, path):
         column, row = k % 4, 1 - k // 4
         view = render.renderer(window, column / 4, row / 2, (column + 1) / 4, (row + 1) / 2)
         size = np.linalg.norm(u, axis=1)
-        view.AddActor(painted(polydata(surface.points + 0.35 * u, surface.faces, size), table))
-        sides = surface.points + 0.35 * u
-        view.AddActor(render.lines(render.polylines(sides[surface.faces[:, [0, 1, 2, 3, 0]]]), (1, 1, 1), 1, 0.5))
-        name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "′" * int(rows["overtone"][k])
-        view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 22, 0.5, 0.88))
+        x = surface.points + 0.3 * u
+        view.AddActor(painted(polydata(x, surface.faces, size), table))
+        view.AddActor(render.lines(render.polylines(x[surface.faces[:, [0, 1, 2, 3, 0]]]), (1, 1, 1), 1, 0.25))
+        name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "*" * int(rows["overtone"][k])
+        view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 21, 0.5, 0.89))
         render.aim(view, 1.2)
     write(window, path)
 

@@ -1,13 +1,10 @@
 """The pictures of docs/gallery.md that are curves (tools/gallery.py)."""
 
-import io
-
 import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
-import PIL.Image  # noqa: E402
 
 from run_directory import read_csv  # noqa: E402
 
@@ -36,11 +33,8 @@ def figure(n_rows=1, n_columns=1, height=3.2, **options):
 
 
 def save(drawn, path):
-    """With a palette: half the size of the file."""
-    buffer = io.BytesIO()
-    drawn.savefig(buffer, dpi=100)
+    drawn.savefig(path, dpi=100)
     plt.close(drawn)
-    PIL.Image.open(buffer).convert("RGB").quantize(128).save(path, optimize=True)
 
 
 def legend_above(ax, n_columns):
@@ -80,18 +74,18 @@ def compressible(run, path):
     directory = run("compressible")
     two_models(axes[0], directory, lambda t: t["volume_ratio"], "volume / volume at rest")
     two_models(axes[1], directory, lambda t: t["a1"], "longest semi-axis (r)")
-    drawn.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=2, frameon=False)
+    for ax in axes:
+        legend_above(ax, 2)
     save(drawn, path)
 
 
 def damped_and_pulled(run, path):
     drawn, (damped, pulled) = figure(1, 2)
-    two_models(damped, run("damped"), stretch_along_z, "length of Q e$_z$")
-    damped.set_title("viscous, spinning", fontsize=10.5)
-    two_models(pulled, run("traction"), stretch_along_z, "length of Q e$_z$")
-    pulled.axhline(1.18234, color=BLACK, linestyle=":", linewidth=1.2, label="exact rest of the pulled ball")
-    pulled.set_title("pulled along z, with drag", fontsize=10.5)
-    drawn.legend(*pulled.get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False)
+    two_models(damped, run("damped", "Time/Tolerance=1e-3"), stretch_along_z, "viscous ball: stretch along z")
+    two_models(pulled, run("traction"), stretch_along_z, "pulled ball: stretch along z")
+    pulled.axhline(1.18234, color=BLACK, linestyle=":", linewidth=1.2, label="exact rest")
+    legend_above(damped, 2)
+    pulled.legend(loc="lower right", frameon=False)
     save(drawn, path)
 
 
@@ -131,7 +125,7 @@ def gravitating_tumbler(run, path):
     drawn, (axes, residual) = figure(2, 1, height=4.4, sharex=True, height_ratios=(2.4, 1))
     for i, (colour, line) in enumerate(((BLUE, "-"), (ORANGE, "--"), (GREEN, "-.")), 1):
         axes.plot(t["time"][part], t[f"A{i}"][part], line, color=colour, label=f"A$_{i}$, followed")
-    axes.plot(t["time"][part], t["a1"][part], ":", color=BLACK, linewidth=2.4, label="a$_1$, the longest")
+    axes.plot(t["time"][part], t["a2"][part], ":", color=BLACK, linewidth=2.4, label="a$_2$, the middle one")
     axes.set_ylabel("semi-axes (r)")
     legend_above(axes, 4)
     residual.semilogy(t["time"][part], np.maximum(t["bipolar_residual"][part], 1e-17), color=GREY)
