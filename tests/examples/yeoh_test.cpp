@@ -55,8 +55,8 @@ TEST(Yeoh, LanesAreNumbers) {
   }
 }
 
-/// In units μ = ρ = r = 1, so κ = 5. The energy is a function of d that rises with d: a ball let go turns where its d is
-/// that of the start, for every s: ℓ² + 2/ℓ is 5 at ℓ = 2 and at √2 − 1.
+/// In units μ = ρ = r = 1, so κ = 5. The energy is a function of d that rises with d: a ball let go turns where its d
+/// is that of the start, for every s: ℓ² + 2/ℓ is 5 at ℓ = 2 and at √2 − 1.
 TEST(Yeoh, BallsTurnWhereNeoHookeanOnesDo) {
   const YeohBall ball({1, 0, s}, reduced::ReferenceBody::unit_ball());
   EXPECT_NEAR(turning_point(ball, 2, 1, 0.02).l, std::numbers::sqrt2 - 1, 1e-10);

@@ -48,9 +48,8 @@ inline materials::Tensor<std::complex<double>> complex_step(const Eigen::Matrix3
   return z;
 }
 inline Eigen::Matrix3d derivative(const materials::Tensor<std::complex<double>>& f) {
-  return Eigen::Matrix3d::NullaryExpr([&](Eigen::Index i, Eigen::Index j) {
-    return f(static_cast<int>(i), static_cast<int>(j)).imag() / increment;
-  });
+  return Eigen::Matrix3d::NullaryExpr(
+      [&](Eigen::Index i, Eigen::Index j) { return f(static_cast<int>(i), static_cast<int>(j)).imag() / increment; });
 }
 }  // namespace detail
 

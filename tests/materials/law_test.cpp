@@ -148,8 +148,8 @@ TEST_P(EveryLaw, TangentAtRestHasTheModuliOfTheLaw) {
   with_law([&](const auto& law) {
     for (int n = 0; n < 20; ++n) {
       const Matrix3d H = random_.matrix(1), hooke = at_rest.mu * (H + H.transpose()) +
-                                                   at_rest.lambda * H.trace() * Matrix3d::Identity() +
-                                                   stress_at_rest * H;
+                                                    at_rest.lambda * H.trace() * Matrix3d::Identity() +
+                                                    stress_at_rest * H;
       const Matrix3d tangent = to_matrix(law.tangent(to_tensor(Matrix3d::Identity()), to_tensor(H)));
       EXPECT_LE((tangent - hooke).norm(), 1e-14 * hooke.norm());
     }
