@@ -47,7 +47,8 @@ def make_small(path):
     image = PIL.Image.open(path).convert("RGB")
     if image.width > WIDTH:
         image = image.resize((WIDTH, image.height * WIDTH // image.width), PIL.Image.Resampling.LANCZOS)
-    image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE).save(path, optimize=True)
+    palette = image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE)
+    image.quantize(palette=palette, dither=PIL.Image.Dither.FLOYDSTEINBERG).save(path, optimize=True)
 
 
 def main():

@@ -139,9 +139,7 @@ def modes(run, path):
         column, row = k % 4, 1 - k // 4
         view = render.renderer(window, column / 4, row / 2, (column + 1) / 4, (row + 1) / 2)
         size = np.linalg.norm(u, axis=1)
-        x = surface.points + 0.3 * u
-        view.AddActor(painted(polydata(x, surface.faces, size), table))
-        view.AddActor(render.lines(render.polylines(x[surface.faces[:, [0, 1, 2, 3, 0]]]), (1, 1, 1), 1, 0.25))
+        view.AddActor(painted(polydata(surface.points + 0.3 * u, surface.faces, size), table))
         name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "*" * int(rows["overtone"][k])
         view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 21, 0.5, 0.89))
         render.aim(view, 1.2)
