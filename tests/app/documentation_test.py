@@ -1,42 +1,25 @@
 """The commands of README.md and docs/tutorial.md print what the pages say.
 
-They run in a copy of what a clone has, where build/release/bin/pseudorigid is the program under test and scripts/run.sh
-hands its arguments to it without building anything.
+After a change of what the program prints, tools/print_pages.py writes the pages anew.
 """
 import re
-import subprocess
 
 import documentation
-from program_test import ProgramTest, SOURCE, TIME_LIMIT, main
+from program_test import ProgramTest, SOURCE, main
 
 
 class Documentation(ProgramTest):
-    def make_clone(self):
-        for folder in ("params", "meshes", "tools"):
-            (self.scratch / folder).symlink_to(SOURCE / folder)
-        binaries = self.scratch / "build" / "release" / "bin"
-        binaries.mkdir(parents=True)
-        for program in self.program.parent.iterdir():
-            if program.name.startswith("pseudorigid"):
-                (binaries / program.name).symlink_to(program)
-        script = self.scratch / "scripts" / "run.sh"
-        script.parent.mkdir()
-        script.write_text('#!/bin/sh\n[ $# -gt 0 ] || set -- params/quickstart.prm\n'
-                          'exec build/release/bin/pseudorigid run "$@"\n')
-        script.chmod(0o755)
-
     def check(self, page):
-        self.make_clone()
+        documentation.make_workplace(self.scratch, self.program)
         n_commands = 0
         for step in documentation.steps((SOURCE / page).read_text()):
             if isinstance(step, documentation.File):
                 (self.scratch / step.name).write_text(step.text)
                 continue
             n_commands += 1
-            result = subprocess.run(["bash", "-c", step.line], cwd=self.scratch, stdin=subprocess.DEVNULL, text=True,
-                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=TIME_LIMIT)
-            difference = documentation.first_difference(step.expected, result.stdout.splitlines())
-            self.assertIsNone(difference, f"{page}: $ {step.line}\n{result.stdout}")
+            printed = step.run(self.scratch)
+            difference = documentation.first_difference(step.expected, printed)
+            self.assertIsNone(difference, "\n".join([f"{page}: $ {step.text}", *printed]))
         return n_commands
 
     def test_what_counts_as_the_same(self):

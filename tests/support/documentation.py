@@ -9,7 +9,12 @@ A page is read from top to bottom. Its blocks of the language `console` are run:
 other languages are for the reader.
 """
 import dataclasses
+import pathlib
 import re
+import subprocess
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+TIME_LIMIT = 120  # of one command, only so that a hanging one ends
 
 BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n\n?)?^```(?P<language>\w*)\n(?P<text>.*?)^```$",
                    re.MULTILINE | re.DOTALL)
@@ -28,8 +33,30 @@ class File:
 
 @dataclasses.dataclass
 class Command:
-    line: str
+    text: str  # as it stands on the page, without the $
     expected: list
+
+    def run(self, folder):
+        """What it prints there."""
+        line = re.sub(r"\\\n\s*", "", self.text)
+        return subprocess.run(["bash", "-c", line], cwd=folder, stdin=subprocess.DEVNULL, text=True, timeout=TIME_LIMIT,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout.splitlines()
+
+
+def make_workplace(folder, program):
+    """What a clone has for the commands of a page: build/release/bin/pseudorigid is `program`, and scripts/run.sh hands
+    its arguments to it without building anything."""
+    for name in ("params", "meshes", "tools"):
+        (folder / name).symlink_to(SOURCE / name)
+    binaries = folder / "build" / "release" / "bin"
+    binaries.mkdir(parents=True)
+    for executable in program.parent.glob("pseudorigid*"):
+        (binaries / executable.name).symlink_to(executable)
+    script = folder / "scripts" / "run.sh"
+    script.parent.mkdir()
+    script.write_text('#!/bin/sh\n[ $# -gt 0 ] || set -- params/quickstart.prm\n'
+                      'exec build/release/bin/pseudorigid run "$@"\n')
+    script.chmod(0o755)
 
 
 def steps(page):
@@ -49,12 +76,27 @@ def commands(text):
             if command:
                 yield command
             command = Command(line[2:], [])
-            while command.line.endswith("\\"):
-                command.line = command.line[:-1] + next(lines).lstrip("> ")
+            while command.text.endswith("\\"):
+                command.text += "\n" + next(lines)
         else:
             command.expected.append(line)
     if command:
         yield command
+
+
+def printed_anew(page, folder):
+    """The page with what its commands print now; what has a line … stays."""
+    def of_block(block):
+        if block["file"]:
+            (folder / block["file"]).write_text(block["text"])
+        if block["file"] or block["language"] != "console":
+            return block[0]
+        lines = []
+        for command in commands(block["text"]):
+            output = [line.rstrip() for line in command.run(folder)]
+            lines += [f"$ {command.text}", *(command.expected if "…" in command.expected else output)]
+        return "```console\n" + "\n".join(lines) + "\n```"
+    return BLOCK.sub(of_block, page)
 
 
 def last_digit(text):

@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Makes every picture and every printed number of the documentation again: scripts/documentation.sh [PART …]
+#
+# Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
+# `git diff` then shows what has changed. Parts (default: all):
+#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md and docs/tutorial.md
+#   pictures    docs/images: quickstart, equilibria, gallery
+#   benchmarks  scripts/benchmark.sh
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+drawing_packages=(python3-matplotlib python3-pil python3-vtk9 xvfb xauth libgl1-mesa-dri)
+parts=()
+for part in "${@:-all}"; do
+  case $part in
+    -h | --help)
+      usage "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    all) parts+=(pages pictures benchmarks) ;;
+    pages | pictures | benchmarks) parts+=("$part") ;;
+    *) die "unknown part \"$part\"; parts are pages, pictures and benchmarks" ;;
+  esac
+done
+
+install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" python3-meshio "${drawing_packages[@]}"
+is_configured release || configure release -DPSEUDORIGID_TESTS=OFF
+build release pseudorigid pseudorigid-continuum
+cd "$root"
+program=build/release/bin/pseudorigid
+
+make_pages() {
+  "$program" parameters --format markdown >docs/parameters.md
+  tools/equilibria_tables.py "$program" >docs/equilibria_tables.md
+  tools/print_pages.py "$program"
+}
+
+make_pictures() {
+  local images=docs/images runs=output/documentation
+  "$program" run params/quickstart.prm --output "$runs/quickstart"
+  tools/plot_comparison.py "$runs/quickstart" --quantity Q33 --output "$images/quickstart_curves.svg"
+  "$program" run params/quickstart.prm --output "$runs/fine" --set "Continuum/Refinements=1" --set "Time/End=7" \
+    --set "Output/Samples=140" --set "Output/Frames=15"
+  xvfb-run -a tools/render.py "$runs/fine" --frame 14 --output "$images/quickstart.png"
+  tools/plot_equilibria.py "$program" --output "$images/equilibria.svg"
+  xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
+}
+
+for part in "${parts[@]}"; do
+  case $part in
+    pages) make_pages ;;
+    pictures) make_pictures ;;
+    benchmarks) scripts/benchmark.sh ;;
+  esac
+done
