@@ -52,6 +52,7 @@ def main():
 
     maclaurin = curve(options.program, {**FLUID, "Equilibrium/Family": "maclaurin"}, 0.02, 0.992, 244)
     jacobi = curve(options.program, {**FLUID, "Equilibrium/Family": "jacobi"}, 0.16, 0.999, 84)
+    plt.rcParams["svg.hashsalt"] = "pseudorigid"  # the same picture is the same file
     figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.2), constrained_layout=True)
     for rows, colour, name in ((maclaurin, BLUE, "Maclaurin"), (jacobi, ORANGE, "Jacobi")):
         members = [r for r in rows if r["kind"] == 0]
@@ -83,7 +84,7 @@ def main():
     left.plot([], [], "--", color=GREY, label="stable without friction only")
     left.plot([], [], ":", color=GREY, label="a disturbance grows")
     left.legend(fontsize=8, loc="upper left")
-    figure.savefig(options.output)
+    figure.savefig(options.output, metadata={"Date": None} if options.output.endswith(".svg") else None)
 
 
 if __name__ == "__main__":
