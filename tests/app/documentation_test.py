@@ -39,7 +39,8 @@ class Documentation(ProgramTest):
 
     def test_every_link_of_the_documentation_leads_to_a_file(self):
         for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]:
-            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", page.read_text()):
+            text = page.read_text()
+            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text) + re.findall(r'src="([^"]+)"', text):
                 if not re.match(r"https?:", target):
                     self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
 
