@@ -302,6 +302,7 @@ const Series* Comparison::find(std::string_view name) const {
 Comparison compare(const io::Table& reduced, const io::Table& continuum, const ComparisonOptions& options) {
   Workshop w{reduced, continuum, options, {}};
   w.out.time = common_times(reduced, continuum);
+  w.out.surface_limit_time = options.surface_limit_time;
   compare_states(w);
   compare_axes(w);
   compare_energies(w);

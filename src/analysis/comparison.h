@@ -51,6 +51,7 @@ struct ComparisonOptions {
   std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value where the scene has one
   std::optional<double> space_error{};            ///< of the continuum, |δQ|/|Q|, if known
   double time_error = 0;                          ///< of both models, largest entry of Q, as far as known
+  std::optional<double> surface_limit_time{};     ///< when the continuum's surface reached Biot's limit, if it did
 };
 
 struct Series {
@@ -90,6 +91,7 @@ struct Comparison {
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
+  std::optional<double> surface_limit_time;  ///< from then on the continuum's results depend on its mesh
   std::vector<std::string> not_compared;  ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;

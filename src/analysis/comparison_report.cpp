@@ -201,6 +201,7 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   json["continuum"] = model_json(c.continuum, c.has_state);
   json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
   json["min_jacobian"] = to_json(c.min_jacobian);
+  json["surface_limit_time"] = to_json(c.surface_limit_time);
   json["not_compared"] = c.not_compared;
   return json;
 }
@@ -237,6 +238,11 @@ std::string terminal_table(const Comparison& c) {
     lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "difference", "rms", "largest", "at t"));
   add_series_rows(c, lines);
   if (c.has_state) lines.push_back(model_difference(c));
+  if (c.surface_limit_time)
+    lines.push_back(
+        fmt::format("from t = {:.4g} on the continuum's surface is beyond Biot's limit and wrinkles as the "
+                    "mesh lets it",
+                    *c.surface_limit_time));
   if (!c.not_compared.empty()) lines.push_back(fmt::format("not compared: {}", fmt::join(c.not_compared, "; ")));
   return fmt::format("{}\n{}\n", fmt::join(lines, "\n"), summary_sentence(c));
 }

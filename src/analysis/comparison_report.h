@@ -26,7 +26,7 @@ std::string summary_sentence(const Comparison& comparison);
 /// overlap. Takes a comparison that has_state.
 std::string model_difference(const Comparison& comparison);
 
-/// A table of at most 16 lines, the last one the sentence.
+/// A table of at most 17 lines, the last one the sentence.
 std::string terminal_table(const Comparison& comparison);
 
 }  // namespace pseudorigid::analysis

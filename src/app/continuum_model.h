@@ -6,6 +6,7 @@
 #include "app/mesh_file.h"
 #include "app/model_run.h"
 #include "app/scene_to_model.h"
+#include "app/wrinkling_watch.h"
 #include "continuum/nodal_fields.h"
 #include "continuum/observe.h"
 #include "continuum/rank_order.h"
@@ -32,7 +33,8 @@ class ContinuumModel {
         law_(internal_law(context.scene)),
         ball_(mesh_of(context), context.discretization.degree, law_, ball_loads(context.scene)),
         rank_order_(ball_.space()),
-        request_(context.request()) {}
+        request_(context.request()),
+        wrinkling_(context) {}
 
   const System& system() const { return ball_; }
   using MemoryLayout = continuum::MemoryLayout;
@@ -56,6 +58,7 @@ class ContinuumModel {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     io::continuum_row(time, observables_, context_.units, context_.needs.quantities, row);
     if (context_.trace) (*context_.trace)[sample_at(time)] = configuration(state);
+    wrinkling_.look(time, ball_.space(), state.q);
     return {};
   }
   void take_up(const io::Table& rows) {
@@ -102,6 +105,7 @@ class ContinuumModel {
       c["gram_bytes"] = static_cast<double>(gram.memory);
     }
     c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
+    wrinkling_.report(statistics);
   }
 
  private:
@@ -148,6 +152,7 @@ class ContinuumModel {
   continuum::RankOrder rank_order_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
+  WrinklingWatch wrinkling_;
   continuum::NodalGrid reference_;  ///< empty until the first frame
 };
 

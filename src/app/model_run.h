@@ -212,8 +212,13 @@ class ModelRun {
         if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
     } else {
-      if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
+      const Status status = stepping_.choose(state_, position_, statistics_);
+      if (!status && context_.interrupted()) return status;
       files_.create(columns);
+      if (!status) {
+        save(good_);  // the start, to be taken up with a step that the user gives
+        return status;
+      }
     }
     last_save_ = Clock::now();
     return {};
@@ -256,7 +261,7 @@ class ModelRun {
     const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
     if constexpr (distributed)
       return {model_.rank_order().collect_field(q), model_.rank_order().collect_field(v),
-              layout_->collect(snapshot.memory)};
+              snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
     else
       return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
   }
@@ -269,7 +274,8 @@ class ModelRun {
     counters_ = good_.counters;
     position_ = good_.position;
     const bool complete = position_.cursor.sample == times_.n_samples;
-    if (complete || file.get_string("stepping") == identity_.stepping) return {};
+    const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
+    if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
     // New steps begin at a sample. A run that failed stands at one; one that stands within an interval finishes it with
     // the old ones first.
     const RunPosition old = position_;

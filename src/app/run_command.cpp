@@ -39,6 +39,8 @@ void take_errors(const std::map<std::string, io::Manifest::Model>& models, analy
       options.space_error = e->second;
     if (const auto e = model.counters.find("estimated_time_error"); e != model.counters.end())
       options.time_error += e->second;
+    if (const auto t = model.counters.find("surface_limit_time"); t != model.counters.end())
+      options.surface_limit_time = t->second;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "continuum/ball_space.h"
@@ -49,9 +50,13 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  template <class Number>
-  void operator()(Number&) {
-    parts_.push_back({Kind::numbers, 1});
+  /// A number, or what has none: the multiplier of a ball without constraint.
+  template <class Value>
+  void operator()(Value& value) {
+    if constexpr (std::is_arithmetic_v<Value>)
+      parts_.push_back({Kind::numbers, 1});
+    else
+      parts_.push_back({Kind::numbers, mechanics::local_values(value).size()});
   }
 
   /// The memory of all ranks as one list on rank 0, from every rank's own. Collective.

@@ -88,19 +88,14 @@ class TangentOperator {
 
   Status prepare() { return of_velocity_ ? Status() : multiplier_of_motion(system_, state_, workspace_, lambda_); }
 
-  /// w ← K u, u ← M⁻¹K u, projected.
+  /// w ← K u, u ← M⁻¹K u, projected. A body that is thin beside its length may not stand the usual increment.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
-    const double increment = increment_ / max_norm(u);
-    typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
-    scale(0.0, result.w);
-    for (const double side : {1.0, -1.0}) {
-      changed = of_velocity_ ? state_.v : state_.q;
-      axpy(side * increment, u, changed);
-      if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force_); !status) return status;
-      if constexpr (!unconstrained<S>)
-        if (!of_velocity_) system_.add_reaction(moved_.q, lambda_, force_);
-      axpy(-side / (2 * increment), force_, result.w);
+    Status status = difference(u, result.w);
+    for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
+      increment_ /= 10;
+      status = difference(u, result.w);
     }
+    if (!status) return status;
     system_.apply_inverse_mass(result.w, result.u);
     return project(result);
   }
@@ -121,6 +116,22 @@ class TangentOperator {
   }
 
  private:
+  /// w ← K u.
+  Status difference(const typename S::Vector& u, typename S::Vector& w) {
+    const double increment = increment_ / max_norm(u);
+    typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
+    scale(0.0, w);
+    for (const double side : {1.0, -1.0}) {
+      changed = of_velocity_ ? state_.v : state_.q;
+      axpy(side * increment, u, changed);
+      if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force_); !status) return status;
+      if constexpr (!unconstrained<S>)
+        if (!of_velocity_) system_.add_reaction(moved_.q, lambda_, force_);
+      axpy(-side / (2 * increment), force_, w);
+    }
+    return {};
+  }
+
   const S& system_;
   const State<S>& state_;
   typename S::Workspace& workspace_;

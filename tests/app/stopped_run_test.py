@@ -83,6 +83,9 @@ class StoppedRun(StoppedRunTest):
     def test_control_c_continuum(self):
         self.check_control_c({**LONG_CONTINUUM, **PICTURES}, "continuum", 1e-11)
 
+    def test_control_c_compressible(self):
+        self.check_control_c({**LONG_CONTINUUM, "Body/Incompressible": "false"}, "continuum", 1e-11)
+
     def test_control_c_in_the_first_of_two_models(self):
         self.scene({**LONG_REDUCED, "Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2,
                     "Output/Samples": 10, "Time/Step": 2e-6})

@@ -3,7 +3,7 @@ units change nothing."""
 import math
 import unittest
 
-from program_test import DONE, WRONG_INPUT, largest_difference, overrides
+from program_test import DONE, WRONG_INPUT, overrides
 from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
                          PENDULUM, POINTS, ROTATION, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, distance)
 
@@ -147,15 +147,10 @@ class SystemMethods(SystemTest):
 
     def check_units(self, scene, units={}, n_points=2, tolerance=1e-11):
         """The scene in other units is the same motion, written in these units."""
-        reference = self.motion(scene, {"Time/Tolerance": tolerance})
-        entries = self.used_entries(reference.folder)
-        del entries["Output/Directory"]
-        for scales in ((1e6, 1, 1), (1, 1e6, 1), (1, 1, 1e6), (1e-9, 1e-9, 1e-9), (1e6, 1e-9, 1e6)):
-            scales = dict(zip(("length", "mass", "time"), scales))
-            scaled = self.motion(self.scaled_entries(entries, scales, units))
-            difference = largest_difference(reference, self.in_units_of(scales, scaled, units, n_points))
-            print(f"{scaled.file} {scales}: {difference:.1e}")
-            self.assertLess(difference, 1e-10, scales)
+        all_factors = ((1e6, 1, 1), (1, 1e6, 1), (1, 1, 1e6), (1e-9, 1e-9, 1e-9), (1e6, 1e-9, 1e6))
+        for factors, difference in self.differences_in_units(scene, all_factors, units, n_points, tolerance):
+            print(f"{factors}: {difference:.1e}")
+            self.assertLess(difference, 1e-10, factors)
 
     def test_units_of_mass_points(self):
         for scene in (POINTS, DAMPED_POINTS):

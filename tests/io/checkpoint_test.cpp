@@ -12,9 +12,12 @@
 #include "largest_allocation.h"
 #include "scene/user_error.h"
 #include "scratch.h"
+#include "support/mutants.h"
 
 namespace pseudorigid::io::test {
 namespace {
+
+using pseudorigid::testing::damaged_bytes;
 
 constexpr std::size_t header_size = 32;
 
@@ -44,33 +47,6 @@ std::string forged(std::string bytes) {
   const std::uint64_t size = bytes.size() - header_size, sum = checksum(std::string_view(bytes).substr(header_size));
   std::memcpy(bytes.data() + 16, &size, 8);
   std::memcpy(bytes.data() + 24, &sum, 8);
-  return bytes;
-}
-
-std::string mutant(std::string bytes, std::size_t first, std::mt19937_64& random) {
-  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
-  for (std::size_t n_changes = 1 + below(4); n_changes > 0; --n_changes) {
-    const std::size_t at = first + below(bytes.size() - first + 1);
-    switch (below(6)) {
-      case 0:
-        if (at < bytes.size()) bytes[at] ^= static_cast<char>(1 << below(8));
-        break;
-      case 1:
-        bytes.resize(at);
-        break;
-      case 2:
-        bytes.insert(at, 1 + below(20), static_cast<char>(random()));
-        break;
-      case 3:
-        bytes.erase(at, below(20));
-        break;
-      case 4:
-        for (std::size_t i = at; i < std::min(at + 8, bytes.size()); ++i) bytes[i] = '\xff';  // a huge count
-        break;
-      default:
-        bytes += bytes.substr(at, below(40));
-    }
-  }
   return bytes;
 }
 
@@ -142,7 +118,7 @@ TEST(Checkpoint, EveryMutantIsAUserError) {
   const std::string good = sample_bytes(scratch);
   std::mt19937_64 random(2);
   for (int i = 0; i < 5000; ++i) {
-    const std::string bytes = mutant(good, 0, random);
+    const std::string bytes = damaged_bytes(good, 0, random);
     if (bytes == good) continue;
     put(scratch / "mutant.bin", bytes);
     ASSERT_THROW(Checkpoint::load(scratch / "mutant.bin"), UserError) << "mutant " << i;
@@ -168,7 +144,7 @@ TEST(Checkpoint, AForgedChecksumNeitherCrashesNorAllocates) {
   std::mt19937_64 random(3);
   int n_refused = 0;
   for (int i = 0; i < 5000; ++i) {
-    put(scratch / "mutant.bin", forged(mutant(good, header_size, random)));
+    put(scratch / "mutant.bin", forged(damaged_bytes(good, header_size, random)));
     largest_allocation = 0;
     try {
       Checkpoint::load(scratch / "mutant.bin");

@@ -12,18 +12,13 @@
 #include "io/files.h"
 #include "io/gmsh.h"
 #include "scene/user_error.h"
+#include "support/two_cubes.h"
 
 namespace pseudorigid::io {
 namespace {
 
-using testing::HasSubstr;
-
-/// Two unit cubes side by side along x.
-const std::string two_cubes =
-    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
-    "$Nodes\n12\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 0 1 0\n5 1 1 0\n6 2 1 0\n"
-    "7 0 0 1\n8 1 0 1\n9 2 0 1\n10 0 1 1\n11 1 1 1\n12 2 1 1\n$EndNodes\n"
-    "$Elements\n2\n1 5 2 0 1 1 2 5 4 7 8 11 10\n2 5 2 0 1 2 3 6 5 8 9 12 11\n$EndElements\n";
+using pseudorigid::testing::two_cubes;
+using ::testing::HasSubstr;
 
 std::string replaced(std::string text, const std::string& old, const std::string& by) {
   const auto place = text.find(old);
@@ -31,10 +26,10 @@ std::string replaced(std::string text, const std::string& old, const std::string
   return text.replace(place, old.size(), by);
 }
 
-class Gmsh : public testing::Test {
+class Gmsh : public ::testing::Test {
  protected:
   std::filesystem::path write(const std::string& text) const {
-    const std::filesystem::path file = testing::TempDir() + "gmsh_test.msh";
+    const std::filesystem::path file = ::testing::TempDir() + "gmsh_test.msh";
     std::ofstream(file, std::ios::binary) << text;
     return file;
   }
@@ -101,8 +96,8 @@ TEST_F(Gmsh, RefusesWhatIsNotSuchAMesh) {
   EXPECT_THAT(refusal(replaced(two_cubes, "2\n1 5", "99999999999999\n1 5")), HasSubstr("expected the number"));
   EXPECT_THAT(refusal(two_cubes.substr(0, two_cubes.find("2 5 2"))), HasSubstr("ends within $Elements; is it trunc"));
   EXPECT_THAT(refusal(two_cubes.substr(0, two_cubes.find("$Elements"))), HasSubstr("without the section $Elements"));
-  EXPECT_THROW(read_gmsh(testing::TempDir()), UserError);
-  EXPECT_THROW(read_gmsh(testing::TempDir() + "nowhere.msh"), UserError);
+  EXPECT_THROW(read_gmsh(::testing::TempDir()), UserError);
+  EXPECT_THROW(read_gmsh(::testing::TempDir() + "nowhere.msh"), UserError);
 }
 
 TEST_F(Gmsh, RefusesWhatIsNotOneBody) {

@@ -4,7 +4,7 @@ import json
 import re
 import tempfile
 
-from program_test import ProgramTest, SOURCE, overrides
+from program_test import ProgramTest, SOURCE, largest_difference, overrides
 
 # The scenes of params/ and the file of each.
 SCENES = {
@@ -93,6 +93,21 @@ def unit(dimension, scales):
     return value
 
 
+def scaled_entries(entries, scales, documented, units={}):
+    """The same scene where the units of length, mass and time are 1/scales; `documented`: the unit of every entry, `units`:
+    those that depend on the scene."""
+    scaled = {}
+    for path, value in entries.items():
+        value = str(value)
+        of_columns = UNITS_OF_ROWS.get(path, (units.get(path, documented[path]),))
+        factors = [unit(dimension, scales) for dimension in of_columns]
+        if value not in ("", "auto") and any(of_columns):
+            rows = [zip(row.split(","), itertools.cycle(factors)) for row in value.split(";")]
+            value = "; ".join(", ".join(repr(float(x) * factor) for x, factor in row) for row in rows)
+        scaled[path] = value
+    return scaled
+
+
 def drift(table, *columns):
     """Largest distance of a column from its first value."""
     return max(abs(x - table.column(name)[0]) for name in columns for x in table.column(name))
@@ -140,18 +155,8 @@ class SystemTest(ProgramTest):
         return entries
 
     def scaled_entries(self, entries, scales, units):
-        """The same scene where the units of length, mass and time are 1/scales."""
         page = json.loads(self.run_done("parameters", "--format", "json").stdout)
-        documented = {entry["entry"]: entry["unit"] for entry in page}
-        scaled = {}
-        for path, value in entries.items():
-            of_columns = UNITS_OF_ROWS.get(path, (units.get(path, documented[path]),))
-            factors = [unit(dimension, scales) for dimension in of_columns]
-            if value not in ("", "auto") and any(of_columns):
-                rows = [zip(row.split(","), itertools.cycle(factors)) for row in value.split(";")]
-                value = "; ".join(", ".join(repr(float(x) * factor) for x, factor in row) for row in rows)
-            scaled[path] = value
-        return scaled
+        return scaled_entries(entries, scales, {entry["entry"]: entry["unit"] for entry in page}, units)
 
     def in_units_of(self, scales, table, units, n_points):
         """The table divided by its units."""
@@ -159,3 +164,13 @@ class SystemTest(ProgramTest):
                    for name, dimension in self.documented_columns(table.file, n_points) if name in table.header]
         table.rows = [[x / factor for x, factor in zip(row, factors, strict=True)] for row in table.rows]
         return table
+
+    def differences_in_units(self, scene, all_factors, units, n_points, tolerance):
+        """For each (length, mass, time) of factors: how far the scene in these units is from the scene itself."""
+        reference = self.motion(scene, {"Time/Tolerance": tolerance})
+        entries = self.used_entries(reference.folder)
+        del entries["Output/Directory"]
+        for factors in all_factors:
+            scales = dict(zip(("length", "mass", "time"), factors))
+            scaled = self.motion(self.scaled_entries(entries, scales, units))
+            yield factors, largest_difference(reference, self.in_units_of(scales, scaled, units, n_points))

@@ -1,0 +1,29 @@
+#pragma once
+/// How near the surface of an incompressible ball is to wrinkling. With λ₁ ≤ λ₂ the stretches within the surface, from
+/// the metrics of its tangents t_α = ∂X/∂ξ_α before and ∂x/∂ξ_α after the deformation,
+///
+///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx,
+///
+/// and λ_n = 1/(λ₁λ₂) the stretch along the normal (volume is preserved, and a surface without shear traction has its
+/// normal as a principal direction), the ratio is
+///
+///   λ₁/λ_n = λ₁²λ₂.
+///
+/// An incompressible neo-Hookean or Mooney–Rivlin half-space loses its smooth shape where it falls to 0.2956, the root
+/// of x³ + x² + 3x = 1 (Biot 1963): waves of every length then grow, the shorter the faster.
+
+#include "continuum/ball_space.h"
+
+namespace pseudorigid::continuum {
+
+inline constexpr double biot_ratio = 0.29559774252208477;
+
+struct SurfaceStretch {
+  double ratio;            ///< the least λ₁/λ_n over the nodes of the surface
+  dealii::Point<3> place;  ///< X there; on several ranks, of a rank's own least
+};
+
+/// At the nodes of the free surface; collective.
+SurfaceStretch least_surface_stretch(const BallSpace& space, const Vector& x);
+
+}  // namespace pseudorigid::continuum

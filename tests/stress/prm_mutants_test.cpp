@@ -1,0 +1,42 @@
+/// Damaged scenes of params/ by the program's reader and by deal.II's ParameterHandler with all entries of the program:
+/// the same values, or refused by both. `include` is left to the reader's own tests: deal.II seeks files elsewhere.
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "app/catalogue.h"
+#include "scene/entries.h"
+#include "stress/mutants.h"
+#include "support/prm_oracle.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+PrmOracle oracle_of_all_entries() {
+  PrmOracle::Values defaults;
+  scene::Scene scene = scene::default_scene(app::program_catalogue());
+  scene::visit_entries(scene, [&](auto& member, const auto& kind, const scene::About& about) {
+    defaults[std::string(about.path)] = kind.print(member);
+  });
+  return PrmOracle(std::move(defaults));
+}
+
+TEST(Mutants, OfParameterFilesBesideDealII) {
+  const std::vector<std::string> seeds = texts_of(PARAMS, ".prm");
+  const PrmOracle oracle = oracle_of_all_entries();
+  std::mt19937_64 random(14);
+  Tally tally{"parameter files beside deal.II"};
+  for (int i = 0; i < n_mutants(); ++i) {
+    const std::string text = damaged_text(seeds[i % seeds.size()], prm_words, seeds, random);
+    if (text.find("nclude") != std::string::npos || text.find("NCLUDE") != std::string::npos) continue;
+    ASSERT_TRUE(oracle.agree(text)) << "mutant " << i;
+    ++(oracle.by_reader(text) ? tally.n_accepted : tally.n_refused);
+  }
+  EXPECT_GT(tally.n_refused, n_mutants() / 5);
+  EXPECT_GT(tally.n_accepted, n_mutants() / 5);
+}
+
+}  // namespace
+}  // namespace pseudorigid::testing

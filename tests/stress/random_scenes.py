@@ -1,0 +1,215 @@
+"""Random scenes of the ball and of the other systems: laws, states, loads, units, steps, methods, degrees, sectors,
+models, ranks. Every scene follows from the seed of the part and its number."""
+import math
+import random
+import shutil
+
+from program import DONE, STOPPED, faults, faults_of_resume, reason_without_numbers
+
+METHODS = ("rattle", "rattle-4", "rattle-6", "rattle-8", "symmetric-8", "symmetric-12", "energy-momentum", "explicit-8")
+LAWS = ("neo-hookean", "mooney-rivlin", "ciarlet-geymonat", "ciarlet-geymonat (as printed)", "saint-venant-kirchhoff",
+        "saint-venant-kirchhoff (as printed)")
+LONGEST = 60  # seconds of a run
+
+
+# Matrices as lists of rows.
+
+def product(a, b):
+    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+
+
+def determinant(a):
+    return sum(a[0][i] * (a[1][(i + 1) % 3] * a[2][(i + 2) % 3] - a[1][(i + 2) % 3] * a[2][(i + 1) % 3]) for i in range(3))
+
+
+def scaled(factor, a):
+    return [[factor * x for x in row] for row in a]
+
+
+def diagonal(*entries):
+    return [[x if i == j else 0 for j in range(3)] for i, x in enumerate(entries)]
+
+
+def text(a):
+    return "; ".join(", ".join(repr(float(x)) for x in row) for row in a)
+
+
+def rotation(rng):
+    w, x, y, z = (rng.gauss(0, 1) for _ in range(4))
+    n = math.sqrt(w * w + x * x + y * y + z * z)
+    w, x, y, z = w / n, x / n, y / n, z / n
+    return [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+
+
+def irregular(rng, size, symmetric=False):
+    a = [[rng.uniform(-size, size) for _ in range(3)] for _ in range(3)]
+    return [[(a[i][j] + a[j][i]) / 2 for j in range(3)] for i in range(3)] if symmetric else a
+
+
+def initial_state(rng, rate, incompressible, diagonal_only):
+    """Deformation and velocity; stretches are seldom large, since much fails there."""
+    spread = rng.choice((0.02, 0.2, 0.2, 0.5, 1.0))
+    logs = [rng.gauss(0, spread) for _ in range(3)]
+    if rng.random() < 0.3:
+        logs[1] = logs[0]  # two equal axes
+    if incompressible:
+        logs = [x - sum(logs) / 3 for x in logs]
+    turn = (lambda: diagonal(1, 1, 1)) if diagonal_only else (lambda: rotation(rng))
+    Q = product(product(turn(), diagonal(*map(math.exp, logs))), turn())
+    if incompressible:
+        Q = scaled(determinant(Q) ** (-1 / 3), Q)
+    L = irregular(rng, rate * rng.choice((0.01, 0.3, 0.3, 1.0, 3.0)))
+    if diagonal_only:
+        L = diagonal(*(L[i][i] for i in range(3)))
+    if incompressible:
+        mean = sum(L[i][i] for i in range(3)) / 3
+        for i in range(3):
+            L[i][i] -= mean
+    return Q, product(Q, L)
+
+
+def ball(rng, with_continuum):
+    """Entries of a scene of the ball, its models by chance; and the number of ranks."""
+    models = rng.choices(("reduced", "continuum", "reduced, continuum"), (9, 5, 6))[0] if with_continuum else "reduced"
+    reduced_only = models == "reduced"
+    radius, density, modulus = (10 ** rng.uniform(-6, 6) if rng.random() < 0.3 else 1.0 for _ in range(3))
+    rate = math.sqrt(modulus / density) / radius
+    incompressible = rng.random() < 0.7
+    symmetric = rng.random() < (0.3 if reduced_only else 0.6)
+    Q, Qdot = initial_state(rng, rate, incompressible, symmetric)
+    law = rng.choice(LAWS)
+    end = rng.uniform(0.3, 30) if reduced_only else rng.uniform(0.1, 2.5)
+    entries = {"Models": models, "Body/Radius": repr(radius), "Body/Density": repr(density),
+               "Body/Incompressible": str(incompressible).lower(), "Material/Law": law,
+               "Material/Shear modulus": repr(modulus), "Material/Lame lambda": repr(modulus * 10 ** rng.uniform(-1, 1)),
+               "Material/Mooney fraction": repr(rng.random()), "Initial state/Deformation": text(Q),
+               "Initial state/Velocity": text(Qdot), "Time/End": repr(end / rate), "Output/Samples": rng.randint(2, 30)}
+    if rng.random() < 0.2:
+        entries["Material/Viscosity"] = repr(modulus / rate * 10 ** rng.uniform(-3, 0))
+    if rng.random() < 0.15:
+        entries["Material/Drag"] = repr(rate * 10 ** rng.uniform(-3, 0))
+    if rng.random() < 0.2:
+        entries["Loads/Tidal matrix"] = text(irregular(rng, rate**2, symmetric=True) if not symmetric else
+                                             scaled(rate**2, diagonal(*(rng.uniform(-1, 1) for _ in range(3)))))
+    if rng.random() < 0.15:
+        entries["Loads/Acceleration"] = ", ".join(repr(radius * rate**2 * rng.uniform(-1, 1)) for _ in range(3))
+    if rng.random() < 0.15:
+        entries["Loads/Nominal traction"] = text(irregular(rng, modulus * 0.5))
+    if reduced_only:
+        if rng.random() < 0.3:
+            entries["Gravity/Constant"] = repr(rate**2 / density * 10 ** rng.uniform(-2, 1))
+            if incompressible and rng.random() < 0.3:
+                entries["Material/Law"] = "none"
+        if rng.random() < 0.2:
+            entries["Body/Semi-axes"] = ", ".join(repr(math.exp(rng.gauss(0, 0.4))) for _ in range(3))
+        if rng.random() < 0.3:
+            entries["Output/Quantities"] = rng.choice(("all, bipolar", "all, pressure", "state", "energies, momenta"))
+    else:
+        entries["Continuum/Degree"] = rng.choices((1, 2, 3, 4, 5), (1, 8, 6, 3, 1))[0]
+        if entries["Continuum/Degree"] == 2 and rng.random() < 0.1:
+            entries["Continuum/Refinements"] = 1
+        entries["Continuum/Symmetry"] = rng.choices(("auto", "none", "octant", "z", "xy"), (10, 2, 2, 1, 1))[0]
+        entries["Continuum/Error estimate"] = rng.choice(("auto", "none", "none"))
+    if rng.random() < 0.15:
+        entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
+    choose_method(rng, entries, 1 / rate, reduced_only)
+    ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
+    return entries, ranks
+
+
+def choose_method(rng, entries, time_unit, cheap):
+    entries["Time/Tolerance"] = repr(10 ** rng.uniform(-9 if cheap else -5, -2))
+    if rng.random() < 0.6:
+        entries["Time/Method"] = rng.choice(METHODS if cheap else METHODS[:4])
+    if rng.random() < 0.5:
+        entries["Time/Step"] = repr(min(time_unit * 10 ** rng.uniform(-2.5, -0.3), float(entries["Time/End"])))
+
+
+def system(rng):
+    """A system beside the ball: a scene in which every force acts, all its numbers changed by chance."""
+    from system_test import (BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
+                             PENDULUM, POINTS, TOP, TORUS)
+    entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, BODY, {**BODY, **EULER},
+                               FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI)))
+    kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Mass points/Springs", "Mass points/Dashpots",
+            "Output/Samples")
+    for path, value in entries.items():
+        if path not in kept:
+            entries[path] = changed_numbers(rng, str(value))
+    entries["Output/Samples"] = rng.randint(2, 30)
+    choose_method(rng, entries, 1.0, True)
+    return entries, 1
+
+
+def changed_numbers(rng, value):
+    def change(number):
+        try:
+            return repr(float(number) * math.exp(rng.gauss(0, 0.5)) * (-1 if float(number) < 0 and rng.random() < 0.2 else 1))
+        except ValueError:
+            return number.strip()
+    return "; ".join(", ".join(change(x) for x in row.split(",")) for row in value.split(";"))
+
+
+def energy_drift(run):
+    """Largest change of the energy over the largest kinetic energy or change of another part, by model; only where the
+    energy is to stay."""
+    drifts = {}
+    for path in run.files(".csv"):
+        if path.stem in ("comparison", "moving_frame"):
+            continue
+        table = run.table(path.stem)
+        if "energy" not in table.header or len(table) < 2:
+            continue
+        energy = table.column("energy")
+        parts = [name for name in ("kinetic", "elastic", "gravitational", "external", "potential") if name in table.header]
+        scale = max(max(abs(x - table.column(name)[0]) for x in table.column(name)) for name in parts)
+        scale = max(scale, max(map(abs, table.column("kinetic"))))
+        if scale > 0:
+            drifts[path.stem] = max(abs(x - energy[0]) for x in energy) / scale
+    return drifts
+
+
+def is_conservative(entries):
+    return not any(path in entries for path in ("Material/Viscosity", "Material/Drag", "Mass points/Drag",
+                                                "Mass points/Dashpots", "Torus/Damping"))
+
+
+def faults_of_energy(entries, run):
+    """Where the program chose the step for a tolerance of the configuration: to first order, with frequencies ω up to some
+    ten of the unit of time, the energy errs by ω times that, relative to a motion of order 1. Small motions and stretched
+    bodies, that have other scales, get the factor below."""
+    if "Time/Step" in entries or not is_conservative(entries):
+        return []
+    bound = 1000 * float(entries["Time/Tolerance"])
+    return [f"{model}: the energy drifts by {drift:.2e}, the tolerance is {entries['Time/Tolerance']}"
+            for model, drift in energy_drift(run).items() if drift > bound]
+
+
+def one(program, seed, number, with_continuum=True):
+    """Runs scene `number`; a record."""
+    rng = random.Random(f"{seed}/{number}")
+    kind = "system" if rng.random() < 0.3 else "ball"
+    entries, ranks = ball(rng, with_continuum) if kind == "ball" else system(rng)
+    name = f"scene{number}"
+    run = program.run(entries, name, limit=LONGEST, ranks=ranks)
+    found = faults(run)
+    record = {"number": number, "kind": entries.get("System", entries.get("Models", "ball")), "ranks": ranks,
+              "code": run.code, "seconds": round(run.seconds, 2), "too_long": bool(run.too_long), "resumed": "", "reason": ""}
+    if run.code == DONE and not found:
+        found = faults_of_energy(entries, run)
+    elif run.code == STOPPED and not found and not run.too_long:
+        record["reason"] = reason_without_numbers(run.stop()[1])
+        found, again = faults_of_resume(program, run, name, limit=LONGEST, ranks=ranks)
+        record["resumed"] = {DONE: "finished", STOPPED: "stopped"}.get(again.code, "refused")
+    elif run.code == 2:
+        record["reason"] = reason_without_numbers(run.stderr.split("error: ", 1)[-1].strip())
+    record["faults"] = "; ".join(found)
+    if not found:
+        shutil.rmtree(run.folder, ignore_errors=True)
+    return record
+
+
+def run(program, number, seed, with_continuum=True, **_):
+    return [one(program, seed, i, with_continuum) for i in range(number)]

@@ -1,0 +1,72 @@
+"""The map of stability: the ball released with the velocity a(x, y, −2z), over the amplitude a, the step in parts of the
+stability limit at rest, and the degree, on the unrefined octant until t = 25 r/c. tools/plot_stability_map.py draws it.
+
+Each run is one of: bounded, the energy stays within a tenth of the start's; lost, it does not; ended, the program stopped
+and said why. A run whose surface reached Biot's limit has the time of that."""
+from program import STOPPED, faults, reason_without_numbers
+from ramps import RELEASE, stability_limit
+from random_scenes import scaled, text
+
+AMPLITUDES = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0)
+PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2)
+DEGREES = (2, 3, 4, 5)
+END = 25
+BOUNDED = 0.1
+BIOT = 0.29559774252208477
+LONGEST = 120
+
+
+def entries(a, degree, step=None, end=END):
+    scene = {"Models": "continuum", "Continuum/Degree": degree, "Initial state/Velocity": text(scaled(a, RELEASE)),
+             "Time/End": end, "Output/Samples": 20 * end, "Time/Method": "rattle", "Time/Tolerance": 0.1}
+    return {**scene, "Time/Step": repr(step)} if step else scene
+
+
+def outcome(run):
+    record = {"outcome": "bounded", "time": END, "energy_departure": "", "biot_time": "", "least_surface_ratio": "", "reason": ""}
+    counters = run.manifest()["models"].get("continuum", {}).get("counters", {})
+    record["biot_time"] = counters.get("surface_limit_time", "")
+    record["least_surface_ratio"] = counters.get("least_surface_stretch_ratio", "")
+    energy = run.table("continuum").column("energy")
+    departure = max(abs(x - energy[0]) for x in energy) / energy[0]
+    record["energy_departure"] = departure
+    if run.code == STOPPED:
+        record.update({"outcome": "ended", "time": run.stop()[0], "reason": reason_without_numbers(run.stop()[1])})
+    elif departure > BOUNDED:
+        record["outcome"] = "lost"
+    return record
+
+
+def least_ratio_of_axes(program, a):
+    """Of the reduced model in its pulsation: a₃/a₁, the stretch along the surface over that along its normal."""
+    run = program.run({"Models": "reduced", "Initial state/Velocity": text(scaled(a, RELEASE)), "Time/End": 6,
+                       "Time/Tolerance": 1e-8, "Output/Samples": 3000})
+    table = run.table("reduced")
+    return min(low / high for low, high in zip(table.column("a3"), table.column("a1")))
+
+
+def biot_amplitude(program):
+    """At which the reduced model first comes to Biot's ratio."""
+    low, high = 0.1, 2.0
+    while high - low > 1e-4:
+        a = (low + high) / 2
+        low, high = (a, high) if least_ratio_of_axes(program, a) > BIOT else (low, a)
+    return (low + high) / 2
+
+
+def run(program, quick, **_):
+    records = [{"kind": "Biot's limit of the reduced model", "amplitude": biot_amplitude(program), "faults": ""}]
+    for degree in (2,) if quick else DEGREES:
+        limit = stability_limit(program, entries(1e-6, degree))
+        for a in (0.2, 2.0) if quick else AMPLITUDES:
+            for part in (0.8,) if quick else PARTS:
+                result = program.run(entries(a, degree, part * limit), limit=LONGEST)
+                record = {"kind": f"degree {degree}", "degree": degree, "amplitude": a, "part_of_limit": part,
+                          "step": part * limit, "code": result.code, "seconds": round(result.seconds, 2),
+                          "too_long": bool(result.too_long)}
+                found = faults(result)
+                if not found and not result.too_long:
+                    record.update(outcome(result))
+                record["faults"] = "; ".join(found)
+                records.append(record)
+    return records
