@@ -14,6 +14,7 @@
 #include <unordered_set>
 
 #include "scene/user_error.h"
+#include "scene/wording.h"
 
 namespace pseudorigid::io {
 namespace {
@@ -202,8 +203,8 @@ class GmshReader {
   }
 
   void skip(std::string_view section) {
-    const std::string end = "$End" + std::string(section.substr(1));
-    do require_line(section);
+    const std::string end = "$End" + std::string(section.substr(1)), within = scene::quote(section);
+    do require_line(within);
     while (line_ != end);
   }
 

@@ -11,22 +11,24 @@ namespace {
 
 using continuum::least_surface_stretch;
 
+/// Equal stretches are the double root of a quadratic equation, which has half the digits.
 TEST(SurfaceStretch, IsOneAtRestAndUnderRotations) {
   const ElasticBall ball(whole, 3, 0, neo_hookean);
   const Eigen::Quaterniond turn = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.1).normalized();
-  EXPECT_NEAR(least_surface_stretch(ball.space(), ball.affine_field(Matrix3d::Identity())).ratio, 1, 1e-13);
-  EXPECT_NEAR(least_surface_stretch(ball.space(), ball.affine_field(turn.toRotationMatrix())).ratio, 1, 1e-13);
+  EXPECT_NEAR(least_surface_stretch(ball.space(), ball.affine_field(Matrix3d::Identity())).ratio, 1, 1e-7);
+  EXPECT_NEAR(least_surface_stretch(ball.space(), ball.affine_field(turn.toRotationMatrix())).ratio, 1, 1e-7);
 }
 
 /// Flattened, the ball is nearest to the limit at the equator, drawn out at the poles; there are nodes on both, where
-/// the mesh has the tangents of the sphere. λ₁/λ_n is the least axis over the largest.
+/// the quadratic surface of the cells has the tangents of the sphere to 1e-5. λ₁/λ_n is the least axis over the
+/// largest.
 TEST(SurfaceStretch, OfSpheroidsIsTheRatioOfAxes) {
   for (const Sector& sector : {whole, octant})
     for (const double a3 : {0.5, 0.9, 1.3, 2.0}) {
       const ElasticBall ball(sector, 2, 1, neo_hookean);
       const double a1 = 1 / std::sqrt(a3);
       const auto least = least_surface_stretch(ball.space(), ball.affine_field(diagonal(a1, a1, a3)));
-      EXPECT_NEAR(least.ratio, a3 < 1 ? a3 / a1 : a1 / a3, 1e-12) << a3;
+      EXPECT_NEAR(least.ratio, a3 < 1 ? a3 / a1 : a1 / a3, 1e-4) << a3;
       EXPECT_NEAR(std::abs(least.place[2]), a3 < 1 ? 0 : 1, 1e-12) << a3;
     }
 }

@@ -1,8 +1,10 @@
 /// Damaged scenes of params/ by the program's reader and by deal.II's ParameterHandler with all entries of the program:
-/// the same values, or refused by both. `include` is left to the reader's own tests: deal.II seeks files elsewhere.
+/// the same values, or refused by both. What the reader deliberately does in another way (scene/prm_reader.h) is left
+/// out: control characters, a byte order mark, a slash in a name, `include`.
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <random>
 #include <string>
 
@@ -23,6 +25,19 @@ PrmOracle oracle_of_all_entries() {
   return PrmOracle(std::move(defaults));
 }
 
+bool is_read_differently(const std::string& text) {
+  if (text.starts_with("\xEF\xBB\xBF")) return true;
+  for (const char* word : {"nclude", "NCLUDE"})
+    if (text.find(word) != std::string::npos) return true;
+  for (const unsigned char c : text)
+    if (std::iscntrl(c) && !std::isspace(c)) return true;
+  for (const std::string& line : lines_of(text)) {
+    const std::string before_value = line.substr(0, line.find_first_of("=#"));
+    if (before_value.find('/') != std::string::npos) return true;
+  }
+  return false;
+}
+
 TEST(Mutants, OfParameterFilesBesideDealII) {
   const std::vector<std::string> seeds = texts_of(PARAMS, ".prm");
   const PrmOracle oracle = oracle_of_all_entries();
@@ -30,7 +45,7 @@ TEST(Mutants, OfParameterFilesBesideDealII) {
   Tally tally{"parameter files beside deal.II"};
   for (int i = 0; i < n_mutants(); ++i) {
     const std::string text = damaged_text(seeds[i % seeds.size()], prm_words, seeds, random);
-    if (text.find("nclude") != std::string::npos || text.find("NCLUDE") != std::string::npos) continue;
+    if (is_read_differently(text)) continue;
     ASSERT_TRUE(oracle.agree(text)) << "mutant " << i;
     ++(oracle.by_reader(text) ? tally.n_accepted : tally.n_refused);
   }

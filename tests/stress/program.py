@@ -31,8 +31,10 @@ STOPPED_AT = re.compile(r"stopped at t = ([-+0-9.e]+): (.*?)(?:; the state at t 
 class Run:
     """What came of one call of the program."""
 
-    def __init__(self, folder, code, seconds, stdout, stderr, too_long):
-        self.folder, self.code, self.seconds = folder, code, seconds
+    def __init__(self, folder, code, seconds, stdout, stderr, too_long, ranks):
+        self.folder, self.seconds = folder, seconds
+        # An interrupted mpirun ends with a code of its own.
+        self.code = STOPPED if too_long and ranks > 1 and code > 0 else code
         self.stdout, self.stderr, self.too_long = stdout, stderr, too_long
 
     def stop(self):
@@ -77,7 +79,7 @@ class Program:
                 process.kill()
                 stdout, stderr = process.communicate()
                 too_long = "hangs"
-        return Run(folder, process.returncode, time.monotonic() - start, stdout, stderr, too_long)
+        return Run(folder, process.returncode, time.monotonic() - start, stdout, stderr, too_long, ranks)
 
     def run(self, entries, name="scene", changes={}, resume=False, **options):
         """Of a scene given by its entries; the results are in a folder of its name, which is made anew."""
@@ -139,7 +141,8 @@ def faults_of_refusal(run):
 def faults_of_stop(run):
     """Of a run that could not go on, without trying to."""
     if run.too_long:
-        return [] if "interrupted" in run.stderr else [f"interrupted, it says: {run.stderr[-300:]!r}"]
+        manifest = run.manifest()
+        return [] if manifest["state"] == "interrupted" else [f"interrupted, its manifest says {manifest['state']}"]
     stop = run.stop()
     if not stop or len(stop[1]) < 15 or "nan" in stop[1].replace("det F = nan", ""):
         return [f"exit code 3 without time and reason: {run.stderr.strip()[-300:]!r}"]

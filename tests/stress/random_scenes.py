@@ -160,7 +160,7 @@ def energy_drift(run):
         if path.stem in ("comparison", "moving_frame"):
             continue
         table = run.table(path.stem)
-        if "energy" not in table.header or len(table) < 2:
+        if "energy" not in table.header or "kinetic" not in table.header or len(table) < 2:
             continue
         energy = table.column("energy")
         parts = [name for name in ("kinetic", "elastic", "gravitational", "external", "potential") if name in table.header]

@@ -7,8 +7,8 @@ from program import STOPPED, faults, reason_without_numbers
 from ramps import RELEASE, stability_limit
 from random_scenes import scaled, text
 
-AMPLITUDES = (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.7, 2.0)
-PARTS = (0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 1.0, 1.05, 1.1, 1.2)
+AMPLITUDES = (0.1, 0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.25, 1.6, 2.0)
+PARTS = (0.5, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2)
 DEGREES = (2, 3, 4, 5)
 END = 25
 BOUNDED = 0.1

@@ -1,0 +1,65 @@
+#!/usr/bin/env bash
+# The long stress suite: scripts/stress.sh [--quick] [--fresh] [--seed N] [--number N] [PART …]
+#
+# Installs what is missing (Debian 12; as root or with sudo), builds the program and runs the parts
+#   scenes         random scenes of the ball and of the other systems (--number N, default 1000)
+#   ramps          amplitudes to failure, near-inversion, coincident axes, steps about the stability limit
+#   units          the same scenes in units of length, mass and time that are 1e±12 as large
+#   long           10^7 steps of the reduced model, 10^5 of the continuum, releases over 100 periods
+#   mutants        10,000 damaged parameter files, checkpoints and meshes each
+#   interruptions  Ctrl-C, SIGTERM, SIGKILL, full disks, and how the runs go on
+#   map            the map of stability
+#   sanitizers     the tests and damaged files above in a build with the address and the undefined behaviour sanitizers
+# or all of them but the last without a name. Results are kept in output/stress, and a part whose results are there is
+# not run again (--fresh: it is). --quick: the short form that ctest runs as well (ctest -L stress). At the end the
+# tables docs/stress_tables.md, the picture docs/images/stability_map.svg and its data docs/data/stability_map.csv are
+# made from what is there, if nothing was run with --quick. Exit code 1: something was not as it must be.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+run_sanitizers() {
+  configure asan -DPSEUDORIGID_TESTS=ON
+  build asan all
+  # The tests that replace operator new, and MPI and PETSc, keep memory until the end.
+  ASAN_OPTIONS=detect_leaks=0 PSEUDORIGID_MUTANTS=10000 \
+    ctest --test-dir "$root/build/asan" --output-on-failure -j "$(nproc)"
+}
+
+options=(--output "$root/output/stress")
+parts=()
+quick=
+while (($#)); do
+  case $1 in
+    -h | --help)
+      usage "${BASH_SOURCE[0]}"
+      exit
+      ;;
+    --quick)
+      quick=yes
+      options=(--quick --output "$root/output/stress-quick")
+      ;;
+    --seed | --number)
+      options+=("${@:1:2}")
+      shift
+      ;;
+    -*) options+=("$1") ;;
+    *) parts+=("$1") ;;
+  esac
+  shift
+done
+
+install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${test_packages[@]}" python3-matplotlib
+if [[ ${parts[*]} == sanitizers ]]; then
+  run_sanitizers
+  exit
+fi
+configure release -DPSEUDORIGID_TESTS=ON
+build release pseudorigid pseudorigid-continuum stress_mutants_test stress_prm_mutants_test io_checkpoint_test \
+  io_gmsh_test scene_oracle_test
+export PSEUDORIGID=$root/build/release/bin/pseudorigid PSEUDORIGID_TESTS=$root/build/release/tests
+code=0
+/usr/bin/python3 "$root/tests/stress/stress.py" "${options[@]}" "${parts[@]}" || code=$?
+if [[ ! $quick ]]; then
+  /usr/bin/python3 "$root/tools/stress_tables.py" "$root/output/stress"
+fi
+exit "$code"

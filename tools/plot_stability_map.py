@@ -1,0 +1,84 @@
+#!/usr/bin/python3
+"""The map of stability (docs/stress.md) from its CSV file. Needs Debian's python3-matplotlib.
+
+    tools/plot_stability_map.py docs/data/stability_map.csv docs/images/stability_map.svg
+"""
+import argparse
+import csv
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.patches import Patch  # noqa: E402
+
+from run_directory import fail  # noqa: E402
+
+# Okabe and Ito's colours, with a hatching for each: distinct with every kind of colour vision and in print.
+OUTCOMES = {"bounded": ("#56B4E9", "", "energy within 10 % until t = 25 r/c"),
+            "lost": ("#E69F00", "....", "energy lost: off by more than 10 %"),
+            "ended": ("#D55E00", "////", "ended before t = 25 r/c with time, place and reason")}
+
+
+def edges(values):
+    """Between neighbours half-way, and as far beyond the ends: cells whose middles are the values."""
+    middle = [(a + b) / 2 for a, b in zip(values, values[1:])]
+    return [2 * values[0] - middle[0], *middle, 2 * values[-1] - middle[-1]]
+
+
+def draw(axes, runs, degree, biot):
+    mine = [run for run in runs if run["degree"] == degree]
+    amplitudes = sorted({run["amplitude"] for run in mine})
+    parts = sorted({run["part_of_limit"] for run in mine})
+    across, up = edges(list(range(len(amplitudes)))), edges(list(range(len(parts))))
+    for run in mine:
+        x, y = amplitudes.index(run["amplitude"]), parts.index(run["part_of_limit"])
+        colour, hatch, _ = OUTCOMES[run["outcome"]]
+        axes.add_patch(plt.Rectangle((across[x], up[y]), 1, 1, facecolor=colour, edgecolor="white", linewidth=0.6, hatch=hatch))
+        if run["biot_time"]:
+            axes.plot(x, y, marker="o", markersize=3, color="black")
+    place = sum(a < biot for a in amplitudes) - 1
+    fraction = (biot - amplitudes[place]) / (amplitudes[place + 1] - amplitudes[place])
+    axes.axvline(place + fraction, color="black", linewidth=1.6)
+    axes.axhline(parts.index(1.0), color="black", linewidth=1, linestyle="--")
+    axes.set_xlim(across[0], across[-1])
+    axes.set_ylim(up[0], up[-1])
+    axes.set_xticks(range(len(amplitudes)), [f"{a:g}" for a in amplitudes], rotation=90, fontsize=8)
+    axes.set_yticks(range(len(parts)), [f"{p:g}" for p in parts], fontsize=8)
+    limit = mine[0]["step"] / mine[0]["part_of_limit"]
+    axes.set_title(f"degree {degree}, stability limit {limit:.4f} r/c", fontsize=10)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("data", type=pathlib.Path)
+    parser.add_argument("picture", type=pathlib.Path)
+    options = parser.parse_args()
+    if not options.data.is_file():
+        fail(f"{options.data} does not exist; scripts/stress.sh map makes it")
+    with open(options.data, newline="") as file:
+        lines = list(csv.DictReader(file))
+    biot = next(float(line["amplitude"]) for line in lines if line["kind"].startswith("Biot"))
+    runs = [{**line, "degree": int(line["degree"]), "amplitude": float(line["amplitude"]), "step": float(line["step"]),
+             "part_of_limit": float(line["part_of_limit"])} for line in lines if line["degree"] and line["outcome"]]
+    degrees = sorted({run["degree"] for run in runs})
+    figure, grid = plt.subplots(2, 2, figsize=(9, 7.6), sharex=True, sharey=True)
+    figure.subplots_adjust(left=0.08, right=0.98, top=0.96, bottom=0.21, wspace=0.06, hspace=0.13)
+    for axes, degree in zip(grid.flat, degrees):
+        draw(axes, runs, degree, biot)
+    for axes in grid[1]:
+        axes.set_xlabel("amplitude a of the release, in c/r")
+    for axes in grid[:, 0]:
+        axes.set_ylabel("step / stability limit at rest")
+    handles = [Patch(facecolor=colour, hatch=hatch, edgecolor="white", label=label) for colour, hatch, label in OUTCOMES.values()]
+    handles.append(plt.Line2D([], [], marker="o", markersize=3, color="black", linestyle="",
+                              label="the continuum's surface reached Biot's limit"))
+    handles.append(plt.Line2D([], [], color="black", linewidth=1.6, label=f"reduced model: a₃/a₁ reaches 0.2956 at a = {biot:.3f} c/r"))
+    figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9, frameon=False)
+    options.picture.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(options.picture)
+
+
+if __name__ == "__main__":
+    main()
