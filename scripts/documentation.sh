@@ -2,24 +2,25 @@
 # Makes every picture and every printed number of the documentation again: scripts/documentation.sh [PART …]
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
-# `git diff` then shows what has changed. Parts (default: all):
+# `git diff` then shows what has changed. Parts (default: all but stress):
 #   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md and docs/tutorial.md
 #   pictures    docs/images: quickstart, equilibria, gallery
-#   benchmarks  scripts/benchmark.sh
+#   benchmarks  scripts/benchmark.sh, 20 minutes
+#   stress      scripts/stress.sh, some hours
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 drawing_packages=(python3-matplotlib python3-pil python3-vtk9 xvfb xauth libgl1-mesa-dri)
 parts=()
-for part in "${@:-all}"; do
+for part in "${@:-default}"; do
   case $part in
     -h | --help)
       usage "${BASH_SOURCE[0]}"
       exit
       ;;
-    all) parts+=(pages pictures benchmarks) ;;
-    pages | pictures | benchmarks) parts+=("$part") ;;
-    *) die "unknown part \"$part\"; parts are pages, pictures and benchmarks" ;;
+    default) parts+=(pages pictures benchmarks) ;;
+    pages | pictures | benchmarks | stress) parts+=("$part") ;;
+    *) die "unknown part \"$part\"; parts are pages, pictures, benchmarks and stress" ;;
   esac
 done
 
@@ -51,5 +52,6 @@ for part in "${parts[@]}"; do
     pages) make_pages ;;
     pictures) make_pictures ;;
     benchmarks) scripts/benchmark.sh ;;
+    stress) scripts/stress.sh ;;
   esac
 done
