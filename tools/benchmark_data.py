@@ -1,0 +1,71 @@
+"""What the pictures and the tables of the benchmarks read: files of docs/benchmarks/data, and the fronts in them."""
+
+import csv
+import json
+import math
+from collections import defaultdict
+
+from run_directory import fail
+
+
+def read_rows(folder, name):
+    """[row by column names], numbers as texts; [] where the part was not measured."""
+    path = folder / name
+    if not path.is_file():
+        return []
+    # Google Benchmark and the programs write lines about the machine and the run before the table.
+    lines = path.read_text().splitlines()
+    first = next((i for i, line in enumerate(lines) if "," in line and not line.startswith("#")), len(lines))
+    return list(csv.DictReader(line for line in lines[first:] if not line.startswith("#")))
+
+
+def read_notes(folder, name):
+    """The lines with # of a file, without it."""
+    path = folder / name
+    return [line[1:].strip() for line in path.read_text().splitlines() if line.startswith("#")] if path.is_file() else []
+
+
+def read_runs(folder):
+    path = folder / "runs.json"
+    if not path.is_file():
+        fail(f"{path} does not exist; scripts/benchmark.sh writes it")
+    return json.loads(path.read_text())
+
+
+def work_precision(folder):
+    """problem -> method -> [(seconds, error)]"""
+    problems = defaultdict(lambda: defaultdict(list))
+    for row in read_rows(folder, "work_precision.csv"):
+        problems[row["problem"]][row["method"]].append((float(row["seconds"]), float(row["error"])))
+    return problems
+
+
+def front(points):
+    """The points (seconds, error, …) that no other one beats in time and in error."""
+    best = []
+    for point in sorted(points):
+        if not best or point[1] < best[-1][1]:
+            best.append(point)
+    return best
+
+
+def time_for(points, level):
+    """Time for an error of `level`, on the straight lines through the front in logarithms; None if it is not reached."""
+    line = front(points)
+    if not line or line[-1][1] > level:
+        return None
+    for (t0, e0, *_), (t1, e1, *_) in zip(line, line[1:]):
+        if e0 > level >= e1:
+            share = math.log(e0 / level) / math.log(e0 / e1)
+            return t0 * (t1 / t0) ** share
+    return line[0][0]
+
+
+def cheapest(rows, level):
+    """The row of least time whose error is at most `level`, or None."""
+    return min((row for row in rows if float(row["error"]) <= level), key=lambda row: float(row["seconds"]), default=None)
+
+
+def discretization(row):
+    refinements = int(row["refinements"])
+    return f"k = {row['degree']}" + (f", refined {'once' if refinements == 1 else 'twice'}" if refinements else "")

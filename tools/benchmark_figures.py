@@ -1,0 +1,233 @@
+"""Pictures of the benchmarks. Needs Debian's python3-matplotlib."""
+
+from collections import defaultdict
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import FuncFormatter  # noqa: E402
+
+from benchmark_data import discretization, front, read_rows, work_precision  # noqa: E402
+from run_directory import fail  # noqa: E402
+
+# Okabe and Ito's colours, each with a marker and a kind of line: distinct with every kind of colour vision. Own methods
+# have full lines, rivals broken ones.
+STYLES = {
+    "symmetric-8": ("#0072B2", "o", "-"),
+    "symmetric-12": ("#56B4E9", "s", "-"),
+    "explicit-8": ("#009E73", "D", "-"),
+    "rattle-8": ("#000000", "^", "-"),
+    "rattle-6": ("#777777", "v", "-"),
+    "GSL rk8pd": ("#D55E00", "o", "--"),
+    "odeint rkf78": ("#E69F00", "s", "--"),
+    "odeint Bulirsch-Stoer": ("#CC79A7", "D", "--"),
+    "CVODE Adams": ("#8B4513", "^", ":"),
+    "ARKODE order 8": ("#999933", "v", ":"),
+}
+PROBLEMS = {
+    "sl3": "neo-Hookean pseudo-rigid ball on SL(3)",
+    "rigid_body": "free rigid body",
+    "double_pendulum": "double pendulum",
+}
+DEGREES = {2: ("#000000", "o"), 3: ("#E69F00", "s"), 4: ("#56B4E9", "D"), 5: ("#009E73", "^"), 6: ("#0072B2", "v"),
+           7: ("#D55E00", "<"), 8: ("#CC79A7", ">")}
+LINES = ("-", "--", ":", "-.")  # by refinements
+KERNELS = {"force": ("#0072B2", "o", "force"), "constraint": ("#009E73", "s", "constraint"),
+           "rate": ("#E69F00", "D", "rate of the constraint"), "reaction": ("#CC79A7", "^", "reaction"),
+           "gram": ("#000000", "v", "action of S"),
+           "FEEvaluation": ("#D55E00", "x", "force by dealii::FEEvaluation")}
+
+
+def make(width=8, height=4.8):
+    plt.rcParams.update({"font.size": 11, "font.family": "DejaVu Sans", "svg.hashsalt": "pseudorigid"})
+    return plt.subplots(figsize=(width, height), layout="constrained")
+
+
+def finish(axes, legend_columns=1):
+    axes.grid(color="#dddddd", linewidth=0.6)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False, fontsize=9.5, ncols=legend_columns)
+
+
+def save(figure, path):
+    try:
+        figure.savefig(path, dpi=120, metadata={"Date": None} if path.suffix == ".svg" else None)
+    except OSError as error:
+        fail(f"{path}: {error.strerror}")
+    plt.close(figure)
+    return path
+
+
+def bare(method):
+    return method.removesuffix(" (constrained)").removesuffix(" (angles)")
+
+
+def draw_methods(data, images, problem):
+    methods = work_precision(data).get(problem)
+    if not methods:
+        return None
+    figure, axes = make(9, 5.2)
+    for method in sorted(methods, key=lambda m: list(STYLES).index(bare(m)) if bare(m) in STYLES else 99):
+        if bare(method) not in STYLES:
+            continue
+        color, marker, line = STYLES[bare(method)]
+        points = front(methods[method])
+        axes.loglog([1e3 * p[0] for p in points], [p[1] for p in points], color=color, marker=marker, linestyle=line,
+                    linewidth=1.6, markersize=5, label=method,
+                    markerfacecolor="white" if method.endswith("(angles)") else color)
+    axes.set_xlabel("processor time of the run (ms)")
+    axes.set_ylabel("largest error of positions and velocities")
+    axes.set_title(f"{PROBLEMS[problem]}, 0 ≤ t ≤ 100", loc="left", fontsize=12)
+    axes.set_ylim(1e-14, 1e-2)
+    finish(axes)
+    return save(figure, images / f"benchmark_{problem}.svg")
+
+
+def draw_discretizations(axes, rows):
+    """Every discretisation's front, in the order of degree and refinements."""
+    runs = defaultdict(list)
+    for row in rows:
+        runs[int(row["degree"]), int(row["refinements"])].append((float(row["seconds"]), float(row["error"]), row))
+    for (degree, refinements), points in sorted(runs.items()):
+        colour, marker = DEGREES[degree]
+        points = front(points)
+        axes.loglog([p[0] for p in points], [p[1] for p in points], color=colour, marker=marker, markersize=5.5,
+                    linewidth=1.3, linestyle=LINES[refinements], label=discretization(points[0][2]),
+                    markerfacecolor=colour if refinements == 0 else "white")
+
+
+def draw_release(data, images):
+    rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
+    if not rows:
+        return None
+    figure, axes = make(9, 5.4)
+    draw_discretizations(axes, rows)
+    for scheme, marker, line in (("midpoint", "P", "-."), ("midpoint, order 4", "X", (0, (1, 1)))):
+        points = front([(float(r["seconds"]), float(r["error"])) for r in peers if r["scheme"] == scheme])
+        if points:
+            axes.loglog(*zip(*points), color="#8B4513", marker=marker, markersize=7, linewidth=1.6, linestyle=line,
+                        label=f"FEniCSx, {scheme}")
+    axes.set_xlabel("processor time of the run after start-up (s)")
+    axes.set_ylabel("largest error of $Q_{33}$, 0 ≤ t ≤ 5")
+    axes.set_title("nonlinear release of the ball, velocity 0.3 (x, y, −2z)", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_ball_release.svg")
+
+
+def draw_lamb(data, images):
+    rows = read_rows(data, "lamb_response.csv")
+    if not rows:
+        return None
+    figure, axes = make()
+    draw_discretizations(axes, rows)
+    axes.set_xlabel("processor time of one run, set-up included (s)")
+    axes.set_ylabel("largest error / largest response, 0 ≤ t ≤ 5")
+    axes.set_title("small affine release against the exact modes (Lamb 1882)", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_lamb.svg")
+
+
+def draw_frequency(data, images):
+    rows = read_rows(data, "ball_frequency.csv")
+    if not rows:
+        return None
+    figure, axes = make()
+    for way, marker in (("octant", "o"), ("all parities", "s")):
+        for refinements, (colour, name) in enumerate((("#0072B2", "unrefined"), ("#D55E00", "refined once"),
+                                                      ("#000000", "refined twice"))):
+            own = [r for r in rows if r["way"] == way and int(r["refinements"]) == refinements]
+            if not own:
+                continue
+            axes.loglog([float(r["seconds"]) for r in own], [float(r["error"]) for r in own], color=colour, marker=marker,
+                        linestyle=LINES[refinements], markersize=6, label=f"{way}, {name}",
+                        markerfacecolor=colour if way == "octant" else "white")
+            for r in own:
+                axes.annotate(f"k={r['degree']}", (float(r["seconds"]), float(r["error"])), xytext=(5, 4),
+                              textcoords="offset points", fontsize=8, color=colour)
+    axes.axhline(1e-9, color="#777777", linewidth=0.8)
+    axes.axvline(0.5, color="#777777", linewidth=0.8)
+    axes.annotate("1e-9 and 0.5 s", (0.5, 1e-9), xytext=(4, -12), textcoords="offset points", fontsize=8, color="#555555")
+    axes.set_xlabel("processor time from mesh to eigenvalue (s)")
+    axes.set_ylabel("relative error of the frequency S2")
+    axes.set_title("lowest spheroidal frequency, exact 2.665622189236 c/r", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_frequency.svg")
+
+
+def draw_kernels(data, images):
+    rows = read_rows(data, "kernels.csv")
+    if not rows:
+        return None
+    figure, axes = make()
+    for kernel, (colour, marker, label) in KERNELS.items():
+        points = sorted((int(r["degree"]), float(r["per_second"]) / 1e6) for r in rows if r["kernel"] == kernel)
+        axes.semilogy(*zip(*points), color=colour, marker=marker, linewidth=1.3,
+                      linestyle="--" if kernel == "FEEvaluation" else "-", label=label)
+    axes.set_xlabel("degree k")
+    axes.set_ylabel("million unknowns a second, one core")
+    axes.xaxis.set_major_locator(plt.MultipleLocator(1))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
+    axes.set_title("cell kernels on the octant, at least 100,000 unknowns", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_kernels.svg")
+
+
+def draw_steps(data, images):
+    rows = [r for r in read_rows(data, "ball_steps.csv") if r["ranks"] == "1"]
+    if not rows:
+        return None
+    figure, axes = make()
+    for degree in sorted({int(r["degree"]) for r in rows}):
+        colour, marker = DEGREES[degree]
+        own = sorted((int(r["unknowns"]), float(r["step_per_force"])) for r in rows if int(r["degree"]) == degree)
+        axes.loglog(*zip(*own), color=colour, marker=marker, linewidth=1.3, label=f"k = {degree}")
+    axes.set_xlabel("unknowns")
+    axes.set_ylabel("a step of RATTLE in evaluations of the force")
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
+    axes.yaxis.set_minor_formatter(FuncFormatter(lambda y, _: f"{y:g}" if f"{y:g}"[0] in "25" else ""))
+    axes.set_title("cost of a step, released ball, one core", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_steps.svg")
+
+
+def draw_skipping(data, images):
+    rows = [r for r in read_rows(data, "skipping.csv") if not r["refused"]]
+    if not rows:
+        return None
+    parts = list(dict.fromkeys(r["part"] for r in rows))[::-1]
+    figure, axes = make(8, 0.42 * len(parts) + 1.4)
+    for y, part in enumerate(parts):
+        ratios = [float(r["seconds_with"]) / float(r["seconds"]) for r in rows if r["part"] == part]
+        axes.plot(ratios, [y] * len(ratios), "o", color="#0072B2", markersize=6, alpha=0.45, markeredgewidth=0)
+        axes.plot(sorted(ratios)[len(ratios) // 2], y, "|", color="#000000", markersize=16, markeredgewidth=2)
+    axes.axvline(1, color="#777777", linewidth=0.8)
+    axes.set_xscale("log")
+    axes.set_yticks(range(len(parts)), parts)
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
+    axes.set_xlabel("processor time with the part / without; a dot for each scene, a bar at the median")
+    axes.grid(axis="x", color="#dddddd", linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    return save(figure, images / "benchmark_skipping.svg")
+
+
+def draw_long_run(data, images):
+    rows = read_rows(data, "long_run.csv")
+    if not rows:
+        return None
+    quantities = [("energy_error", "energy"), ("J_error", "angular\nmomentum"), ("Z_error", "circulation"),
+                  ("det_error", "det Q")]
+    plt.rcParams.update({"font.size": 11})
+    figure, all_axes = plt.subplots(len(quantities), 1, sharex=True, figsize=(7.5, 9), layout="constrained")
+    colors = {"rattle-8": "#000000", "symmetric-8": "#0072B2", "symmetric-12": "#56B4E9", "energy-momentum": "#D55E00"}
+    for axes, (column, label) in zip(all_axes, quantities):
+        for method, color in colors.items():
+            own = [r for r in rows if r["method"] == method and float(r["time"]) > 0]
+            axes.semilogy([float(r["time"]) / 2 for r in own], [max(abs(float(r[column])), 1e-17) for r in own], ".",
+                          markersize=2.2, label=method, color=color, rasterized=True)
+        axes.set_ylabel(f"|error| of\n{label}\n" + ("(absolute)" if column == "det_error" else "(relative)"))
+        axes.grid(color="#dddddd", linewidth=0.6)
+    all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, markerscale=5, fontsize=10)
+    all_axes[-1].set_xlabel("time (periods of pulsation, 2 units of time)")
+    return save(figure, images / "benchmark_long_run.png")

@@ -1,0 +1,139 @@
+#!/usr/bin/python3
+"""Pictures, page and tables of the benchmarks, from the data that scripts/benchmark.sh has measured.
+
+    tools/benchmark_page.py                  docs/benchmarks/data → docs/images, docs/benchmarks/index.html, and the
+                                             tables of docs/benchmarks.md and README.md
+    tools/benchmark_page.py --output DIR     DIR/data → DIR
+    tools/benchmark_page.py --check          whether the tables are those of the data (no picture is made)
+
+A table stands between <!-- begin: NAME --> and <!-- end: NAME --> of a Markdown file and is replaced as a whole; TABLES
+lists the names. Markers of parts without data keep what they have.
+"""
+
+import argparse
+import html
+import pathlib
+import re
+
+import benchmark_tables as tables
+from run_directory import fail
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+TABLES = {
+    "summary": tables.summary,
+    "sl3": lambda data: tables.methods(data, "sl3"),
+    "rigid_body": lambda data: tables.methods(data, "rigid_body"),
+    "double_pendulum": lambda data: tables.methods(data, "double_pendulum"),
+    "single_calls": lambda data: tables.calls(data, "single_calls.csv"),
+    "self_gravity": lambda data: tables.calls(data, "self_gravity.csv"),
+    "release": tables.release,
+    "release_runs": tables.release_runs,
+    "peers": tables.peers,
+    "lamb": tables.lamb,
+    "frequency": tables.frequency,
+    "kernels": tables.kernels,
+    "steps": tables.steps,
+    "ranks": tables.ranks,
+    "skipping": tables.skipping,
+    "skipped_parts": tables.skipped_parts,
+    "long_run": tables.long_run,
+    "machine": tables.machine,
+    "parts": tables.parts,
+}
+MARKERS = re.compile(r"(<!-- begin: (\w+) -->\n).*?(<!-- end: \2 -->)", re.DOTALL)
+
+
+def as_markdown(table):
+    header, rows = table
+    lines = [header, ["---"] * len(header), *rows]
+    return "".join(f"| {' | '.join(line)} |\n" for line in lines)
+
+
+def as_html(table):
+    header, rows = table
+
+    def line(tag, cells):
+        return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>\n"
+
+    head = line("th", header) if any(header) else ""
+    return f'<div class="wide"><table>\n{head}{"".join(line("td", row) for row in rows)}</table></div>\n'
+
+
+def spliced(text, data, path):
+    def replacement(match):
+        begin, name, end = match.groups()
+        if name not in TABLES:
+            fail(f"{path}: there is no table {name}; tools/benchmark_page.py lists them")
+        table = TABLES[name](data)
+        return begin + as_markdown(table) + end if table else match[0]
+
+    return MARKERS.sub(replacement, text)
+
+
+STYLE = """body { font: 16px/1.5 sans-serif; max-width: 62em; margin: 1em auto; padding: 0 1em; color: #111; }
+h2 { border-top: 1px solid #ccc; padding-top: 1em; margin-top: 2em; }
+table { border-collapse: collapse; font-size: 14px; }
+th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; }
+.wide { overflow-x: auto; margin: 1em 0; }
+svg, img { max-width: 100%; height: auto; }
+.notes { color: #444; font-size: 14px; }"""
+
+
+def inline(path):
+    """An SVG file as a part of a page."""
+    text = path.read_text()
+    return text[text.index("<svg"):]
+
+
+def section(title, part, runs, paragraphs, figure, names, data):
+    pieces = [f"<h2>{html.escape(title)}</h2>\n", *(f"<p>{html.escape(p)}</p>\n" for p in paragraphs)]
+    run = runs.get(part)
+    if run:
+        pieces.append(f'<p class="notes">scripts/benchmark.sh {part}: {run["date"]}, load {run["load at start"]:.1f} at the '
+                      f'start, {run["seconds"]} s, commit {run["commit"][:9]}{", --quick" if run["quick"] else ""}</p>\n')
+    if figure and figure.suffix == ".svg":
+        pieces.append(inline(figure))
+    for name in names:
+        if table := TABLES[name](data):
+            pieces.append(as_html(table))
+    return "".join(pieces) if figure or any(TABLES[name](data) for name in names) else ""
+
+
+def make_page(data, images, target):
+    import benchmark_figures as figures
+    import benchmark_sections as sections
+
+    runs = tables.read_runs(data)
+    body = ["<h1>Benchmarks of pseudorigid</h1>\n", "<p>Written by scripts/benchmark.sh; nothing here is typed by hand "
+            "but the descriptions of the problems. Times are compared within one part only.</p>\n",
+            as_html(TABLES["machine"](data)), as_html(TABLES["parts"](data))]
+    for title, part, paragraphs, draw, names in sections.sections(data):
+        figure = draw(figures, data, images) if draw else None
+        body.append(section(title, part, runs, paragraphs, figure, names, data))
+    target.write_text('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" '
+                      f'content="width=device-width"><title>Benchmarks of pseudorigid</title>\n<style>{STYLE}</style></head>\n'
+                      f'<body>\n{"".join(body)}</body></html>\n')
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=pathlib.Path)
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    target = arguments.output or ROOT / "docs/benchmarks"
+    data = target / "data"
+    pages = [] if arguments.output else [ROOT / "docs/benchmarks.md", ROOT / "README.md"]
+    if arguments.check:
+        stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
+        if stale:
+            fail(f"tables of {', '.join(stale)} are not those of {data}; run tools/benchmark_page.py")
+        return
+    images = ROOT / "docs/images" if not arguments.output else target / "images"
+    images.mkdir(parents=True, exist_ok=True)
+    make_page(data, images, target / "index.html")
+    for page in pages:
+        page.write_text(spliced(page.read_text(), data, page))
+
+
+if __name__ == "__main__":
+    main()

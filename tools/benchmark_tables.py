@@ -1,0 +1,198 @@
+"""Tables of the benchmarks as (header, rows of texts), from the files of docs/benchmarks/data; None without data."""
+
+from benchmark_data import (cheapest, discretization, read_notes, read_rows, read_runs, time_for, work_precision)
+
+LEVELS = (1e-6, 1e-8, 1e-10, 1e-11, 1e-12)
+LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE")
+NONE = "–"
+
+
+def number(x, digits=3):
+    """Plain digits where they are short."""
+    return f"{x:.{digits}g}" if 1e-3 <= abs(x) < 1e5 or x == 0 else f"{x:.1e}"
+
+
+def methods(data, problem):
+    points = work_precision(data).get(problem)
+    if not points:
+        return None
+    rivals = [t for method, p in points.items() if method.startswith(LIBRARIES) and (t := time_for(p, 1e-10))]
+    rows = []
+    for method, p in points.items():
+        times = [time_for(p, level) for level in LEVELS]
+        ratio = f"{times[2] / min(rivals):.2f}" if times[2] and rivals else NONE
+        rows.append([method, *(f"{1e3 * t:.2f}" if t else NONE for t in times), ratio, f"{min(e for _, e in p):.0e}"])
+    header = ["method", *(f"{level:.0e}" for level in LEVELS), "at 1e-10 / fastest library", "least error"]
+    return header, rows
+
+
+def calls(data, name):
+    """Medians of Google Benchmark."""
+    rows = [row for row in read_rows(data, name) if row["name"].endswith("_median")]
+    return (["call", "ns"], [[row["name"].removesuffix("_median"), number(float(row["cpu_time"]))] for row in rows]) \
+        if rows else None
+
+
+def release(data):
+    rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
+    if not rows:
+        return None
+    result = []
+    for level in (3e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6):
+        own, peer = cheapest(rows, level), cheapest(peers, level)
+        line = [f"{level:.0e}"]
+        line += [f"{discretization(own)}, {own['method']}, tolerance {float(own['tolerance']):.0e}",
+                 number(float(own["seconds"])), f"{float(own['error']):.1e}"] if own else [NONE] * 3
+        line += [f"{discretization(peer)}, {peer['scheme']}, step {peer['step']}", number(float(peer["seconds"])),
+                 number(float(peer["seconds"]) / float(own["seconds"]), 2)] if own and peer else [NONE] * 3
+        result.append(line)
+    return ["error at most", "pseudorigid", "s", "its error", "FEniCSx", "s", "ratio"], result
+
+
+def release_runs(data):
+    rows = read_rows(data, "ball_release.csv")
+    return (["discretisation", "method", "tolerance", "step", "unknowns", "s", "error"],
+            [[discretization(r), r["method"], f"{float(r['tolerance']):.0e}", number(float(r["step"])), r["unknowns"],
+              number(float(r["seconds"])), f"{float(r['error']):.1e}"] for r in rows]) if rows else None
+
+
+def peers(data):
+    rows = read_rows(data, "fenicsx_release.csv")
+    return (["discretisation", "scheme", "step", "unknowns", "s", "error", "iterations a step", "factorisations"],
+            [[discretization(r), r["scheme"], r["step"], r["unknowns"], number(float(r["seconds"])),
+              f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]] for r in rows]) if rows else None
+
+
+def lamb(data):
+    rows = read_rows(data, "lamb_response.csv")
+    result = []
+    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 5e-6):
+        best = cheapest(rows, level)
+        if best:
+            result.append([f"{level:.0e}", discretization(best), best["unknowns"], best["steps"], f"{float(best['error']):.1e}",
+                           number(float(best["seconds"]))])
+    return (["error at most", "cheapest", "unknowns", "steps", "its error", "s"], result) if result else None
+
+
+def frequency(data):
+    rows = read_rows(data, "ball_frequency.csv")
+    return (["way", "discretisation", "unknowns", "relative error", "s"],
+            [[r["way"], discretization(r), r["unknowns"], f"{float(r['error']):.1e}", number(float(r["seconds"]))]
+             for r in rows]) if rows else None
+
+
+def kernels(data):
+    rows = read_rows(data, "kernels.csv")
+    if not rows:
+        return None
+    names = [k for k in dict.fromkeys(r["kernel"] for r in rows)]
+    of = {(r["degree"], r["kernel"]): r for r in rows}
+    result = []
+    for degree in dict.fromkeys(r["degree"] for r in rows):
+        force = of[degree, "force"]
+        result.append([degree, force["unknowns"],
+                       *(f"{float(of[degree, name]['per_second']) / 1e6:.0f}" for name in names),
+                       f"{float(force['over_fe_evaluation']):.2f}",
+                       f"{float(force['per_second']) / float(force['roofline']):.2f}"])
+    return ["k", "unknowns", *names, "force / FEEvaluation", "force / roofline"], result
+
+
+def steps(data):
+    rows = read_rows(data, "ball_steps.csv")
+    return (["k, refined", "ranks", "unknowns", "multipliers", "ms a step", "step/force", "Gram iterations a step",
+             "a solve", "at most", "bytes an unknown", "of which preconditioner"],
+            [[f"{r['degree']}, {r['refinements']}", r["ranks"], r["unknowns"], r["multipliers"],
+              number(1e3 * float(r["step_s"])), r["step_per_force"], r["gram_iterations"], r["iterations_per_solve"],
+              r["iterations_at_most"],
+              f"{float(r['allocated_MB']) * 1e6 * int(r['ranks']) / int(r['unknowns']):.0f}",
+              f"{float(r['gram_MB']) * 1e6 * int(r['ranks']) / int(r['unknowns']):.0f}"] for r in rows]) if rows else None
+
+
+def ranks(data):
+    """Time of a step on one rank over that on more, where both were measured."""
+    rows = read_rows(data, "ball_steps.csv")
+    one = {(r["degree"], r["refinements"]): float(r["step_s"]) for r in rows if r["ranks"] == "1"}
+    result = [[f"{r['degree']}, {r['refinements']}", r["unknowns"], r["ranks"],
+               number(one[r["degree"], r["refinements"]] / float(r["step_s"]))]
+              for r in rows if r["ranks"] != "1" and (r["degree"], r["refinements"]) in one]
+    return (["k, refined", "unknowns", "ranks", "times as fast as one"], result) if result else None
+
+
+def skipping(data):
+    """A line for each scene, a column for each part: seconds more and the ratio."""
+    rows = read_rows(data, "skipping.csv")
+    if not rows:
+        return None
+    parts = list(dict.fromkeys(r["part"] for r in rows))
+    of = {(r["scene"], r["part"]): r for r in rows}
+
+    def cell(row):
+        if row is None:
+            return ""
+        if row["refused"]:
+            return "not offered"
+        without, having = float(row["seconds"]), float(row["seconds_with"])
+        return f"{having - without:+.2g} s (×{having / without:.2g})"
+
+    scenes = dict.fromkeys(r["scene"] for r in rows)
+    return ["scene", *parts], [[scene, *(cell(of.get((scene, part))) for part in parts)] for scene in scenes]
+
+
+def skipped_parts(data):
+    """A line for each part, over the scenes."""
+    rows = [r for r in read_rows(data, "skipping.csv") if not r["refused"]]
+    result = []
+    for part in dict.fromkeys(r["part"] for r in rows):
+        own = [r for r in rows if r["part"] == part]
+        middle = len(own) // 2
+        ratios = sorted(float(r["seconds_with"]) / float(r["seconds"]) for r in own)
+        more = sorted(float(r["seconds_with"]) - float(r["seconds"]) for r in own)
+        memory = sorted(float(r["megabytes_with"]) - float(r["megabytes"]) for r in own)
+        result.append([part, str(len(own)), number(more[middle], 2), number(ratios[middle], 2),
+                       f"{number(ratios[0], 2)} to {number(ratios[-1], 2)}", f"{memory[middle]:.0f}"])
+    return (["part", "scenes that skip it", "s more", "time with / without", "from, to", "MB more"], result) if result else None
+
+
+def long_run(data):
+    rows = read_rows(data, "long_run_summary.csv")
+    return (["method, step", "energy", "its drift", "J", "Z", "det Q − 1", "s"],
+            [[f"{r['method']}, 1/{r['steps_per_unit']}", r["energy_error"], f"{r['energy_drift']} ± {r['drift_error']}",
+              r["J_error"], r["Z_error"], r["det_error"], number(float(r["seconds"]))] for r in rows]) if rows else None
+
+
+def machine(data):
+    runs = read_runs(data)
+    last = max(runs.values(), key=lambda run: run["date"])
+    keys = ("processor", "cores", "vector instructions", "caches", "memory", "system", "compiler", "flags", "packages")
+    return ["", ""], [[key, last[key]] for key in keys]
+
+
+def parts(data):
+    return ["part", "date", "load at start", "s", "commit", ""], [
+        [name, run["date"], f"{run['load at start']:.1f}", str(run["seconds"]), run["commit"][:9],
+         "quick" if run["quick"] else ""] for name, run in read_runs(data).items()]
+
+
+def summary(data):
+    """What the README quotes, a line for each statement that has its data."""
+    lines = []
+    fastest = methods(data, "sl3")
+    if fastest:
+        header, rows = fastest
+        best = min((r for r in rows if r[3] != NONE and not r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
+        rival = min((r for r in rows if r[3] != NONE and r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
+        lines.append(["pseudo-rigid ball, 50 pulsations, error 1e-10", f"{best[3]} ms ({best[0]})",
+                      f"{rival[3]} ms ({rival[0]})"])
+    for line in (release(data) or ([], []))[1]:
+        if line[0] in ("1e-04", "1e-05") and line[1] != NONE:
+            rival = f"{line[5]} s (FEniCSx, {line[4]})" if line[5] != NONE else NONE
+            lines.append([f"elastic ball, nonlinear release, error {line[0]}", f"{line[2]} s ({line[1]})", rival])
+    best = cheapest([r for r in read_rows(data, "ball_frequency.csv") if r["way"] == "octant"], 1e-9)
+    if best:
+        lines.append(["elastic ball, frequency S2, relative error 1e-9", f"{number(float(best['seconds']))} s", NONE])
+    return (["problem", "pseudorigid", "fastest rival here"], lines) if lines else None
+
+
+def uncertainty_of_release(data):
+    notes = [note for note in read_notes(data, "ball_release.csv") if "uncertainty" in note]
+    return notes[0].rsplit(" ", 1)[-1] if notes else "unknown"
