@@ -144,14 +144,17 @@ def draw_frequency(data, images):
                         linestyle=LINES[refinements], markersize=6, label=f"{way}, {name}",
                         markerfacecolor=colour if way == "octant" else "white")
             for r in own:
-                axes.annotate(f"k={r['degree']}", (float(r["seconds"]), float(r["error"])), xytext=(5, 4),
-                              textcoords="offset points", fontsize=8, color=colour)
+                axes.annotate(f"{r['degree']}", (float(r["seconds"]), float(r["error"])), xytext=(6, 3),
+                              textcoords="offset points", fontsize=9, color=colour)
     axes.axhline(1e-9, color="#777777", linewidth=0.8)
+    axes.annotate("1e-9", (0, 1e-9), xycoords=("axes fraction", "data"), xytext=(3, 3), textcoords="offset points",
+                  fontsize=9, color="#555555")
     axes.axvline(0.5, color="#777777", linewidth=0.8)
-    axes.annotate("1e-9 and 0.5 s", (0.5, 1e-9), xytext=(4, -12), textcoords="offset points", fontsize=8, color="#555555")
+    axes.annotate("0.5 s", (0.5, 1), xycoords=("data", "axes fraction"), xytext=(3, -10), textcoords="offset points",
+                  fontsize=9, color="#555555")
     axes.set_xlabel("processor time from mesh to eigenvalue (s)")
     axes.set_ylabel("relative error of the frequency S2")
-    axes.set_title("lowest spheroidal frequency, exact 2.665622189236 c/r", loc="left", fontsize=12)
+    axes.set_title("lowest spheroidal frequency; numbers are degrees", loc="left", fontsize=12)
     finish(axes)
     return save(figure, images / "benchmark_frequency.svg")
 
@@ -206,7 +209,8 @@ def draw_skipping(data, images):
     axes.set_xscale("log")
     axes.set_yticks(range(len(parts)), parts)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    axes.set_xlabel("processor time with the part / without; a dot for each scene, a bar at the median")
+    axes.set_xlabel("processor time with the part / without")
+    axes.set_title("a dot for each scene, a bar at the median", loc="right", fontsize=10)
     axes.grid(axis="x", color="#dddddd", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     return save(figure, images / "benchmark_skipping.svg")
