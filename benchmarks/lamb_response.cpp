@@ -28,6 +28,7 @@ using namespace pseudorigid;
 using continuum::ElasticBall;
 
 constexpr double epsilon = 1e-4, end = 5;
+constexpr double part_of_limit = 0.8;  // half of it changes no error by 1 %: all of it is the discretisation's
 constexpr int n_samples = 100;
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -46,7 +47,7 @@ struct Run {
 };
 
 /// One release with the velocity ±εHX, from the mesh on.
-Run release(int degree, int n_refinements, double part_of_limit, double sign) {
+Run release(int degree, int n_refinements, double sign) {
   const double start = cpu_seconds();
   const ElasticBall ball({{true, true, true}}, degree, n_refinements, materials::CiarletGeymonat{1, 0});
   const Eigen::Matrix3d H = Eigen::Vector3d(1, 1, -2).asDiagonal();
@@ -81,11 +82,11 @@ double error(const Run& plus, const Run& minus, const std::vector<testing::LambM
   return difference / largest;
 }
 
-void measure(int degree, int n_refinements, double part_of_limit, const std::vector<testing::LambMode>& modes) {
+void measure(int degree, int n_refinements, const std::vector<testing::LambMode>& modes) {
   std::vector<Run> runs;
   double total = 0;
   while (runs.size() < 2 || (runs.size() < 4 && total < 10)) {
-    runs.push_back(release(degree, n_refinements, part_of_limit, runs.size() % 2 ? -1 : 1));
+    runs.push_back(release(degree, n_refinements, runs.size() % 2 ? -1 : 1));
     total += runs.back().seconds;
   }
   const double worst = error(runs[0], runs[1], modes);
@@ -107,11 +108,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   const auto modes = testing::lamb_modes(60);  // fractions fall like 1/x⁴: what is left out is below 1e-8
-  constexpr int combinations[][2] = {{2, 1}, {3, 0}, {4, 0}, {5, 0}, {2, 2}, {3, 1}, {6, 0},
-                                     {4, 1}, {7, 0}, {5, 1}, {8, 0}, {3, 2}, {6, 1}};
+  constexpr int combinations[][2] = {{2, 1}, {3, 0}, {4, 0}, {5, 0}, {2, 2}, {3, 1},
+                                     {6, 0}, {4, 1}, {7, 0}, {5, 1}, {8, 0}, {6, 1}};
   std::printf("degree,refinements,unknowns,step,steps,error,seconds\n");
   for (const auto& [degree, n_refinements] : combinations) {
     if (quick && degree + 2 * n_refinements > 6) continue;
-    for (const double part_of_limit : {0.8, 0.4}) measure(degree, n_refinements, part_of_limit, modes);
+    measure(degree, n_refinements, modes);
   }
 }

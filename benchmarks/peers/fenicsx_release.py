@@ -14,7 +14,7 @@ extrapolated from the last four steps, forms compiled with -O3 -march=native, qu
 without imports, mesh, and compilation of forms.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
-median of three runs, or of as many as 20 seconds hold), error (largest difference of Q33 over the 50 samples),
+median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
 iterations_per_step (Newton iterations of a midpoint step), factorizations.
 """
 import logging
@@ -38,15 +38,15 @@ SUZUKI = (1 / (4 - 4 ** (1 / 3)),) * 2 + (1 - 4 / (4 - 4 ** (1 / 3)),) + (1 / (4
 SCHEMES = {"midpoint": (1.0,), "midpoint, order 4": SUZUKI}
 # (degree, refinements): {scheme: steps between two samples}
 JOBS = {
-    (3, 0): {"midpoint": (2, 4, 8), "midpoint, order 4": (1, 2)},
+    (3, 0): {"midpoint": (2, 4, 8), "midpoint, order 4": (1,)},
     (4, 0): {"midpoint": (4, 8, 16, 32), "midpoint, order 4": (1, 2)},
-    (5, 0): {"midpoint": (16, 32), "midpoint, order 4": (1, 2)},
-    (3, 1): {"midpoint": (16, 32), "midpoint, order 4": (2,)},
+    (3, 1): {"midpoint, order 4": (1, 2)},
+    (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
 JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
-TOLERANCE = 1e-9  # of the largest change of u in an iteration
-SLOW = 0.15  # an iteration that reduces the change by less is with factors that are too old
+TOLERANCE = 1e-7  # of the largest change of u in an iteration; with 1e-9 errors are the same
+SLOW = 0.5  # an iteration that reduces the change by less is with factors that are too old; 0.15 costs twice as much
 
 
 class Ball:
@@ -180,7 +180,7 @@ def main():
         for scheme, steps in schemes.items():
             for n_steps in steps:
                 seconds = []
-                while len(seconds) < (1 if quick else 3) and sum(seconds) < 20:
+                while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
                     motion = Motion(ball)
                     start = time.process_time()
                     Q33 = motion.run(SCHEMES[scheme], n_steps)
