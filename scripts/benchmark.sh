@@ -67,7 +67,7 @@ into() {
 
 measure_methods() {
   "$bin/work_precision" "${quick[@]}" --output "$data/work_precision.csv"
-  local options=(--benchmark_format=csv --benchmark_report_aggregates_only=true --benchmark_repetitions=9)
+  local options=(--benchmark_format=csv --benchmark_report_aggregates_only=true --benchmark_repetitions=5)
   if ((${#quick[@]})); then options=("${options[@]:0:2}" --benchmark_repetitions=3 --benchmark_min_time=0.02); fi
   into single_calls.csv "$bin/micro" "${options[@]}"
   into self_gravity.csv "$bin/self_gravity" "${options[@]}"
