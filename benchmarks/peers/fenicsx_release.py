@@ -40,8 +40,8 @@ SCHEMES = {"midpoint": (1.0,), "midpoint, order 4": SUZUKI}
 JOBS = {
     (3, 0): {"midpoint": (2, 4, 8), "midpoint, order 4": (1,)},
     (4, 0): {"midpoint": (4, 8, 16, 32), "midpoint, order 4": (1, 2)},
-    (3, 1): {"midpoint, order 4": (1, 2)},
-    (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2)},
+    (3, 1): {"midpoint, order 4": (1, 2, 3)},
+    (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2, 3)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
 JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
