@@ -73,7 +73,7 @@ def spliced(text, data, path):
 STYLE = """body { font: 16px/1.5 sans-serif; max-width: 62em; margin: 1em auto; padding: 0 1em; color: #111; }
 h2 { border-top: 1px solid #ccc; padding-top: 1em; margin-top: 2em; }
 table { border-collapse: collapse; font-size: 14px; }
-th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; }
+th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; min-width: 4em; }
 .wide { overflow-x: auto; margin: 1em 0; }
 svg, img { max-width: 100%; height: auto; }
 .notes { color: #444; font-size: 14px; }"""
