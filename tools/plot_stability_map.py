@@ -18,7 +18,7 @@ from run_directory import fail  # noqa: E402
 # Okabe and Ito's colours, with a hatching for each: distinct with every kind of colour vision and in print.
 OUTCOMES = {"bounded": ("#56B4E9", "", "energy within 10 % until t = 25 r/c"),
             "lost": ("#E69F00", "....", "energy lost: off by more than 10 %"),
-            "ended": ("#D55E00", "////", "ended before t = 25 r/c with time, place and reason")}
+            "ended": ("#D55E00", "////", "ended, with time and reason; the number is the time in r/c")}
 
 
 def edges(values):
@@ -36,12 +36,15 @@ def draw(axes, runs, degree, biot):
         x, y = amplitudes.index(run["amplitude"]), parts.index(run["part_of_limit"])
         colour, hatch, _ = OUTCOMES[run["outcome"]]
         axes.add_patch(plt.Rectangle((across[x], up[y]), 1, 1, facecolor=colour, edgecolor="white", linewidth=0.6, hatch=hatch))
+        if run["outcome"] == "ended":
+            axes.text(x, y, f"{float(run['time']):.2g}", ha="center", va="center", fontsize=7,
+                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2})
         if run["biot_time"]:
-            axes.plot(x, y, marker="o", markersize=3, color="black")
+            axes.plot(x - 0.34, y + 0.32, marker="o", markersize=5, color="black", markeredgecolor="white")
     place = sum(a < biot for a in amplitudes) - 1
     fraction = (biot - amplitudes[place]) / (amplitudes[place + 1] - amplitudes[place])
     axes.axvline(place + fraction, color="black", linewidth=1.6)
-    axes.axhline(parts.index(1.0), color="black", linewidth=1, linestyle="--")
+    axes.axhline(sum(p < 1 for p in parts) - 0.5, color="black", linewidth=1, linestyle="--")
     axes.set_xlim(across[0], across[-1])
     axes.set_ylim(up[0], up[-1])
     axes.set_xticks(range(len(amplitudes)), [f"{a:g}" for a in amplitudes], rotation=90, fontsize=8)
@@ -72,9 +75,10 @@ def main():
     for axes in grid[:, 0]:
         axes.set_ylabel("step / stability limit at rest")
     handles = [Patch(facecolor=colour, hatch=hatch, edgecolor="white", label=label) for colour, hatch, label in OUTCOMES.values()]
-    handles.append(plt.Line2D([], [], marker="o", markersize=3, color="black", linestyle="",
+    handles.append(plt.Line2D([], [], marker="o", markersize=5, color="black", markeredgecolor="white", linestyle="",
                               label="the continuum's surface reached Biot's limit"))
     handles.append(plt.Line2D([], [], color="black", linewidth=1.6, label=f"reduced model: a₃/a₁ reaches 0.2956 at a = {biot:.3f} c/r"))
+    handles.append(plt.Line2D([], [], color="black", linewidth=1, linestyle="--", label="stability limit of small motions at rest"))
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9, frameon=False)
     options.picture.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(options.picture)

@@ -96,4 +96,4 @@ def resumed(program, number, rng, with_continuum):
 
 def run(program, seed, quick, with_continuum=True, **_):
     records = [] if quick else [*in_process(quick)]
-    return records + [*resumed(program, 10 if quick else 300, random.Random(seed), with_continuum)]
+    return records + [*resumed(program, 10 if quick else 100, random.Random(seed), with_continuum)]
