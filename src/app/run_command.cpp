@@ -14,6 +14,7 @@
 #include "io/csv.h"
 #include "io/files.h"
 #include "io/progress.h"
+#include "io/report.h"
 #include "io/signals.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
@@ -125,6 +126,35 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, io::
   return exit_stopped;
 }
 
+io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, const std::vector<std::string>& command,
+                         const Executable& executable) {
+  io::Manifest content{.build = io::build_info(),
+                       .command = command,
+                       .title = scene.title,
+                       .scene = scene::summary(scene, needs),
+                       .needed = needs.needed,
+                       .skipped = needs.skipped,
+                       .warnings = needs.warnings,
+                       .system = needs.system ? std::string(needs.system->file) : "",
+                       .columns = {},
+                       .libraries = executable.libraries,
+                       .models = {}};
+  if (needs.system)
+    content.columns[content.system + ".csv"] = needs.system->columns;
+  else if (scene.analysis == scene::Analysis::equilibrium)
+    content.columns["equilibria.csv"] = ball_equilibria_columns();
+  return content;
+}
+
+/// The last file of a run, which shows the others.
+void add_report(const RunContext& context, io::ManifestFile& manifest) try {
+  io::write_report(context.directory, manifest.content().system);
+  context.log->info("the report is {}", context.directory.report().string());
+} catch (const io::WriteError& error) {
+  manifest.finish("failed", exit_stopped, error.what());
+  throw;
+}
+
 /// Every checkpoint in the directory can be read and belongs to this scene.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
   std::vector<std::string> models{"reduced", "continuum", SweepRows::name, DiscretizationSearch::checkpoint_name};
@@ -174,19 +204,16 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
   try {
     io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
-    io::Manifest content{.build = io::build_info(),
-                         .command = command,
-                         .title = scene.title,
-                         .libraries = executable.libraries,
-                         .models = {}};
-    io::ManifestFile manifest(directory.manifest(), std::move(content));
+    io::ManifestFile manifest(directory.manifest(), manifest_of(scene, needs, command, executable));
     log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
     const RunContext context{
         scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
-    return scene.sweep.empty() ? run_models(context, executable, manifest, quiet)
-                               : run_whole_sweep(raw, context, manifest);
+    const int code = scene.sweep.empty() ? run_models(context, executable, manifest, quiet)
+                                         : run_whole_sweep(raw, context, manifest);
+    if (needs.report) add_report(context, manifest);
+    return code;
   } catch (const io::WriteError& error) {
     log->error("{}; what was written before is kept, and --resume goes on from the last checkpoint", error.what());
     return exit_stopped;

@@ -34,6 +34,13 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
+Json to_json(const std::vector<scene::Column>& columns) {
+  Json list = Json::array();
+  for (const scene::Column& column : columns)
+    list.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.documentation}});
+  return list;
+}
+
 Json to_json(const Manifest& content) {
   Json json;
   json["program"] = "pseudorigid";
@@ -46,6 +53,12 @@ Json to_json(const Manifest& content) {
   json["cpu"] = cpu_model();
   json["command"] = content.command;
   json["title"] = content.title;
+  json["scene"] = content.scene;
+  if (!content.system.empty()) json["system"] = content.system;
+  json["needed"] = content.needed;
+  json["skipped"] = content.skipped;
+  json["warnings"] = content.warnings;
+  for (const auto& [file, columns] : content.columns) json["columns"][file] = to_json(columns);
   json["models"] = Json::object();
   for (const auto& [name, model] : content.models)
     json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/build_info.h"
+#include "scene/catalogue.h"
 
 namespace pseudorigid::io {
 
@@ -18,6 +19,10 @@ struct Manifest {
   BuildInfo build;                               ///< build_info(), from the executable
   std::vector<std::string> command;              ///< argv
   std::string title;                             ///< of the scene
+  std::string scene;                             ///< in one line
+  std::vector<std::string> needed, skipped, warnings;          ///< lines for people
+  std::string system;                                          ///< name of its CSV file; empty for the ball
+  std::map<std::string, std::vector<scene::Column>> columns;   ///< of files that no other page describes, by file
   std::map<std::string, std::string> libraries;  ///< name → version
   std::map<std::string, Model> models;           ///< "reduced", "continuum"
 };

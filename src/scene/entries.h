@@ -310,7 +310,7 @@ void visit_continuum(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_output(S& scene, Visit& visit) {
-  auto& [directory, samples, quantities, graphics, frames] = scene.output;
+  auto& [directory, samples, quantities, graphics, frames, report] = scene.output;
   visit(directory, Text{.may_be_empty = false},
         About{"Output/Directory", "", "Results go to the folder of the scene's name in this directory."});
   visit(samples, Integer{1, 10'000'000},
@@ -330,6 +330,10 @@ void visit_output(S& scene, Visit& visit) {
         About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
   visit(frames, Integer{1},
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
+  visit(report, Boolean{},
+        About{"Output/Report", "",
+              "Whether to write report.html at the end: one page for a browser, without links to anything outside, that "
+              "shows the run and holds its files. The continuum writes shapes.csv for it."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -120,6 +120,15 @@ std::optional<std::string> warning_of_law(const Scene& scene) {
   }
 }
 
+void describe_report(const Scene& scene, Needs& needs) {
+  needs.report = scene.output.report;
+  sort_out(needs, needs.report,
+           needs.continuum && scene.analysis == Analysis::motion
+               ? "report: report.html, and for it shapes of the continuum (shapes.csv)"
+               : "report: report.html",
+           "report: Output/Report is false");
+}
+
 std::string list(const char* title, const std::vector<std::string>& lines) {
   std::string text = std::string(title) + "\n";
   for (const std::string& line : lines) text += "  " + line + "\n";
@@ -144,6 +153,7 @@ Needs needs(const Scene& scene) {
   if (const SystemDescription* system = catalogue_of(scene).system(scene.system)) {
     needs.system = system;
     describe_system(*system, scene, needs);
+    describe_report(scene, needs);
     return needs;
   }
   const bool modes = scene.analysis == Analysis::modes;
@@ -167,21 +177,24 @@ Needs needs(const Scene& scene) {
                   scene.modes.number),
       fmt::format("modes: Analysis is {}; no stiffness, no eigenvalue solver", analysis_kind.print(scene.analysis)));
   describe_output(scene, needs);
+  describe_report(scene, needs);
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
   return needs;
 }
 
-std::string describe(const Scene& scene, const Needs& needs) {
-  std::string text = scene.title.empty() ? "" : scene.title + "\n";
+std::string summary(const Scene& scene, const Needs& needs) {
   if (needs.system)
-    text += fmt::format("{} of the {}, until time {}\n", analysis_kind.print(scene.analysis), scene.system,
-                        print_number(scene.time.end));
-  else
-    text +=
-        fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}{}\n", analysis_kind.print(scene.analysis),
-                    scene.body.incompressible ? "an incompressible" : "a compressible", print_number(scene.body.radius),
-                    print_number(scene.body.density), print_number(scene.material.shear_modulus),
-                    scene.analysis == Analysis::modes ? "" : ", until time " + print_number(scene.time.end));
+    return fmt::format("{} of the {}, until time {}", analysis_kind.print(scene.analysis), scene.system,
+                       print_number(scene.time.end));
+  return fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}{}", analysis_kind.print(scene.analysis),
+                     scene.body.incompressible ? "an incompressible" : "a compressible",
+                     print_number(scene.body.radius), print_number(scene.body.density),
+                     print_number(scene.material.shear_modulus),
+                     scene.analysis == Analysis::modes ? "" : ", until time " + print_number(scene.time.end));
+}
+
+std::string describe(const Scene& scene, const Needs& needs) {
+  std::string text = (scene.title.empty() ? "" : scene.title + "\n") + summary(scene, needs) + "\n";
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }

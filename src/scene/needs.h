@@ -19,6 +19,7 @@ struct Needs {
   bool comparison = false;                   ///< of both models
   bool companion = false;                    ///< a run on another discretisation, for the error of the first
   bool graphics = false;                     ///< files for ParaView
+  bool report = false;                       ///< report.html, and shapes.csv of the continuum
   Quantities quantities;                     ///< the observables to evaluate
   Sector sector;                             ///< of the continuum
   std::vector<std::string> needed, skipped;  ///< one line each, for people
@@ -27,6 +28,9 @@ struct Needs {
 
 /// Takes a scene that scene::validate returned.
 Needs needs(const Scene& scene);
+
+/// The scene in one line without an end of line: what is computed, of which body or system.
+std::string summary(const Scene& scene, const Needs& needs);
 
 /// The text of `pseudorigid check`, also written to the log: what the scene needs, and what is skipped and why.
 std::string describe(const Scene& scene, const Needs& needs);

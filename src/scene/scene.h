@@ -130,6 +130,7 @@ struct Scene {
     Quantities quantities;
     Graphics graphics = Graphics::none;
     int frames = 20;
+    bool report = false;
   } output;
   Sweep sweep;                       ///< empty: one run
   std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores

@@ -1,0 +1,22 @@
+#pragma once
+/// report.html: one page that holds files of a run and draws them in the browser (src/io/report/). Nothing outside it
+/// is asked for, and the files can be taken out of it again.
+///
+/// The page has an element  <script type="…" data-file="NAME"></script>  for every file that it can show; in a report
+/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there. tools/report.py
+/// fills the same page in the same way.
+
+#include <string>
+#include <string_view>
+
+#include "io/run_directory.h"
+
+namespace pseudorigid::io {
+
+/// The page without files.
+std::string_view report_page();
+
+/// Fills the page with what the directory holds. `system`: name of the CSV file of a system, empty for the ball.
+void write_report(const RunDirectory& directory, const std::string& system);
+
+}  // namespace pseudorigid::io

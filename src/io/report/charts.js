@@ -1,0 +1,138 @@
+// Charts: SVG at the width that they have on the page, drawn again when it changes.
+
+const redraws = [];
+let redrawDue = 0;
+window.addEventListener("resize", () => {
+  cancelAnimationFrame(redrawDue);
+  redrawDue = requestAnimationFrame(() => redraws.forEach(redraw => redraw()));
+});
+
+// About n round numbers from `least` to `most`.
+function ticks([least, most], n) {
+  const raw = (most - least) / n, power = 10 ** Math.floor(Math.log10(raw));
+  const step = power * [1, 2, 2.5, 5, 10].find(m => m * power >= 0.999 * raw);
+  const result = [];
+  for (let k = Math.ceil(least / step - 1e-9); k * step <= most + 1e-9 * step; ++k) result.push(k * step);
+  return result;
+}
+
+function tickLabels(values) {
+  const size = Math.max(...values.map(Math.abs)), step = values.length > 1 ? values[1] - values[0] : size || 1;
+  if (size >= 1e5 || (size > 0 && size < 1e-3)) {
+    const power = Math.floor(Math.log10(size)), digits = Math.max(0, Math.ceil(power - Math.log10(step) - 1e-9) + (step / 10 ** Math.floor(Math.log10(step)) === 2.5 ? 1 : 0));
+    return values.map(v => v === 0 || Math.abs(v) < 1e-9 * size ? "0" : `${(v / 10 ** power).toFixed(digits)}e${power}`.replaceAll("-", "−"));
+  }
+  const power = Math.floor(Math.log10(step) + 1e-9);
+  const digits = Math.max(0, -power + (Math.abs(step / 10 ** power - 2.5) < 1e-6 ? 1 : 0));
+  return values.map(v => (Math.abs(v) < 1e-9 * size ? 0 : v).toFixed(digits).replace("-", "−"));
+}
+
+// A range that is not empty and ends a little beyond the values.
+function padded([least, most]) {
+  if (!(most > least)) {
+    const d = Math.abs(most) || 1;
+    return [least - 0.5 * d, most + 0.5 * d];
+  }
+  const d = 0.06 * (most - least);
+  return [least - d, most + d];
+}
+
+// Of more points than pixels: first, least, greatest and last of each pixel.
+function thinned(x, y, toPixel) {
+  const points = [];
+  let pixel = null, of = null;
+  const close = () => { if (of) for (const i of [...new Set([of.first, of.least, of.most, of.last])].sort((a, b) => a - b)) points.push(i); };
+  for (let i = 0; i < x.length; ++i) {
+    const p = Math.round(toPixel(x[i]));
+    if (p !== pixel) { close(); pixel = p; of = {first: i, least: i, most: i, last: i}; }
+    if (y[i] < y[of.least]) of.least = i;
+    if (y[i] > y[of.most]) of.most = i;
+    of.last = i;
+  }
+  close();
+  return points;
+}
+
+// The sample nearest to a place on the axis; x rises.
+function nearest(x, place) {
+  let low = 0, high = x.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] < place) low = middle; else high = middle;
+  }
+  return place - x[low] < x[high] - place ? low : high;
+}
+
+// series: [{x, y, name, style, points: bool}]; marks: [{x, text, style}] are upright lines; stems: [{x, y, style}].
+function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], height = 210, xRange = null, note = ""}) {
+  const host = make("div"), readout = make("div", {class: "readout"});
+  const figure = make("figure", {}, make("div", {class: "title"}, title), readout, host,
+    note ? make("figcaption", {}, note) : null);
+  const redraw = () => {
+    const width = Math.max(260, host.clientWidth || 350);
+    host.replaceChildren();
+    const svg = draw(host, "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${title}: ${yLabel} over ${xLabel}`});
+    const xs = xRange || extent(series.flatMap(s => extent(s.x)));
+    const ys = padded(extent(series.flatMap(s => extent(s.y)).concat(stems.flatMap(s => [0, s.y]))));
+    const yTicks = ticks(ys, height > 250 ? 6 : 4), yTexts = tickLabels(yTicks);
+    const left = 14 + 7 * Math.max(...yTexts.map(t => t.length)) + (yLabel ? 16 : 0), right = width - 12;
+    const top = 8 + (marks.length ? 16 * Math.min(2, marks.length) : 0), bottom = height - 38;
+    const X = v => left + (right - left) * (v - xs[0]) / (xs[1] - xs[0] || 1);
+    const Y = v => bottom - (bottom - top) * (v - ys[0]) / (ys[1] - ys[0]);
+    const xTicks = ticks(xs, Math.max(3, (right - left) / 70)), xTexts = tickLabels(xTicks);
+    xTicks.forEach((v, i) => {
+      draw(svg, "line", {class: "grid", x1: X(v), x2: X(v), y1: top, y2: bottom});
+      draw(svg, "text", {x: X(v), y: bottom + 15, "text-anchor": "middle"}, xTexts[i]);
+    });
+    yTicks.forEach((v, i) => {
+      draw(svg, "line", {class: Math.abs(v) < 1e-9 * (ys[1] - ys[0]) ? "zero" : "grid", x1: left, x2: right, y1: Y(v), y2: Y(v)});
+      draw(svg, "text", {x: left - 6, y: Y(v) + 4, "text-anchor": "end"}, yTexts[i]);
+    });
+    draw(svg, "text", {x: (left + right) / 2, y: height - 5, "text-anchor": "middle"}, xLabel);
+    if (yLabel) draw(svg, "text", {x: 0, y: 0, "text-anchor": "middle", transform: `translate(11 ${(top + bottom) / 2}) rotate(-90)`}, yLabel);
+    marks.forEach((mark, i) => {
+      if (mark.x < xs[0] || mark.x > xs[1]) return;
+      draw(svg, "line", {class: `curve thin ${mark.style}`, x1: X(mark.x), x2: X(mark.x), y1: top - 4, y2: bottom});
+      const right_side = X(mark.x) < (left + right) / 2;
+      draw(svg, "text", {class: "strong", x: X(mark.x) + (right_side ? 4 : -4), y: top - 22 + 16 * ((i % 2) + 2 - Math.min(2, marks.length)) + 8,
+        "text-anchor": right_side ? "start" : "end"}, mark.text);
+    });
+    stems.filter(s => s.x <= xs[1]).forEach(s => {
+      draw(svg, "line", {class: `curve solid ${s.style}`, x1: X(s.x), x2: X(s.x), y1: Y(0), y2: Y(s.y)});
+      marker(svg, s.style, X(s.x), Y(s.y));
+    });
+    for (const s of series) {
+      if (s.points) { for (let i = 0; i < s.x.length; ++i) marker(svg, s.style, X(s.x[i]), Y(s.y[i])); continue; }
+      const places = s.x.length > 2 * width ? thinned(s.x, s.y, X) : s.x.keys();
+      let path = "";
+      for (const i of places) if (s.x[i] >= xs[0] && s.x[i] <= xs[1]) path += `${path ? "L" : "M"}${X(s.x[i]).toFixed(1)} ${Y(s.y[i]).toFixed(1)}`;
+      draw(svg, "path", {class: `curve ${s.style}`, d: path});
+    }
+    const cursor = draw(svg, "line", {class: "cursor", y1: top, y2: bottom, visibility: "hidden"});
+    const say = event => {
+      const box = svg.getBoundingClientRect(), at = xs[0] + ((event.clientX - box.left) / box.width * width - left) / (right - left) * (xs[1] - xs[0]);
+      const i = nearest(series[0].x, at), x = series[0].x[i];
+      cursor.setAttribute("x1", X(x)); cursor.setAttribute("x2", X(x)); cursor.setAttribute("visibility", "visible");
+      readout.textContent = `${xLabel.replace(/ \(.*/, "")} ${show(x)}: ` + series.map(s => `${s.name ? s.name + " " : ""}${show(s.y[nearest(s.x, x)], 6)}`).join(", ");
+    };
+    svg.addEventListener("pointermove", say);
+    svg.addEventListener("pointerleave", () => { cursor.setAttribute("visibility", "hidden"); readout.textContent = ""; });
+  };
+  redraws.push(redraw);
+  return figure;
+}
+
+// Elastic: circles; pseudo-rigid: diamonds.
+function marker(svg, style, x, y) {
+  if (style === "pseudo-rigid") draw(svg, "path", {class: `${style} solid`, "stroke-width": 2, d: `M${x} ${y - 6}l6 6l-6 6l-6 -6z`, fill: "none"});
+  else draw(svg, "circle", {class: style, "stroke-width": 2, cx: x, cy: y, r: 4, fill: "none"});
+}
+
+function legend(models) {
+  return make("div", {class: "legend"}, models.map(model => {
+    const svg = document.createElementNS(SVG, "svg");
+    svg.setAttribute("width", 36); svg.setAttribute("height", 10);
+    draw(svg, "line", {class: `curve ${model.style}`, x1: 0, x2: 36, y1: 5, y2: 5});
+    return make("span", {}, svg, model.name);
+  }));
+}

@@ -1,0 +1,104 @@
+// The run's files, as they stand in this page.
+
+function fileText(name) {
+  const element = [...document.scripts].find(script => script.dataset.file === name);
+  return element ? element.textContent.replace(/&lt;/g, "<").replace(/&amp;/g, "&") : "";
+}
+
+function parseJson(name) {
+  const text = fileText(name);
+  return text ? JSON.parse(text) : null;
+}
+
+// {names, columns: {name: numbers}, n}; null without samples. A killed run may leave a last line without an end.
+function parseCsv(name) {
+  const lines = fileText(name).split("\n").slice(0, -1);
+  if (lines.length < 2) return null;
+  const names = lines[0].split(",");
+  const columns = Object.fromEntries(names.map(column => [column, new Float64Array(lines.length - 1)]));
+  for (let i = 1; i < lines.length; ++i) {
+    const values = lines[i].split(",");
+    names.forEach((column, j) => { columns[column][i - 1] = Number(values[j]); });
+  }
+  return {names, columns, n: lines.length - 1, at: (column, i) => columns[column][i], has: column => column in columns};
+}
+
+// {"Section/Entry": "value"} of a parameter file, without remarks.
+function parsePrm(text) {
+  const entries = {}, path = [];
+  for (const line of text.split("\n").map(l => l.trim())) {
+    const set = line.match(/^set\s+([^=]*?)\s*=\s*(.*?)(?:\s+#.*)?$/);
+    if (line.startsWith("subsection ")) path.push(line.slice(11).trim());
+    else if (line === "end") path.pop();
+    else if (set) entries[[...path, set[1]].join("/")] = set[2];
+  }
+  return entries;
+}
+
+const scene = parsePrm(fileText("used.prm"));
+const manifest = parseJson("manifest.json") || {models: {}, state: "unknown"};
+const comparison = parseJson("comparison.json");
+const systemFile = manifest.system;
+const tables = Object.fromEntries(["reduced", "continuum", "comparison", "shapes", "modes", "equilibria", "sweep"]
+  .concat(systemFile || []).map(name => [name, parseCsv(`${name}.csv`)]));
+
+const MODELS = [
+  {key: "continuum", name: "elastic ball", style: "elastic", table: tables.continuum},
+  {key: "reduced", name: "pseudo-rigid ball", style: "pseudo-rigid", table: tables.reduced},
+].filter(model => model.table && model.table.has("time"));
+
+const matrix = text => text.split(";").map(row => row.split(",").map(Number));
+const numbers = text => text.split(",").map(Number);
+
+// Units. A ball with r, ρ and μ equal to 1 is measured in r, r/c and ρr³c²; else the units are the scene's own.
+const isUnitBall = !systemFile && ["Body/Radius", "Body/Density", "Material/Shear modulus"].every(e => Number(scene[e]) === 1)
+  && scene["Material/Law"] !== "none";
+const UNIT_WORDS = {"": "", "time": "r/c", "length": "r", "mass": "ρr³", "1/time": "c/r", "1/time^2": "c²/r²",
+  "length/time": "c", "mass*length^2/time^2": "ρr³c²", "mass*length^2/time": "ρr⁴c"};
+function unitInWords(unit) {
+  if (!unit) return "";
+  if (isUnitBall && unit in UNIT_WORDS) return UNIT_WORDS[unit];
+  return unit.replaceAll("*", "·").replaceAll("^2", "²").replaceAll("^3", "³");
+}
+const withUnit = (label, unit) => unitInWords(unit) ? `${label} (${unitInWords(unit)})` : label;
+const timeLabel = withUnit("time", "time");
+
+// Numbers for people: `digits` significant ones, without noise behind them.
+function show(value, digits = 4) {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  const text = size >= 1e6 || size < 1e-3 ? value.toExponential(digits - 1).replace(/\.?0+e/, "e").replace("e+", "e")
+    : String(Number(value.toPrecision(digits)));
+  return text.replace("-", "−").replace("e-", "e−");
+}
+
+function extent(values) {
+  let least = Infinity, most = -Infinity;
+  for (const v of values) { if (v < least) least = v; if (v > most) most = v; }
+  return [least, most];
+}
+const largest = values => Math.max(...extent(values).map(Math.abs));
+
+// Elements of the page.
+const SVG = "http://www.w3.org/2000/svg";
+function make(tag, attributes = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  element.append(...children.flat().filter(child => child !== null && child !== undefined));
+  return element;
+}
+function draw(parent, tag, attributes = {}, text = "") {
+  const element = document.createElementNS(SVG, tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+  if (text) element.textContent = text;
+  parent.append(element);
+  return element;
+}
+
+function tableOf(head, rows) {
+  const line = (cells, tag) => make("tr", {}, cells.map(cell =>
+    cell instanceof Node ? cell : make(tag, {}, String(cell))));
+  return make("div", {class: "scroll"}, make("table", {},
+    head ? make("thead", {}, line(head, "th")) : null, make("tbody", {}, rows.map(row => line(row, "td")))));
+}

@@ -1,0 +1,178 @@
+// What the models of a ball say of its motion: charts of their columns, the same style for a model everywhere.
+
+const SQUARED = "mass*length^2/time^2", MOMENTUM = "mass*length^2/time";
+const column = (model, name) => model.table.columns[name];
+
+function seriesOf(f) {
+  return MODELS.map(model => ({model, y: f(model)})).filter(s => s.y)
+    .map(s => ({x: column(s.model, "time"), y: s.y, name: s.model.name, style: s.model.style}));
+}
+
+// A chart for each quantity that varies; equal ones share one; the constant ones are named in a line of text.
+function chartsOf(quantities, unit) {
+  const all = quantities.map(q => ({...q, series: seriesOf(q.values)})).filter(q => q.series.length);
+  const scale = Math.max(...all.flatMap(q => q.series.map(s => largest(s.y))), 1e-300);
+  const level = s => { const [a, b] = extent(s.y); return b - a <= 1e-9 * scale; };
+  const constant = all.filter(q => q.series.every(level)), groups = [];
+  for (const q of all.filter(q => !constant.includes(q))) {
+    const same = groups.find(g => g.series.length === q.series.length && g.series.every((s, k) =>
+      s.y.every((v, i) => Math.abs(v - q.series[k].y[i]) <= 1e-9 * scale)));
+    if (same) same.names.push(q.name); else groups.push({names: [q.name], series: q.series});
+  }
+  const values = constant.map(q => `${q.name} = ${[...new Set(q.series.map(s => show(Math.abs(s.y[0]) < 1e-12 * scale ? 0 : s.y[0])))].join(" and ")}`);
+  return [make("div", {class: "charts"}, groups.map(g => chart({title: withUnit(g.names.join(" = "), unit), series: g.series, xLabel: timeLabel}))),
+    values.length ? make("p", {class: "note"}, `Constant to 1e−9: ${values.join(", ")}.`) : null];
+}
+
+const plain = names => names.map(name => ({name, values: model => column(model, name)}));
+const indices = [1, 2, 3];
+const pairs = indices.flatMap(i => indices.map(j => `${i}${j}`));
+
+function section(title, intro, ...content) {
+  const parts = content.flat().filter(Boolean);
+  return parts.length ? [make("h2", {}, title), intro ? make("p", {class: "note"}, intro) : null, ...parts] : [];
+}
+
+function deformationSections() {
+  if (!MODELS.some(m => m.table.has("Q11"))) return [];
+  const meaning = MODELS.some(m => m.key === "continuum") ? " Of the elastic ball Q is the mass moment, the affine motion nearest to its own in the sense of the mass." : "";
+  return [
+    ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
+    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes", "Of the ellipsoid that Q makes of the ball, a1 ≥ a2 ≥ a3 at each time.", legend(MODELS), chartsOf(plain(["a1", "a2", "a3", "volume_ratio"]), "length")) : []),
+  ];
+}
+
+// Departure of a vector from its first value, over `size`.
+function departure(name, size) {
+  return model => {
+    if (!model.table.has(`${name}1`)) return null;
+    const parts = indices.map(i => column(model, name + i));
+    return parts[0].map((_, k) => Math.hypot(...parts.map(p => p[k] - p[0])) / size);
+  };
+}
+
+function reference(name, otherwise) {
+  const known = comparison && comparison.differences && comparison.differences[name];
+  return known ? known.reference : otherwise();
+}
+
+function energySections() {
+  const withEnergies = MODELS.filter(m => m.table.has("energy")), withMomenta = MODELS.filter(m => m.table.has("J1"));
+  const content = [];
+  if (withEnergies.length) {
+    const E0 = reference("energy_difference", () => Math.max(...withEnergies.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))))) || 1;
+    content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name}${q.name === "dissipated" ? "" : " energy"}`})), SQUARED));
+    content.push(make("h3", {}, "What is conserved"), make("p", {class: "note"},
+      `The sum of all energies, less what it was at the start, over E₀ = ${show(E0)}; J and Z likewise, by their size.`));
+    content.push(make("div", {class: "charts"}, [
+      chart({title: "(energy − initial energy) / E₀", xLabel: timeLabel, series: seriesOf(m => m.table.has("energy") ? column(m, "energy").map(e => (e - column(m, "energy")[0]) / E0) : null)}),
+      ...(withMomenta.length ? [["J", "angular momentum", "angular_momentum_difference"], ["Z", "circulation", "circulation_difference"]].map(([name, words, difference]) => {
+        const J0 = reference(difference, () => Math.max(...withMomenta.map(m => largest(column(m, `${name}1`).map((_, i) => Math.hypot(...indices.map(k => column(m, name + k)[i]))))))) || 1;
+        const series = seriesOf(departure(name, J0));
+        return series.every(s => largest(s.y) === 0) ? make("p", {class: "note"}, `The ${words} ${name} does not change at all: this motion keeps it 0 by symmetry.`)
+          : chart({title: `|${name} − ${name}(0)| / ${name}₀, ${words}`, xLabel: timeLabel, series, note: `${name}₀ = ${show(J0)}`});
+      }) : [])]));
+  }
+  return content.length ? section("Energies and momenta", "", legend(MODELS), content) : [];
+}
+
+const DIFFERENCES = {
+  q_difference: "Q, over |Q|", q_difference_of_departure: "Q, over the largest departure of Q", strain_difference: "C = QᵀQ, over its amplitude",
+  a1_difference: "semi-axis a1, relative", a2_difference: "semi-axis a2, relative", a3_difference: "semi-axis a3, relative",
+  volume_ratio_difference: "volume over reference volume", kinetic_difference: "kinetic energy, over E₀", elastic_difference: "elastic energy, over E₀",
+  energy_difference: "energy, over E₀", angular_momentum_difference: "angular momentum, over J₀", circulation_difference: "circulation, over J₀",
+  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy (elastic ball)",
+  nonaffine_displacement: "non-affine part of the position (elastic ball)",
+};
+
+function differenceSections() {
+  const table = tables.comparison;
+  if (!table) return [];
+  const x = table.columns.time;
+  const names = table.names.filter(n => n !== "time" && !n.startsWith("nonaffine") && n !== "q_difference_of_departure" && largest(table.columns[n]) > 1e-9);
+  const d = comparison && comparison.model_difference;
+  const verdict = d ? `Largest difference of Q over |Q|: ${show(d.value, 3)}` + (d.uncertainty === null ? " (discretisation error: not estimated)."
+    : ` ± ${show(d.uncertainty, 1)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`) : "";
+  return section("Difference of the models", `Elastic less pseudo-rigid ball. ${verdict}`,
+    make("div", {class: "charts"}, names.map(n => chart({title: DIFFERENCES[n] || n, xLabel: timeLabel, series: [{x, y: table.columns[n], name: "", style: "other"}]}))),
+    comparison ? differenceTable() : null);
+}
+
+function differenceTable() {
+  const rows = Object.entries(comparison.differences).map(([name, s]) => [DIFFERENCES[name] || name, show(s.rms, 3), show(s.max, 3), show(s.time_of_max)]);
+  return make("div", {}, make("h3", {}, "All differences"), tableOf(["difference", "rms", "largest", "at time"], rows),
+    comparison.not_compared && comparison.not_compared.length ? make("p", {class: "note"}, `Not compared: ${comparison.not_compared.join("; ")}.`) : null);
+}
+
+function nonaffineSections() {
+  const model = MODELS.find(m => m.table.has("nonaffine_kinetic_fraction"));
+  if (!model) return [];
+  const of = (name, title, note) => chart({title, note, xLabel: timeLabel, series: [{x: column(model, "time"), y: column(model, name), name: "", style: "elastic"}]});
+  return section("How far the elastic ball is from an affine motion", "0: it moves as the pseudo-rigid ball can.", make("div", {class: "charts"},
+    of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "1 where the affine motion stands still for a moment."),
+    of("nonaffine_displacement", "non-affine part of the position", "Root mean square over the ball, relative."),
+    of("min_jacobian", "least det F at the points of integration", "1: volume is preserved there.")));
+}
+
+// Spectra.
+
+function strain(model, i, j) {
+  return column(model, "time").map((_, n) => indices.reduce((sum, k) => sum + column(model, `Q${k}${i}`)[n] * column(model, `Q${k}${j}`)[n], 0));
+}
+
+// Amplitudes of a signal without its mean, through Hann's window, at the angular frequencies.
+function amplitudes(x, y, omegas) {
+  const n = y.length, mean = y.reduce((a, b) => a + b, 0) / n;
+  const weights = y.map((_, k) => 0.5 * (1 - Math.cos(2 * Math.PI * k / (n - 1)))), total = weights.reduce((a, b) => a + b, 0);
+  return omegas.map(omega => {
+    let re = 0, im = 0;
+    for (let k = 0; k < n; ++k) { const w = weights[k] * (y[k] - mean); re += w * Math.cos(omega * x[k]); im += w * Math.sin(omega * x[k]); }
+    return 2 * Math.hypot(re, im) / total;
+  });
+}
+
+// Means of neighbours, so that at most 2000 samples are left.
+function shortened(x, y) {
+  const block = Math.ceil(x.length / 2000), n = Math.floor(x.length / block);
+  const means = v => Array.from({length: n}, (_, k) => v.subarray(k * block, (k + 1) * block).reduce((a, b) => a + b, 0) / block);
+  return [means(x), means(y)];
+}
+
+function strainOfLargestVariance(model) {
+  const variance = name => { const y = strain(model, ...name), mean = y.reduce((a, b) => a + b, 0) / y.length; return y.reduce((s, v) => s + (v - mean) ** 2, 0); };
+  return pairs.filter(p => p[0] <= p[1]).map(p => [...p].map(Number)).reduce((a, b) => variance(b) > variance(a) ? b : a);
+}
+
+function spectrumSections() {
+  const models = MODELS.filter(m => m.table.has("Q11") && m.table.n >= 16);
+  if (!models.length) return [];
+  const known = comparison && comparison.frequency;
+  const entry = known ? [...known.signal.slice(1)].map(Number) : strainOfLargestVariance(models[models.length - 1]);
+  const signals = models.map(model => ({model, samples: shortened(column(model, "time"), strain(model, ...entry))}));
+  const motion = Math.max(...signals.map(s => { const [a, b] = extent(s.samples[1]); return b - a; }));
+  if (!(motion > 1e-9)) return [];
+  const [x] = signals[0].samples, last = x[x.length - 1] - x[0], nyquist = Math.PI * (x.length - 1) / last;
+  const coarse = Array.from({length: 2 * x.length}, (_, k) => nyquist * (k + 1) / (2 * x.length));
+  const peaks = signals.map(s => amplitudes(...s.samples, coarse)), top = Math.max(...peaks.flat());
+  const reach = Math.max(...peaks.map(p => coarse[p.reduce((most, a, k) => a > 0.04 * top ? k : most, 0)]));
+  const fitted = key => known && known[key] && known[key].found ? known[key] : null;
+  const end = Math.min(nyquist, 1.3 * Math.max(reach, ...signals.map(s => fitted(s.model.key) ? fitted(s.model.key).omega : 0)));
+  const omegas = Array.from({length: 400}, (_, k) => end * k / 399);
+  const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
+  const marks = signals.map((s, k) => {
+    const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
+    return {x: at, style: s.model.style, text: `${s.model.name}: ${fit ? `${show(at, 5)}${fit.uncertainty ? ` ± ${show(fit.uncertainty, 1)}` : ""}` : `about ${show(at, 3)}`}`};
+  });
+  const name = `C${entry.join("")}`;
+  const found = signals.some(s => fitted(s.model.key));
+  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${known ? known.reason : "the entry that varies most"}, through Hann's window. Rotations of the body do not count. `
+    + (found ? "Upright lines: the frequencies that the comparison fitted to the samples. " : "Upright lines: the highest peaks. ")
+    + (known && known.ratio ? `Their ratio: ${show(known.ratio, 6)} ± ${show(known.ratio_uncertainty, 1)}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
+    legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
+}
+
+function peakOf(x, y) {
+  const k = y.reduce((best, v, i) => i > 0 && i < y.length - 1 && v > y[best] && v >= y[i - 1] && v >= y[i + 1] ? i : best, 1);
+  const bend = y[k - 1] - 2 * y[k] + y[k + 1];
+  return x[k] + (bend ? 0.5 * (y[k - 1] - y[k + 1]) / bend * (x[1] - x[0]) : 0);
+}
