@@ -7,6 +7,7 @@
 #include "app/model_run.h"
 #include "app/scene_to_model.h"
 #include "app/wrinkling_watch.h"
+#include "continuum/material_faces.h"
 #include "continuum/nodal_fields.h"
 #include "continuum/observe.h"
 #include "continuum/rank_order.h"
@@ -89,6 +90,25 @@ class ContinuumModel {
     return {};
   }
 
+  std::vector<std::string> shape_columns() const {
+    std::vector<std::string> columns{"time"};
+    columns.insert(columns.end(), continuum::MaterialFaces::columns.begin(), continuum::MaterialFaces::columns.end());
+    return columns;
+  }
+  std::size_t n_shape_rows() const { return faces().n_points(); }
+  /// The rows of shapes.csv at a time, on the first rank. Collective.
+  std::vector<std::vector<double>> shape(double time, const State& state) const {
+    constexpr std::size_t n_columns = continuum::MaterialFaces::columns.size();
+    const std::vector<double> points = faces().rows(state.q);
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < points.size(); i += n_columns) {
+      auto& row = rows.emplace_back(1, time);
+      for (std::size_t c = 0; c < n_columns; ++c)
+        row.push_back(points[i + c] * (c < continuum::MaterialFaces::first_length ? 1 : context_.units.length));
+    }
+    return rows;
+  }
+
   template <class MethodWorkspace>
   void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
     auto& c = statistics.counters;
@@ -141,6 +161,10 @@ class ContinuumModel {
     io::write_vtu(pieces[context_.ranks->rank()], grid);
     if (context_.ranks->is_first()) io::write_pvtu(path.replace_extension("pvtu"), grid, pieces);
   }
+  const continuum::MaterialFaces& faces() const {
+    if (!faces_) faces_.emplace(ball_.space());
+    return *faces_;
+  }
   static std::vector<double> scaled(std::vector<double> values, double unit) {
     for (double& value : values) value *= unit;
     return values;
@@ -153,7 +177,8 @@ class ContinuumModel {
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
   WrinklingWatch wrinkling_;
-  continuum::NodalGrid reference_;  ///< empty until the first frame
+  continuum::NodalGrid reference_;                         ///< empty until the first frame
+  mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape
 };
 
 }  // namespace pseudorigid::app

@@ -2,7 +2,9 @@
 /// The files that one model's run writes as it goes: rows, pictures and their list. Of several ranks the first writes
 /// them, and each its piece of a picture.
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -19,7 +21,10 @@ namespace pseudorigid::app {
 class ModelFiles {
  public:
   ModelFiles(const RunContext& context, const char* model)
-      : context_(context), model_(model), frames_(context.scene.output.frames, context.scene.output.samples) {}
+      : context_(context),
+        model_(model),
+        frames_(context.scene.output.frames, context.scene.output.samples),
+        shapes_(std::min(n_shapes, context.scene.output.samples + 1), context.scene.output.samples) {}
 
   void create(const std::vector<std::string>& columns) {
     together([&] {
@@ -44,6 +49,28 @@ class ModelFiles {
     });
   }
 
+  /// The table of shapes that a report shows, if there is to be one: a block of rows at each of a few times.
+  void create_shapes(const std::vector<std::string>& columns) {
+    together([&] {
+      if (context_.writes()) shapes_csv_.emplace(io::CsvWriter::create(context_.directory.csv("shapes"), columns));
+    });
+  }
+  void resume_shapes(const std::vector<std::string>& columns, std::size_t n_rows_of_shape, long n_samples_taken) {
+    together([&] {
+      if (!context_.writes()) return;
+      const auto n_rows = shapes_.n_before(n_samples_taken) * static_cast<std::int64_t>(n_rows_of_shape);
+      shapes_csv_.emplace(io::CsvWriter::resume(context_.directory.csv("shapes"), columns, n_rows));
+    });
+  }
+  bool has_shapes() const { return context_.needs.report && !context_.rows; }
+  bool wants_shape(long sample) const { return has_shapes() && shapes_.has(sample); }
+  void append_shape(const std::vector<std::vector<double>>& rows) {
+    together([&] {
+      if (shapes_csv_)
+        for (const std::vector<double>& row : rows) shapes_csv_->append(row);
+    });
+  }
+
   void append(const std::vector<double>& row) {
     if (context_.rows) context_.rows->values.insert(context_.rows->values.end(), row.begin(), row.end());
     together([&] {
@@ -52,6 +79,7 @@ class ModelFiles {
   }
   void flush() {
     if (csv_) csv_->flush();
+    if (shapes_csv_) shapes_csv_->flush();
   }
 
   bool wants_frame(long sample) const { return context_.needs.graphics && !context_.rows && frames_.has(sample); }
@@ -97,10 +125,12 @@ class ModelFiles {
     return of_several_ranks ? path.replace_extension("pvtu") : path;
   }
 
+  static constexpr int n_shapes = 6;
+
   const RunContext& context_;
   const char* model_;
-  FrameSchedule frames_;
-  std::optional<io::CsvWriter> csv_;
+  FrameSchedule frames_, shapes_;
+  std::optional<io::CsvWriter> csv_, shapes_csv_;
   std::optional<io::PvdCollection> pvd_;
 };
 

@@ -14,8 +14,9 @@
 ///   void report(workspace, statistics) const;
 /// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,
 /// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
-/// workspace),  with distributed vectors  const Order& rank_order() const  and  using MemoryLayout
-/// (continuum/rank_order.h). All ranks run it together; one of them writes.
+/// workspace),  for reports  shape_columns(), n_shape_rows(), shape(time, state),  with distributed vectors  const
+/// Order& rank_order() const  and  using MemoryLayout (continuum/rank_order.h). All ranks run it together; one of them
+/// writes.
 
 #include <algorithm>
 #include <chrono>
@@ -89,6 +90,8 @@ class ModelRun {
     if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
       if (files_.wants_frame(k))
         files_.draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
+    if constexpr (has_shapes)
+      if (files_.wants_shape(k)) files_.append_shape(model_.shape(time, state));
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
@@ -128,6 +131,7 @@ class ModelRun {
     return false;
   }();
   static constexpr bool distributed = requires(const Model& model) { model.rank_order(); };
+  static constexpr bool has_shapes = requires(const Model& model) { model.n_shape_rows(); };
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
   struct NoLayout {};
   using MemoryLayout = typename decltype([] {
@@ -208,6 +212,8 @@ class ModelRun {
       const mechanics::Cursor& at = position_.cursor;
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
       files_.resume(columns, n_samples_taken);
+      if constexpr (has_shapes)
+        if (files_.has_shapes()) files_.resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
         if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
@@ -215,6 +221,8 @@ class ModelRun {
       const Status status = stepping_.choose(state_, position_, statistics_);
       if (!status && context_.interrupted()) return status;
       files_.create(columns);
+      if constexpr (has_shapes)
+        if (files_.has_shapes()) files_.create_shapes(model_.shape_columns());
       if (!status) {
         save(good_);  // the start, to be taken up with a step that the user gives
         return status;

@@ -7,18 +7,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "continuum/ranks.h"
+#include "continuum/gather.h"
 
 namespace pseudorigid::continuum {
 namespace {
 
 constexpr std::size_t not_seen = std::numeric_limits<std::size_t>::max();
-
-template <class T>
-std::vector<T> gather(MPI_Comm communicator, const T& value) {
-  if (n_ranks(communicator) == 1) return {value};
-  return dealii::Utilities::MPI::gather(communicator, value);
-}
 
 }  // namespace
 

@@ -16,15 +16,15 @@ struct Manifest {
   struct Model {
     std::map<std::string, double> counters, timers;  ///< counts; seconds
   };
-  BuildInfo build;                               ///< build_info(), from the executable
-  std::vector<std::string> command;              ///< argv
-  std::string title;                             ///< of the scene
-  std::string scene;                             ///< in one line
-  std::vector<std::string> needed, skipped, warnings;          ///< lines for people
-  std::string system;                                          ///< name of its CSV file; empty for the ball
-  std::map<std::string, std::vector<scene::Column>> columns;   ///< of files that no other page describes, by file
-  std::map<std::string, std::string> libraries;  ///< name → version
-  std::map<std::string, Model> models;           ///< "reduced", "continuum"
+  BuildInfo build;                                            ///< build_info(), from the executable
+  std::vector<std::string> command;                           ///< argv
+  std::string title;                                          ///< of the scene
+  std::string scene;                                          ///< in one line
+  std::vector<std::string> needed, skipped, warnings;         ///< lines for people
+  std::string system;                                         ///< name of its CSV file; empty for the ball
+  std::map<std::string, std::vector<scene::Column>> columns;  ///< of files that no other page describes, by file
+  std::map<std::string, std::string> libraries;               ///< name → version
+  std::map<std::string, Model> models;                        ///< "reduced", "continuum"
 };
 
 /// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by

@@ -20,9 +20,9 @@ namespace {
 /// Every name that a run may give to a file of its directory, but for the CSV files of systems, which prepare_fresh is
 /// told, and the checkpoints and graphics matched below.
 constexpr std::array<std::string_view, 15> owned_names{
-    "used.prm",       "manifest.json", "log.txt",     "reduced.csv",    "continuum.csv",
-    "comparison.csv", "modes.csv",     "sweep.csv",   "equilibria.csv", "reduced.pvd",   "shapes.csv",
-    "continuum.pvd",  "modes.pvd",     "report.html", "comparison.json"};
+    "used.prm",       "manifest.json", "log.txt",   "reduced.csv",    "continuum.csv",
+    "comparison.csv", "modes.csv",     "sweep.csv", "equilibria.csv", "reduced.pvd",
+    "shapes.csv",     "continuum.pvd", "modes.pvd", "report.html",    "comparison.json"};
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);

@@ -330,10 +330,11 @@ void visit_output(S& scene, Visit& visit) {
         About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
   visit(frames, Integer{1},
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
-  visit(report, Boolean{},
-        About{"Output/Report", "",
-              "Whether to write report.html at the end: one page for a browser, without links to anything outside, that "
-              "shows the run and holds its files. The continuum writes shapes.csv for it."});
+  visit(
+      report, Boolean{},
+      About{"Output/Report", "",
+            "Whether to write report.html at the end: one page for a browser, without links to anything outside, that "
+            "shows the run and holds its files. The continuum writes shapes.csv for it."});
 }
 
 template <SceneOrConst S, class Visit>
