@@ -1,10 +1,13 @@
 #pragma once
-/// Which samples become pictures: n_frames samples spread evenly from the first to the last (one frame: the last).
+/// Which samples become pictures, and which shapes of a report.
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace pseudorigid::app {
 
+/// n_frames samples spread evenly from the first to the last (one frame: the last).
 class FrameSchedule {
  public:
   FrameSchedule(long n_frames, long n_samples) : n_frames_(n_frames), n_samples_(n_samples) {}
@@ -26,6 +29,24 @@ class FrameSchedule {
 
  private:
   long n_frames_, n_samples_;
+};
+
+/// Which samples become shapes of a report: the first, the last, and four between them at distances that a period of
+/// the motion does not fit, so that it is seen in different phases.
+class ShapeSchedule {
+ public:
+  explicit ShapeSchedule(long n_samples) {
+    for (const double part : {0.0, 0.13, 0.29, 0.47, 0.71, 1.0}) {
+      const long sample = std::lround(part * static_cast<double>(n_samples));
+      if (samples_.empty() || samples_.back() < sample) samples_.push_back(sample);
+    }
+  }
+
+  long n_before(long k) const { return std::lower_bound(samples_.begin(), samples_.end(), k) - samples_.begin(); }
+  bool has(long k) const { return std::binary_search(samples_.begin(), samples_.end(), k); }
+
+ private:
+  std::vector<long> samples_;
 };
 
 }  // namespace pseudorigid::app

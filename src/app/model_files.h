@@ -2,7 +2,6 @@
 /// The files that one model's run writes as it goes: rows, pictures and their list. Of several ranks the first writes
 /// them, and each its piece of a picture.
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
@@ -24,7 +23,7 @@ class ModelFiles {
       : context_(context),
         model_(model),
         frames_(context.scene.output.frames, context.scene.output.samples),
-        shapes_(std::min(n_shapes, context.scene.output.samples + 1), context.scene.output.samples) {}
+        shapes_(context.scene.output.samples) {}
 
   void create(const std::vector<std::string>& columns) {
     together([&] {
@@ -125,11 +124,10 @@ class ModelFiles {
     return of_several_ranks ? path.replace_extension("pvtu") : path;
   }
 
-  static constexpr int n_shapes = 6;
-
   const RunContext& context_;
   const char* model_;
-  FrameSchedule frames_, shapes_;
+  FrameSchedule frames_;
+  ShapeSchedule shapes_;
   std::optional<io::CsvWriter> csv_, shapes_csv_;
   std::optional<io::PvdCollection> pvd_;
 };

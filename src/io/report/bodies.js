@@ -46,7 +46,7 @@ function ownPatches() {
     for (const side of [-1, 1])
       for (const a of [-1, 0])
         for (const b of [-1, 0])
-          patches.push({plane: 0, m: 4, X: lattice(4, (s, t) => {
+          patches.push({plane: 0, m: 6, X: lattice(6, (s, t) => {
             const X = [];
             X[axis] = side; X[(axis + 1) % 3] = Math.tan(Math.PI / 4 * (a + s)); X[(axis + 2) % 3] = Math.tan(Math.PI / 4 * (b + t));
             return placed(unit(X));
@@ -80,7 +80,7 @@ function bodiesOfRun() {
   const {patches, rowsPerTime} = shapes ? patchesOfShapes(shapes) : ownPatches();
   const table = models[models.length - 1].table;
   const moments = shapes ? Array.from({length: Math.floor(shapes.n / rowsPerTime)}, (_, j) => shapes.at("time", j * rowsPerTime))
-    : [...new Set([0, 1, 2, 3, 4, 5].map(j => Math.round(j * (table.n - 1) / 5)))].map(i => table.at("time", i));
+    : [...new Set([0, 0.13, 0.29, 0.47, 0.71, 1].map(part => Math.round(part * (table.n - 1))))].map(i => table.at("time", i));
   const sampleAt = (t, j) => {
     const i = t.n > 1 ? nearest(t.columns.time, moments[j]) : 0;
     return Math.abs(t.at("time", i) - moments[j]) <= 1e-9 * (1 + Math.abs(moments[j])) ? i : -1;

@@ -38,7 +38,7 @@ function deformationSections() {
   const meaning = MODELS.some(m => m.key === "continuum") ? " Of the elastic ball Q is the mass moment, the affine motion nearest to its own in the sense of the mass." : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
-    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes", "Of the ellipsoid that Q makes of the ball, a1 ≥ a2 ≥ a3 at each time.", legend(MODELS), chartsOf(plain(["a1", "a2", "a3", "volume_ratio"]), "length")) : []),
+    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, a1 ≥ a2 ≥ a3 at each time.", legend(MODELS), chartsOf(plain(["a1", "a2", "a3"]), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], "")) : []),
   ];
 }
 
@@ -161,7 +161,7 @@ function spectrumSections() {
   const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
   const marks = signals.map((s, k) => {
     const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
-    return {x: at, style: s.model.style, text: `${s.model.name}: ${fit ? `${show(at, 5)}${fit.uncertainty ? ` ± ${show(fit.uncertainty, 1)}` : ""}` : `about ${show(at, 3)}`}`};
+    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? "=" : "≈"} ${fit ? `${show(at, 5)}${fit.uncertainty ? ` ± ${show(fit.uncertainty, 1)}` : ""}` : show(at, 3)}`};
   });
   const name = `C${entry.join("")}`;
   const found = signals.some(s => fitted(s.model.key));

@@ -9,7 +9,7 @@ function sum(model, timer) {
 
 // A run in words, where no comparison has said it.
 function inWords() {
-  if (comparison && comparison.summary) return comparison.summary;
+  if (comparison && comparison.summary) return comparison.summary.replaceAll("+-", "±");
   if (tables.modes) {
     const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1)));
     return `The ${tables.modes.n} lowest frequencies of the elastic ball about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;

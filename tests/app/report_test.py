@@ -1,0 +1,127 @@
+"""report.html of runs that need no continuum, and tools/report.py and tools/paraview_view.py when they are misused."""
+import os
+import signal
+import subprocess
+import sys
+import unittest
+
+from program_test import SOURCE, STOPPED, WRONG_INPUT
+from report_page import Page, REPORTED, ReportTest
+
+SCENE = {
+    "Title": "A </script> tumbling & <b>ball", "Models": "reduced",
+    "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
+    "Initial state/Velocity": "0.25, -1, 0.125; 0.6, -0.3, 0.2; 0, -0.08, 0.08",
+    "Time/End": 5, "Output/Samples": 50,
+}
+SLOW = {**SCENE, "Time/End": 1000, "Time/Step": 1e-5, "Time/Method": "rattle-4"}
+
+
+class Report(ReportTest):
+    def test_reduced_model(self):
+        page = self.run_reported(SCENE)
+        self.check_samples(page, "reduced.csv")
+        self.assertEqual(page.files["continuum.csv"], "")
+        self.assertFalse((self.scratch / "output/scene/shapes.csv").exists())
+
+    def test_system(self):
+        page = self.run_reported({"System": "double pendulum", "Time/End": 2, "Output/Samples": 20})
+        self.check_samples(page, "double_pendulum.csv")
+        manifest = self.json("output/scene/manifest.json")
+        self.assertEqual(manifest["system"], "double_pendulum")
+        names = [column["name"] for column in manifest["columns"]["double_pendulum.csv"]]
+        self.assertEqual(["time", *names], self.table("output/scene/double_pendulum.csv").header)
+
+    def test_equilibria(self):
+        self.check_samples(self.run_reported({"Models": "reduced", "Analysis": "equilibrium", "Material/Law": "none",
+                                              "Gravity/Constant": 0.3, "Equilibrium/Number": 9}), "equilibria.csv")
+
+    def test_critical_points_of_a_system(self):
+        self.check_samples(self.run_reported({"System": "double pendulum", "Analysis": "equilibrium"}), "equilibria.csv")
+
+    def test_sweep(self):
+        page = self.run_reported({**SCENE, "Time/End": 1, "Output/Samples": 4, "Material/Shear modulus": "$(m)", "Sweep/Parameters": "m = 1, 2"})
+        self.check_samples(page, "sweep.csv")
+
+    def test_a_report_changes_no_other_file(self):
+        self.assertEqual(self.check_nothing_else_changes({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 3}), {"report.html"})
+
+    def test_check_and_manifest_name_it(self):
+        self.scene(SCENE)
+        self.assertIn("  report: Output/Report is false\n", self.run_done("check", "scene.prm").stdout.split("Skipped:\n")[1])
+        with_report = self.run_done("check", "scene.prm", "--set", "Output/Report=true").stdout
+        self.assertIn("  report: report.html\n", with_report.split("Skipped:\n")[0])
+        self.run_done("run", "scene.prm", "--set", "Output/Report=true")
+        manifest = self.json("output/scene/manifest.json")
+        needed, skipped = with_report.split("Needed:\n")[1].split("Skipped:\n")
+        self.assertEqual(["  " + line for line in manifest["needed"]], needed.splitlines())
+        self.assertEqual(["  " + line for line in manifest["skipped"]], skipped.splitlines())
+
+    def test_a_new_run_removes_an_old_report(self):
+        self.run_reported(SCENE)
+        self.run_done("run", "scene.prm", "--set", "Output/Report=false")
+        self.assertNotIn("report.html", self.files("output/scene"))
+
+    def test_interrupted_and_resumed(self):
+        self.scene({**SLOW, **REPORTED})
+        process = self.start_program("run", "scene.prm")
+        csv = self.scratch / "output/scene/reduced.csv"
+        self.wait_until(lambda: csv.exists() and (self.scratch / "output/scene/checkpoint-reduced.bin").exists(), "the motion begins")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(), STOPPED)
+        self.assertIn('"state": "interrupted"', self.check_page("output/scene").files["manifest.json"])
+        self.scene({**SCENE, **REPORTED})
+        self.run_done("run", "scene.prm")
+        whole = self.bytes("output/scene/reduced.csv")
+        self.run_done("run", "scene.prm", "--resume")
+        page = self.check_page("output/scene")
+        self.assertEqual(page.files["reduced.csv"].encode(), whole)
+        self.assertIn('"state": "done"', page.files["manifest.json"])
+
+    def test_a_report_that_cannot_be_written(self):
+        (self.scratch / "output/scene/report.html/in the way").mkdir(parents=True)
+        self.scene({**SCENE, **REPORTED})
+        result = self.run_program("run", "scene.prm")
+        self.assert_exit(result, STOPPED)
+        self.assertIn("error: cannot write 'output/scene/report.html': Is a directory", result.stderr)
+        manifest = self.json("output/scene/manifest.json")
+        self.assertEqual((manifest["state"], manifest["exit_code"]), ("failed", STOPPED))
+
+    def test_tool_on_a_run_without_report(self):
+        self.scene(SCENE)
+        self.run_done("run", "scene.prm")
+        self.assertEqual(self.run_tool("output/scene").returncode, 0)
+        self.check_samples(Page(self.scratch / "output/scene/report.html"), "reduced.csv")
+
+    # Tools that are misused.
+
+    def assert_refused(self, result, *fragments):
+        self.assertEqual((result.returncode, result.stdout), (WRONG_INPUT, ""), result.stderr)
+        for fragment in ("error: ", *fragments):
+            self.assertIn(fragment, result.stderr)
+
+    def test_tool_without_a_run(self):
+        self.assert_refused(self.run_tool("nowhere"), "nowhere/manifest.json does not exist")
+
+    def test_tool_that_cannot_write(self):
+        self.scene(SCENE)
+        self.run_done("run", "scene.prm")
+        self.assert_refused(self.run_tool("output/scene", "--output", "no/folder.html"), "--output: ", "no/folder.html")
+
+    def run_paraview_tool(self, *arguments):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        return subprocess.run([sys.executable, str(SOURCE / "tools/paraview_view.py"), *map(str, arguments)], cwd=self.scratch,
+                              capture_output=True, text=True, env=environment)
+
+    def test_paraview_tool_refuses(self):
+        self.assert_refused(self.run_paraview_tool("nowhere"), "nowhere holds no pictures", "Output/Graphics=vtu")
+        self.scene({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 2})
+        self.run_done("run", "scene.prm")
+        run = "output/scene"
+        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png", "--animation", "a.avi"), "exclude one another")
+        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png", "--frame", 2), "--frame: expected a number from 0 to 1, got 2")
+        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png"), "xvfb-run")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,181 @@
+#!/usr/bin/python3
+"""Opens the motion of a run in ParaView: the elastic ball (continuum) and the pseudo-rigid ball (reduced) side by side,
+coloured by von Mises stress on one scale for all times, seen by one camera with z upwards. With --picture or
+--animation it draws off-screen instead. The colour bar ends where 98 % of the points of all frames are within it.
+
+The run must have been made with Output/Graphics = vtu. Needs Debian's paraview and python3-paraview (they replace
+python3-vtk9, whose modules they bring), and an X server, real or virtual:
+
+    apt-get install paraview python3-paraview xvfb xauth
+    tools/paraview_view.py output/quickstart
+    xvfb-run -a tools/paraview_view.py output/quickstart --picture balls.png --frame 14
+    xvfb-run -a tools/paraview_view.py output/quickstart --animation balls.avi
+"""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from run_directory import fail, read_pvd
+
+TITLES = {"continuum": "Elastic ball", "reduced": "Pseudo-rigid ball"}
+SIZE = (1280, 720)
+FRAMES_PER_SECOND = 8
+RUN = "PSEUDORIGID_RUN"  # the run directory, for this file as a script of ParaView's own
+
+
+def collections(directory):
+    """{model: [(time, path of the .vtu)]} of the models that have pictures."""
+    paths = {model: directory / f"{model}.pvd" for model in TITLES}
+    found = {model: read_pvd(path) for model, path in paths.items() if path.is_file()}
+    if not any(found.values()):
+        fail(f'{directory} holds no pictures; run the scene with --set "Output/Graphics=vtu"')
+    return found
+
+
+def scale_of(frames):
+    """The end of the colour bar, from all points of all frames, and the size of what is shown."""
+    import numpy as np
+    from render import SATURATED, read_points, rounded_up
+
+    points, _, stresses = zip(*(read_points(path) for model in frames.values() for _, path in model))
+    extent = max(float(np.linalg.norm(x - x.mean(axis=0), axis=1).max()) for x in points)
+    return rounded_up(float(np.quantile(np.concatenate(stresses), SATURATED))), extent
+
+
+def colour(simple, largest):
+    """The one table of colours of both views."""
+    from render import FIELD, VIRIDIS
+
+    table = simple.GetColorTransferFunction(FIELD)
+    n = len(VIRIDIS) - 1
+    table.RGBPoints = [number for i, rgb in enumerate(VIRIDIS) for number in (largest * i / n, *rgb)]
+    table.ColorSpace = "RGB"
+    table.AutomaticRescaleRangeMode = "Never"
+    return table
+
+
+def label(simple, source, view, place, size, **properties):
+    display = simple.Show(source, view)
+    settings = {"WindowLocation": place, "FontSize": size, "Color": [0.1, 0.1, 0.1], **properties}
+    for name, value in settings.items():
+        setattr(display, name, value)
+
+
+def show_model(simple, directory, model, view):
+    from render import FIELD
+
+    reader = simple.PVDReader(registrationName=TITLES[model], FileName=str(directory / f"{model}.pvd"))
+    display = simple.Show(reader, view)
+    display.SetRepresentationType("Surface")
+    simple.ColorBy(display, ("POINTS", FIELD))
+    display.Ambient, display.Diffuse, display.Specular = 0.65, 0.35, 0.0
+    label(simple, simple.Text(Text=TITLES[model]), view, "Upper Center", 22, Bold=1)
+    label(simple, simple.AnnotateTimeFilter(reader, Format="t = {time:g}"), view, "Lower Left Corner", 20)
+    return display
+
+
+def show_bar(simple, table, view):
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = "von Mises stress", "(the scene's unit of pressure)"
+    bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Right Corner"
+    bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
+    bar.TitleFontSize = bar.LabelFontSize = 15
+    bar.ScalarBarLength = 0.45
+    bar.LabelFormat = bar.RangeLabelFormat = "%.3g"
+    bar.Visibility = 1
+
+
+def aim(view, extent):
+    from render import VIEW_FROM
+
+    view.CameraParallelProjection = 1
+    view.CameraFocalPoint = [0, 0, 0]
+    view.CameraPosition = [10 * extent * x for x in VIEW_FROM]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraParallelScale = 1.35 * extent
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    view.OrientationAxesLabelColor = [0.1, 0.1, 0.1]
+
+
+def build(directory, simple):
+    """All views of the run; their layout."""
+    frames = collections(directory)
+    largest, extent = scale_of(frames)
+    simple._DisableFirstRenderCameraReset()
+    for old in simple.GetRenderViews():
+        simple.Delete(old)
+    layout = simple.CreateLayout("pseudorigid")
+    views = []
+    for model in frames:
+        view = simple.CreateView("RenderView")
+        simple.AssignViewToLayout(view=view, layout=layout, hint=len(views))
+        if not views and len(frames) > 1:
+            layout.SplitHorizontal(0, 0.5)
+        show_model(simple, directory, model, view)
+        aim(view, extent)
+        views.append(view)
+    show_bar(simple, colour(simple, largest), views[-1])  # ParaView has rescaled the colours as it showed the models
+    if len(views) > 1:
+        simple.AddCameraLink(*views, "one camera")
+    layout.SetSize(*SIZE)
+    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    return layout
+
+
+def draw(directory, arguments):
+    frames = next(iter(collections(directory).values()))
+    if not -len(frames) <= arguments.frame < len(frames):
+        fail(f"--frame: expected a number from 0 to {len(frames) - 1}, got {arguments.frame}")
+    try:
+        from paraview import simple
+    except ImportError:
+        fail("ParaView's Python modules are missing: apt-get install paraview python3-paraview")
+    layout = build(directory, simple)
+    scene = simple.GetAnimationScene()
+    if arguments.picture:
+        scene.AnimationTime = frames[arguments.frame][0]
+        written = simple.SaveScreenshot(str(arguments.picture), layout, ImageResolution=SIZE)
+    else:
+        written = simple.SaveAnimation(str(arguments.animation), layout, ImageResolution=SIZE, FrameRate=FRAMES_PER_SECOND)
+    output = arguments.picture or arguments.animation
+    if not written:
+        fail(f"{output} cannot be written")
+    print(output)
+
+
+def open_window(directory):
+    """Becomes ParaView, which runs this file as a script."""
+    tools = str(pathlib.Path(__file__).resolve().parent)
+    environment = {**os.environ, RUN: str(directory.resolve()), "PYTHONPATH": tools}
+    try:
+        os.execvpe("paraview", ["paraview", f"--script={pathlib.Path(__file__).resolve()}"], environment)
+    except OSError as error:
+        fail(f"paraview cannot be started ({error.strerror}): apt-get install paraview python3-paraview")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("directory", type=pathlib.Path, metavar="RUN_DIRECTORY")
+    parser.add_argument("--picture", type=pathlib.Path, metavar="PNG", help="draw one frame into this file")
+    parser.add_argument("--frame", type=int, default=-1, metavar="N", help="from 0; -1, the default, is the last")
+    parser.add_argument("--animation", type=pathlib.Path, metavar="AVI/OGV/PNG", help="draw all frames; .png: a numbered series")
+    arguments = parser.parse_args()
+    if arguments.picture and arguments.animation:
+        fail("--picture and --animation exclude one another")
+    collections(arguments.directory)
+    if not (arguments.picture or arguments.animation):
+        open_window(arguments.directory)
+    if not os.environ.get("DISPLAY"):
+        fail("no X server; put xvfb-run -a before the command")
+    draw(arguments.directory, arguments)
+
+
+if RUN in os.environ and "paraview" in sys.modules:
+    from paraview import simple as of_window
+
+    build(pathlib.Path(os.environ[RUN]), of_window)
+elif __name__ == "__main__":
+    main()
