@@ -142,7 +142,7 @@ const closed = corners => corners.map((c, k) => (k ? "L" : "M") + place(c[0], c[
 
 const BASE = {elastic: [0, 114, 178], "pseudo-rigid": [213, 94, 0]};
 function shade(style, light) {
-  const t = Math.max(0, Math.min(1, light)), base = BASE[style];
+  const t = Math.max(0, Math.min(1, light)), base = BASE[style.replace(" solid", "")];
   const mix = t < 0.55 ? base.map(c => c * (0.55 + 0.45 * t / 0.55)) : base.map(c => c + (255 - c) * 0.62 * (t - 0.55) / 0.45);
   return `rgb(${mix.map(Math.round).join(",")})`;
 }
@@ -202,7 +202,7 @@ function drawCut(svg, patches, body, positions, plane) {
     }
   });
   for (const {path, n} of border.values()) if (n > 1) elements += path; else rim += path;
-  if (body.style === "elastic") draw(svg, "path", {class: "tint", d: inside});
+  if (body.key === "continuum") draw(svg, "path", {class: "tint", d: inside});
   draw(svg, "path", {class: `element ${body.style}`, d: elements, "vector-effect": "non-scaling-stroke"});
   draw(svg, "path", {class: `curve ${body.style}`, d: rim, "vector-effect": "non-scaling-stroke"});
 }

@@ -64,7 +64,7 @@ function nearest(x, place) {
 }
 
 // series: [{x, y, name, style, points: bool}]; marks: [{x, text, style}] are upright lines; stems: [{x, y, style}].
-function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], height = 210, xRange = null, note = ""}) {
+function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], height = 210, xRange = null, wholeX = false, note = ""}) {
   const host = make("div"), readout = make("div", {class: "readout"});
   const figure = make("figure", {}, make("div", {class: "title"}, title), readout, host,
     note ? make("figcaption", {}, note) : null);
@@ -76,10 +76,10 @@ function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], heig
     const ys = padded(extent(series.flatMap(s => extent(s.y)).concat(stems.flatMap(s => [0, s.y]))));
     const yTicks = ticks(ys, height > 250 ? 6 : 4), yTexts = tickLabels(yTicks);
     const left = 14 + 7 * Math.max(...yTexts.map(t => t.length)) + (yLabel ? 16 : 0), right = width - 12;
-    const top = 8 + (marks.length ? 16 * Math.min(2, marks.length) : 0), bottom = height - 38;
+    const top = 8 + (marks.length ? 16 * Math.min(2, marks.length) + 4 : 0), bottom = height - 38;
     const X = v => left + (right - left) * (v - xs[0]) / (xs[1] - xs[0] || 1);
     const Y = v => bottom - (bottom - top) * (v - ys[0]) / (ys[1] - ys[0]);
-    const xTicks = ticks(xs, Math.max(3, (right - left) / 70)), xTexts = tickLabels(xTicks);
+    const xTicks = ticks(xs, Math.max(3, (right - left) / 70)).filter(v => !wholeX || Math.abs(v - Math.round(v)) < 1e-9), xTexts = tickLabels(xTicks);
     xTicks.forEach((v, i) => {
       draw(svg, "line", {class: "grid", x1: X(v), x2: X(v), y1: top, y2: bottom});
       draw(svg, "text", {x: X(v), y: bottom + 15, "text-anchor": "middle"}, xTexts[i]);
@@ -94,7 +94,7 @@ function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], heig
       if (mark.x < xs[0] || mark.x > xs[1]) return;
       draw(svg, "line", {class: `curve thin ${mark.style}`, x1: X(mark.x), x2: X(mark.x), y1: top - 4, y2: bottom});
       const right_side = X(mark.x) < (left + right) / 2;
-      draw(svg, "text", {class: "strong", x: X(mark.x) + (right_side ? 4 : -4), y: top - 22 + 16 * ((i % 2) + 2 - Math.min(2, marks.length)) + 8,
+      draw(svg, "text", {class: "strong", x: X(mark.x) + (right_side ? 4 : -4), y: top - 6 - 16 * (Math.min(2, marks.length) - 1 - i % 2),
         "text-anchor": right_side ? "start" : "end"}, mark.text);
     });
     stems.filter(s => s.x <= xs[1]).forEach(s => {
@@ -122,8 +122,9 @@ function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], heig
   return figure;
 }
 
-// Elastic: circles; pseudo-rigid: diamonds.
+// Circles, of the pseudo-rigid ball diamonds, of what is neither squares.
 function marker(svg, style, x, y) {
+  if (style === "other") { draw(svg, "rect", {class: style, "stroke-width": 2, x: x - 4, y: y - 4, width: 8, height: 8, fill: "none"}); return; }
   if (style === "pseudo-rigid") draw(svg, "path", {class: `${style} solid`, "stroke-width": 2, d: `M${x} ${y - 6}l6 6l-6 6l-6 -6z`, fill: "none"});
   else draw(svg, "circle", {class: style, "stroke-width": 2, cx: x, cy: y, r: 4, fill: "none"});
 }

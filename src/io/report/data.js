@@ -46,6 +46,7 @@ const MODELS = [
   {key: "continuum", name: "elastic ball", style: "elastic", table: tables.continuum},
   {key: "reduced", name: "pseudo-rigid ball", style: "pseudo-rigid", table: tables.reduced},
 ].filter(model => model.table && model.table.has("time"));
+if (MODELS.length === 1) MODELS[0].style += " solid";  // dashes are for telling it from the other
 
 const matrix = text => text.split(";").map(row => row.split(",").map(Number));
 const numbers = text => text.split(",").map(Number);
@@ -61,7 +62,7 @@ function unitInWords(unit) {
   return unit.replaceAll("*", "·").replaceAll("^2", "²").replaceAll("^3", "³");
 }
 const withUnit = (label, unit) => unitInWords(unit) ? `${label} (${unitInWords(unit)})` : label;
-const timeLabel = withUnit("time", "time");
+const timeLabel = `time (${isUnitBall ? "r/c" : "the scene's unit"})`;
 
 // Numbers for people: `digits` significant ones, without noise behind them.
 function show(value, digits = 4) {

@@ -59,7 +59,7 @@ function sceneSections() {
 function genericCharts(name, x, xLabel, style, points = false) {
   const table = tables[name], described = Object.fromEntries(((manifest.columns || {})[`${name}.csv`] || []).map(c => [c.name, c]));
   const constant = [], charts = [];
-  for (const column of table.names.filter(n => n !== x && n !== "index" && n !== "run")) {
+  for (const column of table.names.filter(n => n !== x && n !== "index" && n !== "kind")) {
     const y = table.columns[column], [least, most] = extent(y), size = Math.max(Math.abs(least), Math.abs(most));
     const unit = (described[column] || {}).unit || "", meaning = (described[column] || {}).meaning || "";
     const note = meaning.startsWith("likewise") || meaning.startsWith("as for") ? "" : meaning;
@@ -90,18 +90,18 @@ function modesSections() {
   const most = Math.max(...series.flatMap(s => s.x));
   return section("Modes", "Small motions about rest. S: spheroidal, T: toroidal, with the degree; difference: to the exact sphere; spread: of the copies of a mode, by the mesh alone.",
     make("div", {class: "legend"}, series.map(s => { const svg = document.createElementNS(SVG, "svg"); svg.setAttribute("width", 16); svg.setAttribute("height", 16); marker(svg, s.style, 8, 8); return make("span", {}, svg, s.name === "pseudo-rigid" ? "pseudo-rigid ball" : `elastic ball, ${s.name}`); })),
-    make("div", {class: "charts wide"}, chart({title: "Frequencies by degree", series, xLabel: "degree of the mode", yLabel: withUnit("ω", "1/time"), xRange: [-0.3, most + 0.3], height: 320})),
+    make("div", {class: "charts wide"}, chart({title: "Frequencies by degree", series, xLabel: "degree of the mode", wholeX: true, yLabel: withUnit("ω", "1/time"), xRange: [-0.3, most + 0.3], height: 320})),
     tableOf(["mode", "kind", "copies", withUnit("ω", "1/time"), "exact sphere", "difference", "spread", "pseudo-rigid ball"], rows));
 }
 
-const SPECIAL = ["", "fold: spin or circulation has an extremum", "the number of unstable directions changes: a branch may leave", "", "a growth rate begins or ends"];
+const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
   const t = tables.equilibria;
   if (!t) return [];
   if (!t.has("parameter")) return section("Critical points of the potential", "One row each, by rising potential.", wholeTable("equilibria"));
   const special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
   const columns = ["parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has);
-  return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns], special.map(i => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)] || ""}`, ...columns.map(c => show(t.at(c, i), 7))])) : make("p", {}, "None in this range.")),
+  return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns], special.map(i => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...columns.map(c => show(t.at(c, i), 7))])) : make("p", {}, "None in this range.")),
     ...section("Along the family", "Over the family's parameter.", genericCharts("equilibria", "parameter", `parameter of ${scene["Equilibrium/Family"]}`, "pseudo-rigid solid"))];
 }
 
@@ -114,7 +114,7 @@ function costSections() {
   if (!models.length) return [];
   const names = [...new Set(models.flatMap(([, m]) => Object.keys(m.counters || {})))].sort((a, b) => (COUNTERS[a] ? Object.keys(COUNTERS).indexOf(a) : 99) - (COUNTERS[b] ? Object.keys(COUNTERS).indexOf(b) : 99));
   const timers = [...new Set(models.flatMap(([, m]) => Object.keys(m.timers || {})))];
-  const cell = (value, name) => value === undefined ? "" : name.endsWith("_bytes") ? `${show(value / 1048576, 3)} MiB` : show(value, 7);
+  const cell = (value, name) => value === undefined ? "" : name.endsWith("_bytes") ? `${show(value / 1048576, 3)} MiB` : Number.isInteger(value) ? value.toLocaleString("en").replaceAll(",", "\u202f") : show(value);
   const rows = [...timers.map(t => [t === "run" ? "wall time (s)" : `wall time of ${t.replaceAll("_", " ")} (s)`, ...models.map(([, m]) => show(sum(m, t), 4))]),
     ...names.map(n => [COUNTERS[n] || n.replace(/_bytes$/, ": memory").replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
   const title = key => key === "continuum" ? "elastic ball" : key === "reduced" ? "pseudo-rigid ball" : key.replaceAll("_", " ");
