@@ -246,16 +246,13 @@ function bodiesFigure() {
       card.append(svg);
     }
     const both = picture(`cut or outlines at time ${show(t)}`);
-    if (!plane) draw(both, "path", {class: "undeformed", d: undeformed(ALONG_2), "vector-effect": "non-scaling-stroke"});
     for (const body of bodies) {
       if (!body.positions[j]) continue;
       if (plane) drawCut(both, patches, body, body.positions[j], plane);
       else drawOutline(both, patches, body, body.positions[j], deformationAt(body.table, nearest(body.table.columns.time, t)));
     }
-    if (plane) {
-      const axes = PLANE_AXES[plane].map(d => [0, 1, 2].map(k => k === d ? 1 : 0));
-      draw(both, "path", {class: "undeformed", d: undeformed([...axes, [0, 0, 0]]), "vector-effect": "non-scaling-stroke"});
-    }
+    const view = plane ? PLANE_AXES[plane].map(d => [0, 1, 2].map(k => k === d ? 1 : 0)) : ALONG_2;
+    draw(both, "path", {class: "undeformed", d: undeformed(view), "vector-effect": "non-scaling-stroke"});
     card.append(both);
     return card;
   });
