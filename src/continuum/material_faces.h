@@ -7,8 +7,8 @@
 /// with the nodes x_ij of the face. Of the computed sector; the rest of the body follows by reflection. In internal
 /// units.
 
+#include <Eigen/Core>
 #include <array>
-#include <string>
 #include <vector>
 
 #include "continuum/ball_space.h"
