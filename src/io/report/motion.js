@@ -131,12 +131,7 @@ function amplitudes(x, y, omegas) {
   });
 }
 
-// Means of neighbours, so that at most 2000 samples are left.
-function shortened(x, y) {
-  const block = Math.ceil(x.length / 2000), n = Math.floor(x.length / block);
-  const means = v => Array.from({length: n}, (_, k) => v.subarray(k * block, (k + 1) * block).reduce((a, b) => a + b, 0) / block);
-  return [means(x), means(y)];
-}
+const MOST_SAMPLES = 3000;  // of a spectrum, so that it takes no longer than a second
 
 function strainOfLargestVariance(model) {
   const variance = name => { const y = strain(model, ...name), mean = y.reduce((a, b) => a + b, 0) / y.length; return y.reduce((s, v) => s + (v - mean) ** 2, 0); };
@@ -148,7 +143,7 @@ function spectrumSections() {
   if (!models.length) return [];
   const known = comparison && comparison.frequency;
   const entry = known ? [...known.signal.slice(1)].map(Number) : strainOfLargestVariance(models[models.length - 1]);
-  const signals = models.map(model => ({model, samples: shortened(column(model, "time"), strain(model, ...entry))}));
+  const signals = models.map(model => ({model, samples: [column(model, "time"), strain(model, ...entry)].map(v => Array.from(v.subarray(0, MOST_SAMPLES)))}));
   const motion = Math.max(...signals.map(s => { const [a, b] = extent(s.samples[1]); return b - a; }));
   if (!(motion > 1e-9)) return [];
   const [x] = signals[0].samples, last = x[x.length - 1] - x[0], nyquist = Math.PI * (x.length - 1) / last;
@@ -157,7 +152,8 @@ function spectrumSections() {
   const reach = Math.max(...peaks.map(p => coarse[p.reduce((most, a, k) => a > 0.04 * top ? k : most, 0)]));
   const fitted = key => known && known[key] && known[key].found ? known[key] : null;
   const end = Math.min(nyquist, 1.3 * Math.max(reach, ...signals.map(s => fitted(s.model.key) ? fitted(s.model.key).omega : 0)));
-  const omegas = Array.from({length: 400}, (_, k) => end * k / 399);
+  const n_omegas = Math.round(Math.min(4000, Math.max(400, end * last / 2)));  // a peak is 4π/last wide
+  const omegas = Array.from({length: n_omegas}, (_, k) => end * k / (n_omegas - 1));
   const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
   const marks = signals.map((s, k) => {
     const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
@@ -165,7 +161,7 @@ function spectrumSections() {
   });
   const name = `C${entry.join("")}`;
   const found = signals.some(s => fitted(s.model.key));
-  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${known ? known.reason : "the entry that varies most"}, through Hann's window. Rotations of the body do not count. `
+  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${known ? known.reason : "the entry that varies most"}, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}. Rotations of the body do not count. `
     + (found ? "Upright lines: the frequencies that the comparison fitted to the samples. " : "Upright lines: the highest peaks. ")
     + (known && known.ratio ? `Their ratio: ${show(known.ratio, 6)} ± ${show(known.ratio_uncertainty, 1)}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
     legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
