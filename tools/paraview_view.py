@@ -34,6 +34,13 @@ def collections(directory):
     return found
 
 
+def time_of(directory, frame):
+    frames = min(collections(directory).values(), key=len)
+    if not -len(frames) <= frame < len(frames):
+        fail(f"--frame: expected a number from 0 to {len(frames) - 1}, got {frame}")
+    return frames[frame][0]
+
+
 def scale_of(frames):
     """The end of the colour bar, from all points of all frames, and the size of what is shown."""
     import numpy as np
@@ -126,9 +133,6 @@ def build(directory, simple):
 
 
 def draw(directory, arguments):
-    frames = next(iter(collections(directory).values()))
-    if not -len(frames) <= arguments.frame < len(frames):
-        fail(f"--frame: expected a number from 0 to {len(frames) - 1}, got {arguments.frame}")
     try:
         from paraview import simple
     except ImportError:
@@ -136,7 +140,7 @@ def draw(directory, arguments):
     layout = build(directory, simple)
     scene = simple.GetAnimationScene()
     if arguments.picture:
-        scene.AnimationTime = frames[arguments.frame][0]
+        scene.AnimationTime = time_of(directory, arguments.frame)
         written = simple.SaveScreenshot(str(arguments.picture), layout, ImageResolution=SIZE)
     else:
         written = simple.SaveAnimation(str(arguments.animation), layout, ImageResolution=SIZE, FrameRate=FRAMES_PER_SECOND)
@@ -165,7 +169,7 @@ def main():
     arguments = parser.parse_args()
     if arguments.picture and arguments.animation:
         fail("--picture and --animation exclude one another")
-    collections(arguments.directory)
+    time_of(arguments.directory, arguments.frame)
     if not (arguments.picture or arguments.animation):
         open_window(arguments.directory)
     if not os.environ.get("DISPLAY"):

@@ -40,7 +40,7 @@ class Report(ReportTest):
         self.check_samples(self.run_reported({"System": "double pendulum", "Analysis": "equilibrium"}), "equilibria.csv")
 
     def test_sweep(self):
-        page = self.run_reported({**SCENE, "Time/End": 1, "Output/Samples": 4, "Material/Shear modulus": "$(m)", "Sweep/Parameters": "m = 1, 2"})
+        page = self.run_reported({**SCENE, "Time/End": 1, "Output/Samples": 4, "Material/Shear modulus": "$(m)", "Sweep/Parameters": "m: 1, 2"})
         self.check_samples(page, "sweep.csv")
 
     def test_a_report_changes_no_other_file(self):
