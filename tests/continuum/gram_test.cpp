@@ -3,23 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "continuum/balls.h"
+#include "continuum/sheared.h"
 
 namespace pseudorigid::testing {
 namespace {
 
 using continuum::GramMethod;
 using continuum::Vector;
-
-/// An isochoric motion far from affine: shears of shears.
-Vector sheared(const ElasticBall& ball, double size) {
-  Vector x = ball.affine_field(Matrix3d::Identity());
-  for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
-    double* p = &x.local_element(i);
-    p[2] += size * p[2] * (p[0] * p[0] - p[1] * p[1]);
-    p[0] += size * p[0] * p[1] * p[1];
-  }
-  return x;
-}
 
 /// Iterations of one solve for a residual of all frequencies, with a preconditioner of the same position.
 int n_iterations(const ElasticBall& ball, const Vector& x, Vector& lambda) {
