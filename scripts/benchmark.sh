@@ -69,9 +69,10 @@ measure_methods() {
   "$bin/work_precision" "${quick[@]}" --output "$data/work_precision.csv"
   local options=(--benchmark_format=csv --benchmark_report_aggregates_only=true --benchmark_repetitions=5)
   if ((${#quick[@]})); then options=("${options[@]:0:2}" --benchmark_repetitions=3 --benchmark_min_time=0.02); fi
-  # Calls only: Google Benchmark's CSV wants the same counters in all, and steps have their own.
-  into single_calls.csv "$bin/micro" "${options[@]}" "--benchmark_filter=right_hand_side|force"
-  into self_gravity.csv "$bin/self_gravity" "${options[@]}"
+  # Calls only: Google Benchmark's CSV wants the same counters in all, and steps have their own. It describes the machine
+  # at length on standard error.
+  into single_calls.csv "$bin/micro" "${options[@]}" "--benchmark_filter=right_hand_side|force" 2>"$log_directory/micro.log"
+  into self_gravity.csv "$bin/self_gravity" "${options[@]}" 2>"$log_directory/self_gravity.log"
 }
 
 measure_release() { into ball_release.csv "$root/benchmarks/ball_release.py" "$program" "${quick[@]}"; }
@@ -113,7 +114,7 @@ measure_long_run() {
   into long_run_summary.csv "$bin/long_run" "${quick[@]}" --output "$data/long_run.csv"
 }
 
-mkdir -p "$data"
+mkdir -p "$data" "$log_directory"
 if [[ -z $page_only ]]; then
   install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${benchmark_packages[@]}"
   # A tree that has tests keeps them; the benchmarks are in no default target, so that scripts/test.sh does not build them.

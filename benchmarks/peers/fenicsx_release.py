@@ -42,6 +42,7 @@ JOBS = {
     (4, 0): {"midpoint": (4, 8, 16, 32), "midpoint, order 4": (1, 2)},
     (3, 1): {"midpoint, order 4": (1, 2, 3)},
     (5, 0): {"midpoint": (32,), "midpoint, order 4": (1, 2, 3)},
+    (4, 1): {"midpoint, order 4": (2,)},
 }
 QUICK = {(3, 0): {"midpoint": (4,)}, (4, 0): {"midpoint": (8,), "midpoint, order 4": (1,)}}
 JIT = {"cffi_extra_compile_args": ["-O3", "-march=native", "-ffast-math"]}
