@@ -17,8 +17,8 @@ from run_directory import fail  # noqa: E402
 
 # Okabe and Ito's colours, with a hatching for each: distinct with every kind of colour vision and in print.
 OUTCOMES = {"bounded": ("#56B4E9", "", "energy within 10 % until t = 25 r/c"),
-            "lost": ("#E69F00", "....", "energy lost: off by more than 10 %"),
-            "ended": ("#D55E00", "////", "ended, with time and reason; the number is the time in r/c")}
+            "lost": ("#E69F00", "....", "energy off by more than 10 %"),
+            "ended": ("#D55E00", "////", "ended with a reason at the time in the square, in r/c")}
 
 
 def edges(values):
@@ -74,7 +74,9 @@ def main():
         axes.set_xlabel("amplitude a of the release, in c/r")
     for axes in grid[:, 0]:
         axes.set_ylabel("step / stability limit at rest")
-    handles = [Patch(facecolor=colour, hatch=hatch, edgecolor="white", label=label) for colour, hatch, label in OUTCOMES.values()]
+    handles = [Patch(facecolor=colour, hatch=hatch, edgecolor="white",
+                     label=f"{label} ({sum(run['outcome'] == name for run in runs)} runs)")
+               for name, (colour, hatch, label) in OUTCOMES.items()]
     handles.append(plt.Line2D([], [], marker="o", markersize=5, color="black", markeredgecolor="white", linestyle="",
                               label="the continuum's surface reached Biot's limit"))
     handles.append(plt.Line2D([], [], color="black", linewidth=1.6, label=f"reduced model: a₃/a₁ reaches 0.2956 at a = {biot:.3f} c/r"))
