@@ -15,7 +15,6 @@ python3-vtk9, whose modules they bring), and an X server, real or virtual:
 import argparse
 import os
 import pathlib
-import sys
 
 from run_directory import fail, read_pvd
 
@@ -177,7 +176,7 @@ def main():
     draw(arguments.directory, arguments)
 
 
-if RUN in os.environ and "paraview" in sys.modules:
+if RUN in os.environ:  # in ParaView, which open_window has become
     from paraview import simple as of_window
 
     build(pathlib.Path(os.environ[RUN]), of_window)
