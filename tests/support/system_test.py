@@ -88,6 +88,7 @@ ARC_FOR_TIME = {"Time/End": "length^2/time", "time": "length^2/time"}
 def unit(dimension, scales):
     """Of a quantity: unit("mass*length/time^2", {"length": 2, "mass": 3, "time": 1}) → 6."""
     value = 1.0
+    dimension = re.sub(r"/\(([^)]*)\)", lambda group: "/" + group[1].replace("*", "/"), dimension)  # a/(b*c) is a/b/c
     for before, word, power in re.findall(r"(^|[*/])(\w+)(?:\^(\d))?", dimension):
         value *= scales.get(word, 1) ** ((-1 if before == "/" else 1) * int(power or 1))
     return value
