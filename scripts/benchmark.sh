@@ -9,7 +9,7 @@
 #   lamb        small affine release against the exact modes
 #   frequency   the lowest frequency of the ball
 #   kernels     cell kernels against dealii::FEEvaluation and the limits of the machine
-#   steps       what a step costs, with the number of unknowns, the degree and two ranks
+#   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
 #   skipping    what the scenes of params/ skip, and what it would have cost
 #   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed
 #   long-run    a million periods of the reduced model: 15 minutes more
@@ -99,7 +99,10 @@ ball_steps() {
     "${launcher[@]}" "$bin/ball_steps" "$degree" "$refinements" "$gram" "$n_steps"
   done | awk 'NR == 1 || !/^degree/'
 }
-measure_steps() { into ball_steps.csv ball_steps; }
+measure_steps() {
+  into ball_steps.csv ball_steps
+  if ((${#quick[@]})); then into gram_iterations.csv "$bin/gram_iterations" 2; else into gram_iterations.csv "$bin/gram_iterations"; fi
+}
 measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
 
 measure_peers() {

@@ -34,6 +34,7 @@ TABLES = {
     "kernels": tables.kernels,
     "steps": tables.steps,
     "ranks": tables.ranks,
+    "gram_iterations": tables.gram_iterations,
     "skipping": tables.skipping,
     "skipped_parts": tables.skipped_parts,
     "long_run": tables.long_run,

@@ -118,6 +118,18 @@ def ranks(data):
     return (["k, refined", "unknowns", "ranks", "times as fast as one"], result) if result else None
 
 
+def gram_iterations(data):
+    """A line for each degree, a column for each refinement and deformation."""
+    rows = read_rows(data, "gram_iterations.csv")
+    if not rows:
+        return None
+    columns = list(dict.fromkeys((r["shear"], r["refinements"]) for r in rows))
+    columns.sort(key=lambda c: float(c[0]))
+    of = {(r["degree"], r["shear"], r["refinements"]): r["iterations"] for r in rows}
+    header = ["k", *(f"{'at rest' if float(shear) == 0 else 'deformed'}, refined {n}" for shear, n in columns)]
+    return header, [[k, *(of.get((k, *column), NONE) for column in columns)] for k in dict.fromkeys(r["degree"] for r in rows)]
+
+
 def skipping(data):
     """A line for each scene, a column for each part: seconds more and the ratio."""
     rows = read_rows(data, "skipping.csv")
