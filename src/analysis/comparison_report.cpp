@@ -240,8 +240,8 @@ std::string terminal_table(const Comparison& c) {
   if (c.has_state) lines.push_back(model_difference(c));
   if (c.surface_limit_time)
     lines.push_back(
-        fmt::format("from t = {:.4g} on the continuum's surface is beyond Biot's limit and wrinkles as the "
-                    "mesh lets it",
+        fmt::format("from t = {:.4g} on the continuum's surface is somewhere beyond Biot's limit, where "
+                    "wrinkles of the mesh's size may grow",
                     *c.surface_limit_time));
   if (!c.not_compared.empty()) lines.push_back(fmt::format("not compared: {}", fmt::join(c.not_compared, "; ")));
   return fmt::format("{}\n{}\n", fmt::join(lines, "\n"), summary_sentence(c));

@@ -25,8 +25,8 @@ class WrinklingWatch {
     first_ = time;
     context_.log->warn(
         "continuum: the surface reaches Biot's limit at t = {:.6g}: its stretch along the surface is {:.3g} of that "
-        "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below 0.2956 the surface wrinkles, at lengths that the "
-        "mesh decides, and the results depend on the mesh from here on",
+        "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below 0.2956 a smooth surface is unstable to wrinkles "
+        "whose length the mesh decides, so compare with finer elements what is seen near it",
         time, surface.ratio, surface.place[0], surface.place[1], surface.place[2]);
   }
 
