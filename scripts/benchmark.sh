@@ -93,7 +93,8 @@ ball_steps() {
     read -r degree refinements ranks gram n_steps <<<"$case"
     launcher=()
     if ((ranks > 1)); then
-      if ! command -v mpirun >/dev/null || (($(nproc) < ranks)); then continue; fi
+      # Not nproc, which says 1 where OMP_NUM_THREADS is 1.
+      if ! command -v mpirun >/dev/null || (($(getconf _NPROCESSORS_ONLN) < ranks)); then continue; fi
       launcher=(mpirun -np "$ranks")
     fi
     "${launcher[@]}" "$bin/ball_steps" "$degree" "$refinements" "$gram" "$n_steps"
