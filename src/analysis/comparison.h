@@ -92,7 +92,7 @@ struct Comparison {
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< from then on the continuum's results depend on its mesh
-  std::vector<std::string> not_compared;  ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
+  std::vector<std::string> not_compared;     ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
   /// Whether the models differ by more than the discretisation may have made.
