@@ -1,61 +1,77 @@
 #include "continuum/dense_gram.h"
 
-#include <deal.II/lac/lapack_full_matrix.h>
-
-#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 namespace pseudorigid::continuum {
 namespace {
 
-/// G M^{-1/2} as a sparse matrix: one row a multiplier function, one column a position component.
-Eigen::SparseMatrix<double, Eigen::RowMajor> scaled_constraint_matrix(const BallSpace& space,
-                                                                      const CellKernels& kernels, const Vector& x) {
-  const unsigned int n_columns_per_row = 3 * space.nodes_per_cell();
-  const Eigen::Index n_rows = static_cast<Eigen::Index>(space.n_cells()) * space.n_pressure();
-  Eigen::SparseMatrix<double, Eigen::RowMajor> G(n_rows, 3 * static_cast<Eigen::Index>(space.n_nodes()));
-  G.resizeNonZeros(n_rows * n_columns_per_row);
-  for (Eigen::Index row = 0; row <= n_rows; ++row) G.outerIndexPtr()[row] = static_cast<int>(row * n_columns_per_row);
+/// The columns of these nodes, three each.
+dealii::LAPACKFullMatrix<double> columns_of(const dealii::LAPACKFullMatrix<double>& rows,
+                                            const std::vector<unsigned int>& nodes) {
+  dealii::LAPACKFullMatrix<double> columns(rows.m(), 3 * nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) std::copy_n(&rows(0, 3 * nodes[i]), 3 * rows.m(), &columns(0, 3 * i));
+  return columns;
+}
 
-  std::vector<unsigned int> column(n_columns_per_row), order(n_columns_per_row);
-  kernels.constraint_rows(x, [&](unsigned int cell, std::span<const double> rows) {
-    const auto& nodes = space.cell_nodes(cell);
-    for (unsigned int k = 0; k < n_columns_per_row; ++k) column[k] = 3 * nodes[k / 3] + k % 3;
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](unsigned int a, unsigned int b) { return column[a] < column[b]; });
-    for (unsigned int j = 0; j < space.n_pressure(); ++j) {
-      const std::size_t offset = (static_cast<std::size_t>(cell) * space.n_pressure() + j) * n_columns_per_row;
-      for (unsigned int k = 0; k < n_columns_per_row; ++k) {
-        const unsigned int c = column[order[k]];
-        G.innerIndexPtr()[offset + k] = static_cast<int>(c);
-        G.valuePtr()[offset + k] = rows[static_cast<std::size_t>(j) * n_columns_per_row + order[k]] *
-                                   std::sqrt(space.inverse_mass().local_element(c));
+}  // namespace
+
+DenseGram::DenseGram(const BallSpace& space, const CellKernels& kernels) : space_(&space), kernels_(&kernels) {
+  struct Place {
+    unsigned int cell, node;
+  };
+  std::vector<std::vector<Place>> places(space.n_nodes());
+  for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
+    for (unsigned int i = 0; i < space.nodes_per_cell(); ++i) places[space.cell_nodes(cell)[i]].push_back({cell, i});
+  for (const auto& of_node : places)
+    for (std::size_t b = 1; b < of_node.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a) {
+        SharedNodes& shared = shared_nodes_[{of_node[a].cell, of_node[b].cell}];
+        shared.in_a.push_back(of_node[a].node);
+        shared.in_b.push_back(of_node[b].node);
       }
+}
+
+std::vector<DenseGram::Block> DenseGram::scaled_constraint_rows(const Vector& x) const {
+  const unsigned int n_p = space_->n_pressure(), n_columns = 3 * space_->nodes_per_cell();
+  std::vector<Block> G(space_->n_cells());
+  kernels_->constraint_rows(x, [&](unsigned int cell, std::span<const double> rows) {
+    G[cell].reinit(n_p, n_columns);
+    const auto& nodes = space_->cell_nodes(cell);
+    for (unsigned int k = 0; k < n_columns; ++k) {
+      const double scale = std::sqrt(space_->inverse_mass().local_element(3 * nodes[k / 3] + k % 3));
+      for (unsigned int j = 0; j < n_p; ++j) G[cell](j, k) = scale * rows[j * n_columns + k];
     }
   });
   return G;
 }
 
-}  // namespace
-
 mechanics::Status DenseGram::renew(const Vector& x) {
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> G = scaled_constraint_matrix(*space_, *kernels_, x);
-  const Eigen::SparseMatrix<double> S = G * G.transpose();
-  const auto n = static_cast<std::size_t>(S.rows());
-  dealii::LAPACKFullMatrix<double> inverse(n, n);
-  for (Eigen::Index column = 0; column < S.outerSize(); ++column)
-    for (Eigen::SparseMatrix<double>::InnerIterator entry(S, column); entry; ++entry)
-      inverse(entry.row(), entry.col()) = entry.value();
-  inverse.set_property(dealii::LAPACKSupport::symmetric);
+  const std::vector<Block> G = scaled_constraint_rows(x);
+  const unsigned int n_p = space_->n_pressure(), n = space_->n_cells() * n_p;
+  Block S(n, n), product(n_p, n_p);
+  // LAPACK reads the lower triangle.
+  const auto set_block = [&](unsigned int row, unsigned int column) {
+    for (unsigned int j = 0; j < n_p; ++j) std::copy_n(&product(0, j), n_p, &S(row * n_p, column * n_p + j));
+  };
+  for (unsigned int a = 0; a < G.size(); ++a) {
+    G[a].mTmult(product, G[a]);
+    set_block(a, a);
+  }
+  for (const auto& [cells, shared] : shared_nodes_) {
+    const auto& [a, b] = cells;
+    columns_of(G[b], shared.in_b).mTmult(product, columns_of(G[a], shared.in_a));
+    set_block(b, a);
+  }
+  S.set_property(dealii::LAPACKSupport::symmetric);
   try {
-    inverse.compute_cholesky_factorization();
+    S.compute_cholesky_factorization();
   } catch (const dealii::LACExceptions::ExcSingular&) {
     return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
   }
-  inverse.invert();
-  inverse_ = PackedSymmetric(&inverse(0, 0), n);
+  S.invert();
+  inverse_ = PackedSymmetric(&S(0, 0), n);
   n_iterations_fresh_ = -1;
   n_iterations_lost_ = 0;
   return {};

@@ -2,6 +2,12 @@
 /// The Gram operator of a position, assembled and inverted as a dense matrix: the preconditioner of small problems, in
 /// one process. Its inverse is kept in single precision, which is enough for the four digits that a solve asks for.
 
+#include <deal.II/lac/lapack_full_matrix.h>
+
+#include <map>
+#include <utility>
+#include <vector>
+
 #include "continuum/ball_space.h"
 #include "continuum/cell_kernels.h"
 #include "continuum/gram_preconditioner.h"
@@ -11,7 +17,7 @@ namespace pseudorigid::continuum {
 
 class DenseGram final : public GramPreconditioner {
  public:
-  DenseGram(const BallSpace& space, const CellKernels& kernels) : space_(&space), kernels_(&kernels) {}
+  DenseGram(const BallSpace& space, const CellKernels& kernels);
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override { inverse_.multiply(r.begin(), result.begin()); }
@@ -19,8 +25,18 @@ class DenseGram final : public GramPreconditioner {
   std::size_t memory() const override { return inverse_.memory(); }
 
  private:
+  using Block = dealii::LAPACKFullMatrix<double>;
+  /// The nodes that two cells a < b share, by their numbers in the one and in the other.
+  struct SharedNodes {
+    std::vector<unsigned int> in_a, in_b;
+  };
+
+  /// G M^{-1/2}, a block a cell: a row for a multiplier function, a column for a component of one of the cell's nodes.
+  std::vector<Block> scaled_constraint_rows(const Vector& x) const;
+
   const BallSpace* space_;
   const CellKernels* kernels_;
+  std::map<std::pair<unsigned int, unsigned int>, SharedNodes> shared_nodes_;
   PackedSymmetric inverse_;
   int n_iterations_fresh_ = -1, n_iterations_lost_ = 0;
 };
