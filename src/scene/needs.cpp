@@ -5,6 +5,7 @@
 #include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/matrix3.h"
+#include "scene/scales.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -183,14 +184,12 @@ Needs needs(const Scene& scene) {
 }
 
 std::string summary(const Scene& scene, const Needs& needs) {
-  if (needs.system)
-    return fmt::format("{} of the {}, until time {}", analysis_kind.print(scene.analysis), scene.system,
-                       print_number(scene.time.end));
-  return fmt::format("{} of {} ball of radius {}, density {}, shear modulus {}{}", analysis_kind.print(scene.analysis),
+  const std::string end = scene.analysis == Analysis::motion ? ", until time " + print_number(scene.time.end) : "";
+  if (needs.system) return fmt::format("{} of the {}{}", analysis_kind.print(scene.analysis), scene.system, end);
+  return fmt::format("{} of {} ball of radius {}, density {}, {}{}", analysis_kind.print(scene.analysis),
                      scene.body.incompressible ? "an incompressible" : "a compressible",
                      print_number(scene.body.radius), print_number(scene.body.density),
-                     print_number(scene.material.shear_modulus),
-                     scene.analysis == Analysis::modes ? "" : ", until time " + print_number(scene.time.end));
+                     is_fluid(scene) ? "fluid" : "shear modulus " + print_number(scene.material.shear_modulus), end);
 }
 
 std::string describe(const Scene& scene, const Needs& needs) {
