@@ -111,8 +111,7 @@ def build(directory, simple):
     frames = collections(directory)
     largest, extent = scale_of(frames)
     simple._DisableFirstRenderCameraReset()
-    for old in simple.GetRenderViews():
-        simple.Delete(old)
+    simple.RemoveViewsAndLayouts()  # those of the window
     layout = simple.CreateLayout("pseudorigid")
     views = []
     for model in frames:
@@ -124,9 +123,9 @@ def build(directory, simple):
         aim(view, extent)
         views.append(view)
     show_bar(simple, colour(simple, largest), views[-1])  # ParaView has rescaled the colours as it showed the models
+    views[-1].OrientationAxesVisibility = len(views) == 1  # the bar is there; one camera needs the axes once
     if len(views) > 1:
         simple.AddCameraLink(*views, "one camera")
-    layout.SetSize(*SIZE)
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     return layout
 
@@ -137,6 +136,7 @@ def draw(directory, arguments):
     except ImportError:
         fail("ParaView's Python modules are missing: apt-get install paraview python3-paraview")
     layout = build(directory, simple)
+    layout.SetSize(*SIZE)  # that of the window is its own
     scene = simple.GetAnimationScene()
     if arguments.picture:
         scene.AnimationTime = time_of(directory, arguments.frame)
@@ -150,11 +150,13 @@ def draw(directory, arguments):
 
 
 def open_window(directory):
-    """Becomes ParaView, which runs this file as a script."""
+    """Becomes ParaView, which runs this file as a script. With ParaView's own settings: with the user's it may greet at
+    its start, in the middle of the script, which then waits for the greeting to be closed."""
     tools = str(pathlib.Path(__file__).resolve().parent)
     environment = {**os.environ, RUN: str(directory.resolve()), "PYTHONPATH": tools}
     try:
-        os.execvpe("paraview", ["paraview", f"--script={pathlib.Path(__file__).resolve()}"], environment)
+        script = f"--script={pathlib.Path(__file__).resolve()}"
+        os.execvpe("paraview", ["paraview", "--disable-registry", script], environment)
     except OSError as error:
         fail(f"paraview cannot be started ({error.strerror}): apt-get install paraview python3-paraview")
 
