@@ -269,7 +269,7 @@ function captionOf(bodies, plane) {
     : `Below: the outline${bodies.length > 1 ? "s of both" : ""} seen along axis 2, x1 to the right and x3 up.`;
   const lines = tables.shapes ? "edges of the finite elements" : "material lines";
   return `${bodies.map((b, k) => `${["Above", "In the middle"][k]}: the ${b.name} from outside, x3 up`).join(". ")}. ${below} `
-    + `Thin lines: ${lines}${bodies.length > 1 && tables.shapes ? ", the same material lines in both bodies" : ""}. Dashed circle: the undeformed body. Drag a body to look at it from elsewhere.`;
+    + `Thin lines: ${lines}${bodies.length > 1 && tables.shapes ? ", the same material lines in both bodies" : ""}. Dashed: the undeformed body. Drag a body to look at it from elsewhere.`;
 }
 
 function turnByDragging(figure, redraw) {

@@ -7,6 +7,12 @@ window.addEventListener("resize", () => {
   redrawDue = requestAnimationFrame(() => redraws.forEach(redraw => redraw()));
 });
 
+for (const [event, printing] of [["beforeprint", true], ["afterprint", false]])
+  window.addEventListener(event, () => {
+    document.body.classList.toggle("printing", printing);
+    redraws.forEach(redraw => redraw());
+  });
+
 // About n round numbers from `least` to `most`.
 function ticks([least, most], n) {
   const raw = (most - least) / n, power = 10 ** Math.floor(Math.log10(raw));
@@ -63,9 +69,34 @@ function nearest(x, place) {
   return place - x[low] < x[high] - place ? low : high;
 }
 
-// series: [{x, y, name, style, points: bool}]; marks: [{x, text, style}] are upright lines; stems: [{x, y, style}].
-function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], height = 210, xRange = null, wholeX = false, note = ""}) {
-  const host = make("div"), readout = make("div", {class: "readout"});
+// Value of a series at a place, for reading off; none beyond its end, as of a model that was stopped before the other.
+function valueAt(s, x) {
+  return x > s.x[s.x.length - 1] + 1e-9 * Math.abs(x) ? NaN : s.y[nearest(s.x, x)];
+}
+
+// What is next to the pointer, at pixel (px, py): {x, text}.
+function readingOf(series, X, Y, px, py) {
+  const named = (s, y) => `${s.name ? `${s.name}: ` : ""}${show(y, 6)}`;
+  if (series.every(s => s.points)) {
+    const all = series.flatMap(s => Array.from(s.x, (x, i) => ({x, text: named(s, s.y[i]), apart: Math.hypot(X(x) - px, Y(s.y[i]) - py)})));
+    return all.reduce((a, b) => b.apart < a.apart ? b : a);
+  }
+  const longest = series.reduce((a, b) => b.x[b.x.length - 1] > a.x[a.x.length - 1] ? b : a);
+  const x = longest.x[longest.x.reduce((best, v, i) => Math.abs(X(v) - px) < Math.abs(X(longest.x[best]) - px) ? i : best, 0)];
+  return {x, text: series.map(s => named(s, valueAt(s, x))).join("; ")};
+}
+
+// An upright line's text: to the right of the line or to the left, where there is room.
+function placeText(text, at, width, rightFirst) {
+  const length = text.getComputedTextLength(), right = at + 4, left = at - 4 - length;
+  const places = (rightFirst ? [right, left] : [left, right]).filter(x => x >= 0 && x + length <= width);
+  text.setAttribute("x", places.length ? places[0] : Math.max(0, width - length));
+}
+
+// series: [{x, y, name, style, points: bool, jump}], the curve is broken where y changes by more than `jump`; marks:
+// [{x, text, style}] are upright lines.
+function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xRange = null, wholeX = false, note = ""}) {
+  const host = make("div"), readout = make("div", {class: series.length > 1 ? "readout long" : "readout"});
   const figure = make("figure", {}, make("div", {class: "title"}, title), readout, host,
     note ? make("figcaption", {}, note) : null);
   const redraw = () => {
@@ -73,13 +104,13 @@ function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], heig
     host.replaceChildren();
     const svg = draw(host, "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${title}: ${yLabel} over ${xLabel}`});
     const xs = xRange || extent(series.flatMap(s => extent(s.x)));
-    const ys = padded(extent(series.flatMap(s => extent(s.y)).concat(stems.flatMap(s => [0, s.y]))));
-    const yTicks = ticks(ys, height > 250 ? 6 : 4), yTexts = tickLabels(yTicks);
+    const ys = padded(extent(series.flatMap(s => extent(s.y))));
+    const yTicks = ticks(ys, height > 250 ? 6 : 5), yTexts = tickLabels(yTicks);
     const left = 14 + 7 * Math.max(...yTexts.map(t => t.length)) + (yLabel ? 16 : 0), right = width - 12;
     const top = 8 + (marks.length ? 16 * Math.min(2, marks.length) + 4 : 0), bottom = height - 38;
     const X = v => left + (right - left) * (v - xs[0]) / (xs[1] - xs[0] || 1);
     const Y = v => bottom - (bottom - top) * (v - ys[0]) / (ys[1] - ys[0]);
-    const xTicks = ticks(xs, Math.max(3, (right - left) / 70)).filter(v => !wholeX || Math.abs(v - Math.round(v)) < 1e-9), xTexts = tickLabels(xTicks);
+    const xTicks = ticks(xs, Math.max(3, (right - left) / 52)).filter(v => !wholeX || Math.abs(v - Math.round(v)) < 1e-9), xTexts = tickLabels(xTicks);
     xTicks.forEach((v, i) => {
       draw(svg, "line", {class: "grid", x1: X(v), x2: X(v), y1: top, y2: bottom});
       draw(svg, "text", {x: X(v), y: bottom + 15, "text-anchor": "middle"}, xTexts[i]);
@@ -93,29 +124,27 @@ function chart({title, series, xLabel, yLabel = "", marks = [], stems = [], heig
     marks.forEach((mark, i) => {
       if (mark.x < xs[0] || mark.x > xs[1]) return;
       draw(svg, "line", {class: `curve thin ${mark.style}`, x1: X(mark.x), x2: X(mark.x), y1: top - 4, y2: bottom});
-      const right_side = X(mark.x) < (left + right) / 2;
-      draw(svg, "text", {class: "strong", x: X(mark.x) + (right_side ? 4 : -4), y: top - 6 - 16 * (Math.min(2, marks.length) - 1 - i % 2),
-        "text-anchor": right_side ? "start" : "end"}, mark.text);
-    });
-    stems.filter(s => s.x <= xs[1]).forEach(s => {
-      draw(svg, "line", {class: `curve solid ${s.style}`, x1: X(s.x), x2: X(s.x), y1: Y(0), y2: Y(s.y)});
-      marker(svg, s.style, X(s.x), Y(s.y));
+      placeText(draw(svg, "text", {class: "strong", y: top - 6 - 16 * (Math.min(2, marks.length) - 1 - i % 2)}, mark.text), X(mark.x), width, X(mark.x) < (left + right) / 2);
     });
     for (const s of series) {
       if (s.points) { for (let i = 0; i < s.x.length; ++i) marker(svg, s.style, X(s.x[i]), Y(s.y[i])); continue; }
       const places = s.x.length > 2 * width ? thinned(s.x, s.y, X) : s.x.keys();
-      let path = "";
-      for (const i of places) if (s.x[i] >= xs[0] && s.x[i] <= xs[1]) path += `${path ? "L" : "M"}${X(s.x[i]).toFixed(1)} ${Y(s.y[i]).toFixed(1)}`;
+      let path = "", before = NaN;
+      for (const i of places) {
+        if (!(s.x[i] >= xs[0] && s.x[i] <= xs[1])) continue;
+        path += `${Math.abs(s.y[i] - before) <= (s.jump || Infinity) ? "L" : "M"}${X(s.x[i]).toFixed(1)} ${Y(s.y[i]).toFixed(1)}`;
+        before = s.y[i];
+      }
       draw(svg, "path", {class: `curve ${s.style}`, d: path});
     }
     const cursor = draw(svg, "line", {class: "cursor", y1: top, y2: bottom, visibility: "hidden"});
     const say = event => {
-      const box = svg.getBoundingClientRect(), at = xs[0] + ((event.clientX - box.left) / box.width * width - left) / (right - left) * (xs[1] - xs[0]);
-      const i = nearest(series[0].x, at), x = series[0].x[i];
+      const box = svg.getBoundingClientRect(), {x, text} = readingOf(series, X, Y, (event.clientX - box.left) / box.width * width, (event.clientY - box.top) / box.height * height);
       cursor.setAttribute("x1", X(x)); cursor.setAttribute("x2", X(x)); cursor.setAttribute("visibility", "visible");
-      readout.textContent = `${xLabel.replace(/ \(.*/, "")} ${show(x)}: ` + series.map(s => `${s.name ? s.name + " " : ""}${show(s.y[nearest(s.x, x)], 6)}`).join(", ");
+      readout.textContent = `${xLabel.replace(/ \(.*/, "")} ${show(x)} · ${text}`;
     };
     svg.addEventListener("pointermove", say);
+    svg.addEventListener("pointerdown", say);
     svg.addEventListener("pointerleave", () => { cursor.setAttribute("visibility", "hidden"); readout.textContent = ""; });
   };
   redraws.push(redraw);

@@ -74,6 +74,27 @@ function show(value, digits = 4) {
   return text.replace("-", "−").replace("e-", "e−");
 }
 
+// With the digits that the uncertainty leaves, `digits` at most; an uncertainty behind the last of them is left out.
+function showWithin(value, uncertainty, digits) {
+  const placeOf = v => Math.floor(Math.log10(Math.abs(v)) + 1e-9), finest = value ? placeOf(value) - digits + 1 : -digits;
+  if (!(uncertainty >= 0.5 * 10 ** finest)) return show(value, digits);
+  const rounded = Number(uncertainty.toPrecision(1)), decimals = -Math.max(finest, placeOf(rounded));
+  if (decimals < 0 || decimals > 6) return `${show(value, Math.max(1, (value ? placeOf(value) : 0) + decimals + 1))} ± ${show(rounded, 1)}`;
+  return `${value.toFixed(decimals).replace("-", "−")} ± ${rounded.toFixed(decimals)}`;
+}
+
+// Numbers of one column: all to the last place of the largest one's `digits`.
+function showAlike(values, digits) {
+  const size = Math.max(...values.map(Math.abs)), decimals = digits - 1 - Math.floor(Math.log10(size || 1));
+  return values.map(v => v === 0 ? "0" : decimals < 0 || decimals > digits + 2 ? show(v, digits) : v.toFixed(decimals).replace("-", "−"));
+}
+
+// What hardly changes is drawn as its departure from its first value: its changes would be a straight line.
+function fromFirst(name, y) {
+  const [least, most] = extent(y);
+  return most - least < 1e-4 * Math.max(Math.abs(least), Math.abs(most)) ? {name: `${name}, less its first value ${show(y[0], 6)}`, y: y.map(v => v - y[0])} : {name, y};
+}
+
 function extent(values) {
   let least = Infinity, most = -Infinity;
   for (const v of values) { if (v < least) least = v; if (v > most) most = v; }

@@ -91,10 +91,11 @@ function differenceSections() {
   const x = table.columns.time;
   const names = table.names.filter(n => n !== "time" && !n.startsWith("nonaffine") && n !== "q_difference_of_departure" && largest(table.columns[n]) > 1e-9);
   const d = comparison && comparison.model_difference;
-  const verdict = d ? `Largest difference of Q over |Q|: ${show(d.value, 3)}` + (d.uncertainty === null ? " (discretisation error: not estimated)."
-    : ` ± ${show(d.uncertainty, 1)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`) : "";
+  const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${show(d.value, 3)} (discretisation error: not estimated).`
+    : `${showWithin(d.value, d.uncertainty, 4)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
+  const one = n => { const {name, y} = fromFirst(DIFFERENCES[n] || n, table.columns[n]); return chart({title: name, xLabel: timeLabel, series: [{x, y, name: "", style: "other"}]}); };
   return section("Difference of the models", `Elastic less pseudo-rigid ball. ${verdict}`,
-    make("div", {class: "charts"}, names.map(n => chart({title: DIFFERENCES[n] || n, xLabel: timeLabel, series: [{x, y: table.columns[n], name: "", style: "other"}]}))),
+    make("div", {class: "charts"}, names.map(one)),
     comparison ? differenceTable() : null);
 }
 
@@ -157,13 +158,16 @@ function spectrumSections() {
   const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
   const marks = signals.map((s, k) => {
     const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
-    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? "=" : "≈"} ${fit ? `${show(at, 5)}${fit.uncertainty ? ` ± ${show(fit.uncertainty, 1)}` : ""}` : show(at, 3)}`};
+    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? `= ${showWithin(at, fit.uncertainty, 5)}` : `≈ ${show(at, 3)}`}`};
   });
   const name = `C${entry.join("")}`;
-  const found = signals.some(s => fitted(s.model.key));
-  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${known ? known.reason : "the entry that varies most"}, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}. Rotations of the body do not count. `
-    + (found ? "Upright lines: the frequencies that the comparison fitted to the samples. " : "Upright lines: the highest peaks. ")
-    + (known && known.ratio ? `Their ratio: ${show(known.ratio, 6)} ± ${show(known.ratio_uncertainty, 1)}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
+  const n_fitted = signals.filter(s => fitted(s.model.key)).length;
+  const lines = n_fitted === signals.length ? "the frequencies that the comparison fitted to the samples"
+    : n_fitted ? "the frequency that the comparison fitted to the samples (=), and the highest peak where it found none (≈)" : "the highest peaks";
+  const why = known ? known.reason.replace("component of C = Q^T Q", "the entry") : "the entry that varies most";
+  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${why}, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}. Rotations of the body do not count. `
+    + `Upright lines: ${lines}. `
+    + (known && known.ratio ? `Their ratio: ${showWithin(known.ratio, known.ratio_uncertainty, 6)}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
     legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
 }
 

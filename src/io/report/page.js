@@ -3,13 +3,9 @@
 const STATES = {done: ["done", "complete"], interrupted: ["stopped", "interrupted"], failed: ["stopped", "stopped early"],
   running: ["stopped", "not ended: still running, or killed"], unknown: ["stopped", "without a manifest"]};
 
-function sum(model, timer) {
-  return (model.timers || {})[timer] || 0;
-}
-
 // A run in words, where no comparison has said it.
 function inWords() {
-  if (comparison && comparison.summary) return comparison.summary.replaceAll("+-", "±");
+  if (comparison && comparison.summary) return comparison.summary.replaceAll("+-", "±").replace(/ (=|±|%)/g, "\u00a0$1").replace(/(=|±) /g, "$1\u00a0");
   if (tables.modes) {
     const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1)));
     return `The ${tables.modes.n} lowest frequencies of the elastic ball about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;
@@ -17,11 +13,13 @@ function inWords() {
   if (tables.equilibria) return tables.equilibria.has("kind") ? `${tables.equilibria.columns.kind.filter(k => k === 0).length} members of the family of relative equilibria ${scene["Equilibrium/Family"]}, and ${tables.equilibria.columns.kind.filter(k => k > 0).length} special points on it.`
     : `${tables.equilibria.n} critical points of the potential.`;
   if (tables.sweep) return `${tables.sweep.n} runs of a sweep, ${tables.sweep.columns.finished.filter(f => f === 0).length} of which stopped early.`;
-  const table = systemFile ? tables[systemFile] : MODELS.length ? MODELS[0].table : null;
-  if (!table) return "There are no samples yet.";
-  const drift = table.has("energy") ? extent(table.columns.energy.map(e => e - table.columns.energy[0])).map(Math.abs) : null;
-  return `${systemFile ? `The ${scene.System}` : `The ${MODELS.map(m => m.name).join(" and the ")}`} from time ${show(table.at("time", 0))} to ${show(table.at("time", table.n - 1))}, in ${table.n} samples`
-    + (drift ? `; its energy, ${show(table.at("energy", 0))} at the start, drifts by at most ${show(Math.max(...drift), 2)}.` : ".");
+  const bodies = (systemFile ? [{name: scene.System, table: tables[systemFile]}] : MODELS).filter(b => b.table);
+  const text = bodies.map(({name, table}) => {
+    const drift = table.has("energy") ? largest(table.columns.energy.map(e => e - table.columns.energy[0])) : 0;
+    return `the ${name} from time ${show(table.at("time", 0))} to ${show(table.at("time", table.n - 1))}, in ${table.n} samples`
+      + (table.has("energy") ? `, its energy ${show(table.at("energy", 0))} at the start and within ${show(drift, 2)} of it later` : "");
+  }).join("; ");
+  return text ? `${text[0].toUpperCase()}${text.slice(1)}.` : "There are no samples yet.";
 }
 
 function head() {
@@ -55,20 +53,29 @@ function sceneSections() {
   return section("Scene", units, tableOf(null, rows));
 }
 
-// A chart for each column of any table.
-function genericCharts(name, x, xLabel, style, points = false) {
-  const table = tables[name], described = Object.fromEntries(((manifest.columns || {})[`${name}.csv`] || []).map(c => [c.name, c]));
-  const constant = [], charts = [];
-  for (const column of table.names.filter(n => n !== x && n !== "index" && n !== "kind")) {
-    const y = table.columns[column], [least, most] = extent(y), size = Math.max(Math.abs(least), Math.abs(most));
-    const unit = (described[column] || {}).unit || "", meaning = (described[column] || {}).meaning || "";
-    const note = meaning.startsWith("likewise") || meaning.startsWith("as for") ? "" : meaning;
-    if (most - least <= 1e-13 * size) { constant.push(`${column} = ${show(y[0], 6)}`); continue; }
-    const level = most - least < 1e-4 * size;  // its changes would be a straight line
-    charts.push(chart({title: withUnit(level ? `${column} − its first value ${show(y[0], 6)}` : column, unit), note, xLabel,
-      series: [{x: table.columns[x], y: level ? y.map(v => v - y[0]) : y, name: "", style, points}]}));
+const describedColumns = name => Object.fromEntries(((manifest.columns || {})[`${name}.csv`] || []).map(c => [c.name, c]));
+
+// A chart for each column of any table; columns that are equal share one. What is constant, or nothing but round-off
+// beside the columns of the same unit, is named in a line of text.
+function genericCharts(name, x, xLabel, style) {
+  const table = tables[name], described = describedColumns(name), of = (column, what) => (described[column] || {})[what] || "";
+  const columns = table.names.filter(n => n !== x && n !== "index" && n !== "kind").map(n => ({names: [n], y: table.columns[n], unit: of(n, "unit"), size: largest(table.columns[n])}));
+  const scaleOf = unit => unit ? Math.max(...columns.filter(c => c.unit === unit).map(c => c.size)) : 1;
+  const level = columns.filter(c => { const [least, most] = extent(c.y); return most - least <= 1e-13 * c.size; });
+  const noise = columns.filter(c => !level.includes(c) && c.size <= 1e-12 * scaleOf(c.unit));
+  const groups = [];
+  for (const c of columns.filter(c => !level.includes(c) && !noise.includes(c))) {
+    const same = groups.find(g => g.unit === c.unit && g.y.every((v, i) => Math.abs(v - c.y[i]) <= 1e-12 * scaleOf(c.unit)));
+    if (same) same.names.push(...c.names); else groups.push(c);
   }
-  return [make("div", {class: "charts"}, charts), constant.length ? make("p", {class: "note"}, `Constant: ${constant.join(", ")}.`) : null];
+  const charts = groups.map(g => {
+    const {name: title, y} = fromFirst(g.names.join(" = "), g.y), meaning = of(g.names[0], "meaning");
+    return chart({title: withUnit(title, g.unit), note: /^(likewise|as for)/.test(meaning) ? "" : meaning, xLabel,
+      series: [{x: table.columns[x], y, name: "", style, jump: meaning.includes("-pi to pi") ? Math.PI : 0}]});
+  });
+  const values = [...new Set(level.map(c => show(c.y[0], 6)))].map(v => `${level.filter(c => show(c.y[0], 6) === v).map(c => c.names[0]).join(" = ")} = ${v}`);
+  return [make("div", {class: "charts"}, charts), values.length ? make("p", {class: "note"}, `Constant: ${values.join(", ")}.`) : null,
+    noise.length ? make("p", {class: "note"}, `Zero but for round-off: ${noise.map(c => `${c.names[0]} (up to ${show(c.size, 1)})`).join(", ")}.`) : null];
 }
 
 function wholeTable(name, mostRows = 300) {
@@ -78,9 +85,10 @@ function wholeTable(name, mostRows = 300) {
 
 function modesSections() {
   if (!tables.modes) return [];
-  const t = tables.modes, rows = Array.from({length: t.n}, (_, i) => {
+  const t = tables.modes, omegas = showAlike([...t.columns.omega], 9), exact = showAlike([...t.columns.exact], 9);
+  const rows = Array.from({length: t.n}, (_, i) => {
     const at = c => t.at(c, i);
-    return [`${at("kind") === 1 ? "S" : "T"}${at("degree")}${at("overtone") ? `, overtone ${at("overtone")}` : ""}`, at("kind") === 1 ? "spheroidal" : "toroidal", at("multiplicity"), show(at("omega"), 9), show(at("exact"), 9),
+    return [`${at("kind") === 1 ? "S" : "T"}${at("degree")}${at("overtone") ? `, overtone ${at("overtone")}` : ""}`, at("kind") === 1 ? "spheroidal" : "toroidal", at("multiplicity"), omegas[i], exact[i],
       show(at("omega") / at("exact") - 1, 2), show(at("spread"), 2), at("reduced") ? show(at("reduced"), 7) : ""];
   });
   const of = kind => [...Array(t.n).keys()].filter(i => t.at("kind", i) === kind);
@@ -94,29 +102,37 @@ function modesSections() {
     tableOf(["mode", "kind", "copies", withUnit("ω", "1/time"), "exact sphere", "difference", "spread", "pseudo-rigid ball"], rows));
 }
 
+const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time")};
 const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
   const t = tables.equilibria;
   if (!t) return [];
   if (!t.has("parameter")) return section("Critical points of the potential", "One row each, by rising potential.", wholeTable("equilibria"));
   const special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
-  const columns = ["parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has);
-  return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns], special.map(i => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...columns.map(c => show(t.at(c, i), 7))])) : make("p", {}, "None in this range.")),
-    ...section("Along the family", "Over the family's parameter.", genericCharts("equilibria", "parameter", `parameter of ${scene["Equilibrium/Family"]}`, "pseudo-rigid solid"))];
+  const columns = ["parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has), described = describedColumns("equilibria");
+  const family = scene["Equilibrium/Family"], parameter = FAMILY_PARAMETERS[family] || "a2 / a1";
+  const shown = columns.map(c => showAlike(special.map(i => t.at(c, i)), 7));
+  const title = c => c === "parameter" ? parameter : make("th", {}, c, make("br"), make("span", {class: "unit"}, unitInWords((described[c] || {}).unit)));
+  return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns.map(title)], special.map((i, k) => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...shown.map(column => column[k])])) : make("p", {}, "None in this range.")),
+    ...section("Along the family", `Over the parameter of the family ${family}: ${parameter}.`, genericCharts("equilibria", "parameter", parameter, "pseudo-rigid solid"))];
 }
 
-const COUNTERS = {steps: "steps", substeps: "substeps of compositions", forces: "evaluations of the force", step: withUnit("step", "time"), order: "order of the method", cells: "cells", unknowns: "unknowns",
-  images: "reflections that make the ball", multipliers: "multipliers", gram_iterations: "iterations of the constraint solver", gram_solves: "constraint solves", estimated_time_error: "estimated time error", relative_space_error: "estimated error in space, relative",
-  pilot_forces: "evaluations of the force in pilot runs", largest_frequency: "largest frequency", position_iterations: "iterations on the constraint", velocity_projections: "projections of the velocity",
-  max_scaled_constraint: "largest violation of the constraint", max_scaled_constraint_rate: "largest violation of its rate"};
+// Those that are not here stand at the end, under their own names.
+const COUNTERS = {steps: "steps", substeps: "substeps of compositions", forces: "evaluations of the force", step: withUnit("longest step allowed", "time"), order: "order of the method", cells: "cells", unknowns: "unknowns",
+  images: "reflections that make the ball", multipliers: "multipliers", gram_solves: "constraint solves", gram_iterations: "iterations of the constraint solver", gram_iterations_at_most: "of one solve at most", gram_renewals: "renewals of its preconditioner",
+  position_iterations: "iterations on the constraint", velocity_projections: "projections of the velocity", max_scaled_constraint: "largest violation of the constraint", max_scaled_constraint_rate: "largest violation of its rate",
+  pilot_forces: "evaluations of the force in pilot runs", largest_frequency: withUnit("largest frequency", "1/time"), estimated_time_error: "estimated error in time", estimated_space_error: "estimated error in space, largest entry of Q", relative_space_error: "estimated error in space, relative",
+  work: "unknowns × evaluations, pilot runs included", companion_degree: "degree of the companion run", companion_refinements: "refinements of the companion run", companion_work: "companion run: unknowns × evaluations", least_surface_stretch_ratio: "least stretch ratio at the surface (Biot's limit 0.2956)", surface_limit_time: withUnit("time at Biot's limit", "time"),
+  gram_bytes: "memory of the constraint solver", kernel_bytes: "memory of the force's kernels"};
+const TIMERS = {run: "wall time (s)", companion: "wall time of the companion run (s)"};
 function costSections() {
   const models = Object.entries(manifest.models);
   if (!models.length) return [];
   const names = [...new Set(models.flatMap(([, m]) => Object.keys(m.counters || {})))].sort((a, b) => (COUNTERS[a] ? Object.keys(COUNTERS).indexOf(a) : 99) - (COUNTERS[b] ? Object.keys(COUNTERS).indexOf(b) : 99));
-  const timers = [...new Set(models.flatMap(([, m]) => Object.keys(m.timers || {})))];
+  const timers = [...new Set(models.flatMap(([, m]) => Object.keys(m.timers || {})))].sort((a, b) => (b === "run") - (a === "run"));
   const cell = (value, name) => value === undefined ? "" : name.endsWith("_bytes") ? `${show(value / 1048576, 3)} MiB` : Number.isInteger(value) ? value.toLocaleString("en").replaceAll(",", "\u202f") : show(value);
-  const rows = [...timers.map(t => [t === "run" ? "wall time (s)" : `wall time of ${t.replaceAll("_", " ")} (s)`, ...models.map(([, m]) => show(sum(m, t), 4))]),
-    ...names.map(n => [COUNTERS[n] || n.replace(/_bytes$/, ": memory").replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
+  const rows = [...timers.map(t => [TIMERS[t] || `wall time of ${t.replaceAll("_", " ")} (s)`, ...models.map(([, m]) => t in (m.timers || {}) ? show(m.timers[t], 3) : "")]),
+    ...names.map(n => [COUNTERS[n] || n.replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
   const title = key => key === "continuum" ? "elastic ball" : key === "reduced" ? "pseudo-rigid ball" : key.replaceAll("_", " ");
   return section("Cost", manifest.wall_seconds ? `The whole run took ${show(manifest.wall_seconds, 3)} s on ${manifest.cpu}.` : "", tableOf(["", ...models.map(([key]) => title(key))], rows));
 }
@@ -144,6 +160,39 @@ function originSections() {
   return section("Where it comes from", "", tableOf(null, rows), make("p", {class: "files"}, "This page holds the run's files: ", buttons.flatMap(b => [b, " "])));
 }
 
+// A sweep: least and greatest values over the parameter that takes most values, a line for each choice of the others.
+const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"]];
+const MOST_LINES = 6, MOST_RUNS = 30;
+
+function sweepSections() {
+  const t = tables.sweep;
+  if (!t) return [];
+  const swept = t.names.slice(1, t.names.indexOf("finished")), values = name => new Set(t.columns[name]).size;
+  const x = swept.reduce((a, b) => values(b) > values(a) ? b : a), others = swept.filter(name => name !== x);
+  const groups = new Map();
+  for (let i = 0; i < t.n; ++i) {
+    const name = others.map(o => `${o} = ${show(t.at(o, i))}`).join(", ");
+    groups.set(name, [...(groups.get(name) || []), i]);
+  }
+  const all = [...groups], n_lines = Math.min(all.length, MOST_LINES);
+  const lines = Array.from({length: n_lines}, (_, k) => all[n_lines > 1 ? Math.round(k * (all.length - 1) / (n_lines - 1)) : 0])
+    .map(([name, rows], k) => ({name, rows: rows.sort((a, b) => t.at(x, a) - t.at(x, b)), style: `line${k}`}));
+  const unitOf = name => (describedColumns(`${systemFile}`)[name] || {}).unit || (SWEPT_UNITS.find(([names]) => names.test(name)) || [0, ""])[1];
+  const scale = new Map();
+  const measured = t.names.filter(n => /_(min|max)$/.test(n)).map(n => ({base: n.slice(0, -4), which: n.endsWith("_min") ? "least" : "greatest", y: t.columns[n]}));
+  for (const m of measured) scale.set(unitOf(m.base), Math.max(scale.get(unitOf(m.base)) || 0, largest(m.y)));
+  const varies = m => { const [a, b] = extent(m.y); return b - a > 1e-7 * (scale.get(unitOf(m.base)) || 1); };
+  const draws = m => chart({title: withUnit(`${m.base}, ${m.which}`, unitOf(m.base)), xLabel: `parameter ${x}`,
+    series: lines.map(l => ({x: l.rows.map(i => t.at(x, i)), y: l.rows.map(i => m.y[i]), name: l.name, style: l.style, points: l.rows.length === 1}))});
+  const still = measured.filter(m => !varies(m));
+  const failed = [...Array(t.n).keys()].filter(i => t.at("finished", i) === 0), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
+  const head = t.names.slice(0, t.names.findIndex(n => /_(end|min|max)$/.test(n)));
+  return [...section("Sweep", `The least and the greatest value within each run, over ${x}${others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : ""}.`,
+    others.length ? legend(lines) : null, make("div", {class: "charts"}, measured.filter(varies).map(draws)),
+    still.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${still.map(m => `${m.base}, ${m.which}`).join("; ")}.`) : null),
+  ...section(failed.length ? "Runs that stopped early" : "Runs", `${listed.length} of ${failed.length || t.n}; the file sweep.csv has all, with the values at the end.`, tableOf(head, listed.map(i => head.map(c => show(t.at(c, i), 5)))))];
+}
+
 function bodiesSections() {
   const figure = MODELS.length ? bodiesFigure() : null;
   return figure ? section("The bodies", "", figure) : [];
@@ -154,5 +203,5 @@ function systemSections() {
 }
 
 document.getElementById("report").append(...[head(), bodiesSections(), systemSections(), deformationSections(), differenceSections(), spectrumSections(), nonaffineSections(), energySections(), modesSections(), equilibriaSections(),
-  tables.sweep ? section("Sweep", "A row for each run.", wholeTable("sweep")) : [], sceneSections(), costSections(), needsSections(), originSections()].flat().filter(Boolean));
+  sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat().filter(Boolean));
 redraws.forEach(redraw => redraw());
