@@ -5,6 +5,7 @@ from collections import defaultdict
 import matplotlib
 
 matplotlib.use("Agg")
+import matplotlib.patheffects as effects  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter  # noqa: E402
 
@@ -49,6 +50,12 @@ def finish(axes, legend_columns=1):
     axes.set_axisbelow(True)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False, fontsize=9.5, ncols=legend_columns)
+
+
+def plain_numbers(axis):
+    """10, 20, 50, 100 … on a logarithmic axis."""
+    axis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
+    axis.set_minor_formatter(FuncFormatter(lambda v, _: f"{v:g}" if f"{v:g}"[0] in "25" else ""))
 
 
 def save(figure, path):
@@ -126,7 +133,8 @@ def draw_degrees(axes, points, refinements, marker, prefix=""):
     axes.loglog([p[0] for p in points], [p[1] for p in points], color=colour, marker=marker, linestyle=LINES[refinements],
                 markersize=6, label=prefix + name, markerfacecolor="white" if marker == "s" else colour)
     for seconds, error, degree in points:
-        axes.annotate(str(degree), (seconds, error), xytext=(6, 3), textcoords="offset points", fontsize=9, color=colour)
+        axes.annotate(str(degree), (seconds, error), xytext=(6, 3), textcoords="offset points", fontsize=9, color=colour,
+                      zorder=5, path_effects=[effects.withStroke(linewidth=2.5, foreground="white")])
 
 
 def draw_lamb(data, images):
@@ -182,7 +190,7 @@ def draw_kernels(data, images):
     axes.set_xlabel("degree k")
     axes.set_ylabel("million unknowns a second, one core")
     axes.xaxis.set_major_locator(plt.MultipleLocator(1))
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
+    plain_numbers(axes.yaxis)
     axes.set_title("cell kernels on the octant, at least 100,000 unknowns", loc="left", fontsize=12)
     finish(axes)
     return save(figure, images / "benchmark_kernels.svg")
@@ -199,8 +207,7 @@ def draw_steps(data, images):
         axes.loglog(*zip(*own), color=colour, marker=marker, linewidth=1.3, label=f"k = {degree}")
     axes.set_xlabel("unknowns")
     axes.set_ylabel("a step of RATTLE in evaluations of the force")
-    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f"{y:g}"))
-    axes.yaxis.set_minor_formatter(FuncFormatter(lambda y, _: f"{y:g}" if f"{y:g}"[0] in "25" else ""))
+    plain_numbers(axes.yaxis)
     axes.set_title("cost of a step, released ball, one core", loc="left", fontsize=12)
     finish(axes)
     return save(figure, images / "benchmark_steps.svg")
@@ -239,10 +246,10 @@ def draw_long_run(data, images):
     for axes, (column, label) in zip(all_axes, quantities):
         for method, color in colors.items():
             own = [r for r in rows if r["method"] == method and float(r["time"]) > 0]
-            axes.semilogy([float(r["time"]) / 2 for r in own], [max(abs(float(r[column])), 1e-17) for r in own], ".",
+            axes.semilogy([float(r["time"]) / 2e6 for r in own], [max(abs(float(r[column])), 1e-17) for r in own], ".",
                           markersize=2.2, label=method, color=color, rasterized=True)
-        axes.set_ylabel(f"|error| of\n{label}\n" + ("(absolute)" if column == "det_error" else "(relative)"))
+        axes.set_ylabel(f"|error| of\n{label}\n" + ("(absolute; 0 at 1e-17)" if column == "det_error" else "(relative)"))
         axes.grid(color="#dddddd", linewidth=0.6)
     all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, markerscale=5, fontsize=10)
-    all_axes[-1].set_xlabel("time (periods of pulsation, 2 units of time)")
+    all_axes[-1].set_xlabel("time (million periods of pulsation of 2 units of time)")
     return save(figure, images / "benchmark_long_run.png")

@@ -54,7 +54,8 @@ def as_html(table):
     header, rows = table
 
     def line(tag, cells):
-        return "<tr>" + "".join(f"<{tag}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>\n"
+        kind = [' class="words"' if len(cell) > MOST_UNBROKEN else ' class="short"' if len(cells) > 9 else "" for cell in cells]
+        return "<tr>" + "".join(f"<{tag}{k}>{html.escape(cell)}</{tag}>" for cell, k in zip(cells, kind)) + "</tr>\n"
 
     head = line("th", header) if any(header) else ""
     return f'<div class="wide"><table>\n{head}{"".join(line("td", row) for row in rows)}</table></div>\n'
@@ -71,12 +72,20 @@ def spliced(text, data, path):
     return MARKERS.sub(replacement, text)
 
 
-STYLE = """body { font: 16px/1.5 sans-serif; max-width: 62em; margin: 1em auto; padding: 0 1em; color: #111; }
+MOST_UNBROKEN = 26  # characters of a cell that stays on one line
+# What is wider than the page is moved sideways in a box of its own, with a shadow where it goes on.
+STYLE = """body { font: 16px/1.5 sans-serif; max-width: 68em; margin: 1em auto; padding: 0 1em; color: #111; }
 h2 { border-top: 1px solid #ccc; padding-top: 1em; margin-top: 2em; }
 table { border-collapse: collapse; font-size: 14px; }
 th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; min-width: 4em; }
-.wide { overflow-x: auto; margin: 1em 0; }
-svg, img { max-width: 100%; height: auto; }
+td { white-space: nowrap; }
+td.short { white-space: normal; min-width: 4.8em; }
+td.words { white-space: normal; min-width: 11em; overflow-wrap: anywhere; }
+.wide { overflow-x: auto; margin: 1em 0; background: linear-gradient(to right, #fff, #fff) left / 14px 100% no-repeat local,
+  linear-gradient(to left, #fff, #fff) right / 14px 100% no-repeat local, linear-gradient(to right, #bbb, #fff) left / 12px 100% no-repeat scroll,
+  linear-gradient(to left, #bbb, #fff) right / 12px 100% no-repeat scroll; }
+.picture svg { display: block; min-width: 640px; max-width: 100%; height: auto; mix-blend-mode: multiply; }
+@media print { .picture svg { min-width: 0; } tr, .picture { break-inside: avoid; } h2, .notes { break-after: avoid; } }
 .notes { color: #444; font-size: 14px; }"""
 
 
@@ -93,7 +102,7 @@ def section(title, part, runs, paragraphs, figure, names, data):
         pieces.append(f'<p class="notes">scripts/benchmark.sh {part}: {run["date"]}, load {run["load at start"]:.1f} at the '
                       f'start, {run["seconds"]} s, commit {run["commit"][:9]}{", --quick" if run["quick"] else ""}</p>\n')
     if figure and figure.suffix == ".svg":
-        pieces.append(inline(figure))
+        pieces.append(f'<div class="wide picture">{inline(figure)}</div>\n')
     for name in names:
         if table := TABLES[name](data):
             pieces.append(as_html(table))

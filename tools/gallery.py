@@ -48,7 +48,11 @@ def make_small(path):
     if image.width > WIDTH:
         image = image.resize((WIDTH, image.height * WIDTH // image.width), PIL.Image.Resampling.LANCZOS)
     palette = image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE)
-    image.quantize(palette=palette, dither=PIL.Image.Dither.FLOYDSTEINBERG).save(path, optimize=True)
+    small = image.quantize(palette=palette, dither=PIL.Image.Dither.FLOYDSTEINBERG)
+    colours, (_, paper) = small.getpalette(), max(small.getcolors())
+    colours[3 * paper:3 * paper + 3] = [255, 255, 255]  # what is most of a picture is white but for the choice of a palette
+    small.putpalette(colours)
+    small.save(path, optimize=True)
 
 
 def main():

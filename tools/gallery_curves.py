@@ -212,7 +212,7 @@ def foucault(run, path):
     t = table(run("foucault", "Output/Samples=3000"), "moving_frame")
     drawn, (ax,) = figure(height=4.2)
     for first, last, colour, line, name in ((0, 200, BLUE, "-", "swings 1 and 2"), (1400, 1600, GREEN, "--", "15 and 16"),
-                                            (2800, 3000, ORANGE, "-", "29 and 30")):
+                                            (2800, 3000, ORANGE, "-.", "29 and 30")):
         ax.plot(t["relative_x"][first:last + 1], t["relative_y"][first:last + 1], color=colour, linestyle=line, label=name)
     ax.set_aspect("equal", "datalim")
     label_axes(ax, "x, away from the nearer pole (amplitudes)", "y (amplitudes)")

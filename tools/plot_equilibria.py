@@ -74,13 +74,17 @@ def main():
         law = {"Gravity/Constant": "$(1/pi)", **({"Material/Law": "none"} if modulus == 0 else {"Material/Shear modulus": modulus})}
         rows = curve(options.program, {**law, "Equilibrium/Family": "maclaurin"}, 0.02, 0.98, 193)
         name = "fluid" if modulus == 0 else f"μ = {modulus} ρ²πGr²"
-        draw(right, [r for r in rows if r["kind"] == 0], lambda r: r["parameter"], lambda r: r["omega3"], colour, name)
+        members = [r for r in rows if r["kind"] == 0]
+        draw(right, members, lambda r: r["parameter"], lambda r: r["omega3"], colour, name)
+        right.annotate(name, (members[-1]["parameter"], members[-1]["omega3"]), (5, 0 if modulus else -5),
+                       textcoords="offset points", fontsize=8, va="center")
+    right.set_xlim(0, 1.3)
+    right.set_xticks([0, 0.2, 0.4, 0.6, 0.8, 1])
     right.set_xlabel("eccentricity e of the meridian")
     right.set_ylabel("spin Ω/√(πGρ)")
     right.set_title("Neo-Hookean bodies with gravity: elastic Maclaurin spheroids", fontsize=10)
     for axes in (left, right):
         axes.grid(True, color="#dddddd", linewidth=0.6)
-        axes.legend(fontsize=8, loc="upper left")
     left.plot([], [], "--", color=GREY, label="stable without friction only")
     left.plot([], [], ":", color=GREY, label="a disturbance grows")
     left.legend(fontsize=8, loc="upper left")
