@@ -16,7 +16,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <numeric>
 #include <string_view>
@@ -26,21 +25,16 @@
 #include "continuum/modes.h"
 #include "continuum/petsc_session.h"
 #include "materials/law_table.h"
+#include "measuring.h"
 
 namespace {
 
 using namespace pseudorigid;
 using namespace pseudorigid::continuum;
+using benchmarks::cpu_seconds;
+using benchmarks::require;
 
 constexpr double exact = 2.665622189236;  // its next digits are below 2e-13 of it
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-void require(const mechanics::Status& status) {
-  if (status) return;
-  std::fprintf(stderr, "ball_frequency: %s\n", status.reason().c_str());
-  std::exit(1);
-}
 
 /// What both ways need.
 struct Rest {
@@ -116,10 +110,7 @@ int main(int argc, char** argv) {
   for (int round = 0; round < n_rounds; ++round)
     for (Job& job : jobs)
       if (std::accumulate(job.seconds.begin(), job.seconds.end(), 0.0) < enough) job.run();
-  for (Job& job : jobs) {
-    const std::size_t middle = job.seconds.size() / 2;
-    std::nth_element(job.seconds.begin(), job.seconds.begin() + middle, job.seconds.end());
-    std::printf("%s,%d,%d,%zu,%.4g,%.3g\n", job.way, job.degree, job.n_refinements, job.n_unknowns, job.seconds[middle],
-                job.error);
-  }
+  for (const Job& job : jobs)
+    std::printf("%s,%d,%d,%zu,%.4g,%.3g\n", job.way, job.degree, job.n_refinements, job.n_unknowns,
+                benchmarks::median(job.seconds), job.error);
 }

@@ -16,7 +16,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,36 +24,20 @@
 #include "allocated_memory.h"
 #include "continuum/elastic_ball.h"
 #include "continuum/ranks.h"
+#include "measuring.h"
 #include "mechanics/largest_frequency.h"
 #include "mechanics/methods.h"
 
 namespace {
 
 using namespace pseudorigid;
+using benchmarks::require;
 using continuum::ElasticBall;
-
-/// Processor time. Ranks that wait for others do so busily, so that it is wall clock on a machine without other work.
-double seconds(const std::function<void()>& work) {
-  const std::clock_t start = std::clock();
-  work();
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
-}
 
 double median_seconds(int n, const std::function<void()>& work) {
   std::vector<double> times;
-  for (int i = 0; i < n; ++i) times.push_back(seconds(work));
-  return median(times);
-}
-
-void require(const mechanics::Status& status) {
-  if (status) return;
-  std::fprintf(stderr, "ball_steps: %s\n", status.reason().c_str());
-  std::exit(1);
+  for (int i = 0; i < n; ++i) times.push_back(benchmarks::cpu_seconds(work));
+  return benchmarks::median(std::move(times));
 }
 
 struct Arguments {
@@ -68,7 +51,7 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
   if (arguments.gram == "dense") method = continuum::GramMethod::dense;
   if (arguments.gram == "two-level") method = continuum::GramMethod::two_level;
   const double allocated_before = benchmarks::allocated_bytes();
-  const double setup = seconds([&] {
+  const double setup = benchmarks::cpu_seconds([&] {
     made.emplace(continuum::Sector{{true, true, true}}, arguments.degree, arguments.n_refinements,
                  materials::CiarletGeymonat{1, 0}, continuum::BallLoads{}, communicator, method);
   });

@@ -9,29 +9,18 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <random>
 
 #include "continuum/elastic_ball.h"
 #include "continuum/sheared.h"
+#include "measuring.h"
 
 namespace {
 
 using namespace pseudorigid;
+using benchmarks::cpu_seconds;
 using continuum::ElasticBall;
 using continuum::Vector;
-
-template <class Work>
-double cpu_seconds(const Work& work) {
-  const auto now = [] {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-  };
-  const double start = now();
-  work();
-  return now() - start;
-}
 
 void solve(const ElasticBall& ball, double shear) {
   const Vector x = testing::sheared(ball, shear);

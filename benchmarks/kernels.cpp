@@ -27,6 +27,7 @@
 #include "fe_evaluation_force.h"
 #include "kernel_cost.h"
 #include "machine_limits.h"
+#include "measuring.h"
 
 namespace {
 
@@ -51,13 +52,10 @@ struct Job {
   std::vector<double> seconds{};  ///< of one call
 
   double timed() const {
-    const double start = cpu_seconds();
-    for (int i = 0; i < n_calls; ++i) call();
-    return (cpu_seconds() - start) / n_calls;
-  }
-  double median() {
-    std::nth_element(seconds.begin(), seconds.begin() + seconds.size() / 2, seconds.end());
-    return seconds[seconds.size() / 2];
+    const double all = cpu_seconds([&] {
+      for (int i = 0; i < n_calls; ++i) call();
+    });
+    return all / n_calls;
   }
 };
 
@@ -127,13 +125,13 @@ void measure(int degree, const MachineLimits& limits) {
   jobs[1].call();
   jobs[1].difference = std::abs(y.f.l2_norm() / rival_f.l2_norm() - 1);
   time_interleaved(jobs);
-  const double median_of_rival = jobs[0].median();
+  const double median_of_rival = median(jobs[0].seconds);
   for (Job& job : jobs) {
-    const double median = job.median(), best = *std::min_element(job.seconds.begin(), job.seconds.end());
+    const double median_seconds = median(job.seconds), best = *std::min_element(job.seconds.begin(), job.seconds.end());
     const double least_time = std::max(job.flops / limits.flops_per_second, job.bytes / limits.bytes_per_second);
     std::printf("%d,%d,%.0f,%s,%.4g,%.4g,%.3f,%.1e,%.0f,%.0f,%.4g\n", degree, n_refinements, n_unknowns,
-                job.kernel.c_str(), n_unknowns / median, n_unknowns / best, median_of_rival / median, job.difference,
-                job.flops, job.bytes, least_time > 0 ? 1 / least_time : 0);
+                job.kernel.c_str(), n_unknowns / median_seconds, n_unknowns / best, median_of_rival / median_seconds,
+                job.difference, job.flops, job.bytes, least_time > 0 ? 1 / least_time : 0);
   }
   std::fflush(stdout);
 }

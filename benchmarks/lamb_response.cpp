@@ -13,31 +13,25 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string_view>
 #include <vector>
 
 #include "continuum/elastic_ball.h"
 #include "continuum/lamb_modes.h"
+#include "measuring.h"
 #include "mechanics/largest_frequency.h"
 #include "mechanics/methods.h"
 
 namespace {
 
 using namespace pseudorigid;
+using benchmarks::cpu_seconds;
+using benchmarks::require;
 using continuum::ElasticBall;
 
 constexpr double epsilon = 1e-4, end = 5;
 constexpr double part_of_limit = 0.8;  // half of it changes no error by 1 %: all of it is the discretisation's
 constexpr int n_samples = 100;
-
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-void require(const mechanics::Status& status) {
-  if (status) return;
-  std::fprintf(stderr, "lamb_response: %s\n", status.reason().c_str());
-  std::exit(1);
-}
 
 struct Run {
   std::array<double, n_samples + 1> Q{1};  ///< Q_M,11 at the samples

@@ -1,13 +1,12 @@
 #include "machine_limits.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "continuum/lanes.h"
+#include "measuring.h"
 
 namespace pseudorigid::benchmarks {
 namespace {
@@ -22,11 +21,7 @@ using Native = continuum::Lanes<native_lanes>::Native;
 template <class Run>
 double best_time(int n_runs, const Run& run) {
   double best = 1e300;
-  for (int i = 0; i < n_runs; ++i) {
-    const double start = cpu_seconds();
-    run();
-    best = std::min(best, cpu_seconds() - start);
-  }
+  for (int i = 0; i < n_runs; ++i) best = std::min(best, cpu_seconds(run));
   return best;
 }
 
@@ -56,12 +51,6 @@ double measure_bandwidth() {
 }
 
 }  // namespace
-
-double cpu_seconds() {
-  timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 MachineLimits measure_machine_limits() {
   return {native_lanes, measure_flops(std::make_index_sequence<16>()), measure_bandwidth()};

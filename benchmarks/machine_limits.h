@@ -3,9 +3,6 @@
 
 namespace pseudorigid::benchmarks {
 
-/// CPU time of the process, in seconds.
-double cpu_seconds();
-
 struct MachineLimits {
   int lanes;                ///< doubles in the widest SIMD vector
   double flops_per_second;  ///< fused multiply-adds on independent registers, two operations each
