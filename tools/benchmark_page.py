@@ -57,7 +57,7 @@ def as_html(table):
         kind = [' class="words"' if len(cell) > MOST_UNBROKEN else ' class="short"' if len(cells) > 9 else "" for cell in cells]
         return "<tr>" + "".join(f"<{tag}{k}>{html.escape(cell)}</{tag}>" for cell, k in zip(cells, kind)) + "</tr>\n"
 
-    head = line("th", header) if any(header) else ""
+    head = f"<thead>{line('th', header)}</thead>\n" if any(header) else ""
     return f'<div class="wide"><table>\n{head}{"".join(line("td", row) for row in rows)}</table></div>\n'
 
 
@@ -85,7 +85,7 @@ td.words { white-space: normal; min-width: 11em; overflow-wrap: anywhere; }
   linear-gradient(to left, #fff, #fff) right / 14px 100% no-repeat local, linear-gradient(to right, #bbb, #fff) left / 12px 100% no-repeat scroll,
   linear-gradient(to left, #bbb, #fff) right / 12px 100% no-repeat scroll; }
 .picture svg { display: block; min-width: 640px; max-width: 100%; height: auto; mix-blend-mode: multiply; }
-@media print { .picture svg { min-width: 0; } tr, .picture { break-inside: avoid; } h2, .notes { break-after: avoid; } }
+@media print { .wide { overflow: visible; background: none; } .picture svg { min-width: 0; } table { font-size: 10px; } tr, .picture { break-inside: avoid; } h2, .notes { break-after: avoid; } }
 .notes { color: #444; font-size: 14px; }"""
 
 

@@ -159,7 +159,7 @@ function spectrumSections() {
   const marks = signals.map((s, k) => {
     const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
     return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? `= ${showWithin(at, fit.uncertainty, 5)}` : `≈ ${show(at, 3)}`}`};
-  });
+  }).filter(mark => mark.x !== null);
   const name = `C${entry.join("")}`;
   const n_fitted = signals.filter(s => fitted(s.model.key)).length;
   const lines = n_fitted === signals.length ? "the frequencies that the comparison fitted to the samples"
@@ -171,8 +171,11 @@ function spectrumSections() {
     legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
 }
 
+// The place of the highest peak; null where there is none but at an end.
 function peakOf(x, y) {
-  const k = y.reduce((best, v, i) => i > 0 && i < y.length - 1 && v > y[best] && v >= y[i - 1] && v >= y[i + 1] ? i : best, 1);
+  let k = 0;
+  for (let i = 1; i + 1 < y.length; ++i) if (y[i] >= y[i - 1] && y[i] >= y[i + 1] && (!k || y[i] > y[k])) k = i;
+  if (!k) return null;
   const bend = y[k - 1] - 2 * y[k] + y[k + 1];
   return x[k] + (bend ? 0.5 * (y[k - 1] - y[k + 1]) / bend * (x[1] - x[0]) : 0);
 }

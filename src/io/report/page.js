@@ -15,9 +15,10 @@ function inWords() {
   if (tables.sweep) return `${tables.sweep.n} runs of a sweep, ${tables.sweep.columns.finished.filter(f => f === 0).length} of which stopped early.`;
   const bodies = (systemFile ? [{name: scene.System, table: tables[systemFile]}] : MODELS).filter(b => b.table);
   const text = bodies.map(({name, table}) => {
-    const drift = table.has("energy") ? largest(table.columns.energy.map(e => e - table.columns.energy[0])) : 0;
-    return `the ${name} from time ${show(table.at("time", 0))} to ${show(table.at("time", table.n - 1))}, in ${table.n} samples`
-      + (table.has("energy") ? `, its energy ${show(table.at("energy", 0))} at the start and within ${show(drift, 2)} of it later` : "");
+    const span = `the ${name} from time ${show(table.at("time", 0))} to ${show(table.at("time", table.n - 1))}, in ${table.n} samples`;
+    if (!table.has("energy")) return span;
+    const first = table.at("energy", 0), drift = largest(table.columns.energy.map(e => e - first));
+    return drift > 0.01 * Math.abs(first) ? `${span}, its energy from ${show(first)} to ${show(table.at("energy", table.n - 1))}` : `${span}, its energy ${show(first)} at the start and within ${show(drift, 2)} of it later`;
   }).join("; ");
   return text ? `${text[0].toUpperCase()}${text.slice(1)}.` : "There are no samples yet.";
 }
@@ -39,7 +40,7 @@ function sceneSections() {
   const given = name => scene[name] !== undefined && scene[name] !== "";
   const zero = name => !given(name) || /^[0 ,;.]*$/.test(scene[name]);
   const asked = [["Models", "Models"], ["System", "System"], ["Analysis", "Analysis"]];
-  if (ball) asked.push(["Stored energy", "Material/Law"], ...["Material/Viscosity", "Material/Drag", "Gravity/Constant", "Loads/Tidal matrix", "Loads/Acceleration", "Loads/Nominal traction"].filter(e => !zero(e)).map(e => [e.split("/")[1], e]));
+  if (ball) asked.push(["Stored energy", "Material/Law"], ...["Material/Viscosity", "Material/Drag", "Gravity/Constant", "Loads/Tidal matrix", "Loads/Acceleration", "Loads/Nominal traction"].filter(e => !zero(e)).map(e => [e === "Gravity/Constant" ? "Gravitational constant" : e.split("/")[1], e]));
   if (ball && motion) asked.push(["Initial deformation Q₀", "Initial state/Deformation"], ["Initial velocity Q̇₀", "Initial state/Velocity"], ...["Initial state/Equilibrium"].filter(e => given(e) && scene[e] !== "none").map(e => ["Initial equilibrium", e]));
   if (!ball) asked.push(...Object.keys(scene).filter(e => e.toLowerCase().startsWith(`${scene.System}/`)).map(e => [e.split("/")[1], e]));
   if (ball && scene.Analysis === "equilibrium") asked.push(["Family", "Equilibrium/Family"], ["Parameter from", "Equilibrium/First"], ["to", "Equilibrium/Last"]);
@@ -71,16 +72,20 @@ function genericCharts(name, x, xLabel, style) {
   const charts = groups.map(g => {
     const {name: title, y} = fromFirst(g.names.join(" = "), g.y), meaning = of(g.names[0], "meaning");
     return chart({title: withUnit(title, g.unit), note: /^(likewise|as for)/.test(meaning) ? "" : meaning, xLabel,
-      series: [{x: table.columns[x], y, name: "", style, jump: meaning.includes("-pi to pi") ? Math.PI : 0}]});
+      series: [{x: table.columns[x], y, name: "", style, jump: /-pi to pi|^angle.*likewise/.test(meaning) ? Math.PI : 0}]});
   });
   const values = [...new Set(level.map(c => show(c.y[0], 6)))].map(v => `${level.filter(c => show(c.y[0], 6) === v).map(c => c.names[0]).join(" = ")} = ${v}`);
   return [make("div", {class: "charts"}, charts), values.length ? make("p", {class: "note"}, `Constant: ${values.join(", ")}.`) : null,
     noise.length ? make("p", {class: "note"}, `Zero but for round-off: ${noise.map(c => `${c.names[0]} (up to ${show(c.size, 1)})`).join(", ")}.`) : null];
 }
 
-function wholeTable(name, mostRows = 300) {
-  const table = tables[name], rows = Array.from({length: Math.min(table.n, mostRows)}, (_, i) => table.names.map(c => show(table.at(c, i), 6)));
-  return [tableOf(table.names, rows), table.n > mostRows ? make("p", {class: "note"}, `The first ${mostRows} of ${table.n} rows.`) : null];
+// Of each row a column: a few rows of many columns.
+const MOST_COLUMNS = 12;
+function turnedTable(name) {
+  const table = tables[name], described = describedColumns(name), of = c => (described[c] || {}).unit || "", shown = Array.from({length: Math.min(table.n, MOST_COLUMNS)}, (_, i) => i);
+  const scaleOf = unit => Math.max(unit ? 0 : 1, ...table.names.filter(c => of(c) === unit).map(c => largest(table.columns[c])));
+  return [tableOf(null, table.names.map(c => [withUnit(c, of(c)), ...shown.map(i => Math.abs(table.at(c, i)) <= 1e-12 * scaleOf(of(c)) ? "0" : show(table.at(c, i), 6))])),
+    table.n > MOST_COLUMNS ? make("p", {class: "note"}, `The first ${MOST_COLUMNS} of ${table.n}; the file ${name}.csv has all.`) : null];
 }
 
 function modesSections() {
@@ -107,12 +112,12 @@ const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the 
 function equilibriaSections() {
   const t = tables.equilibria;
   if (!t) return [];
-  if (!t.has("parameter")) return section("Critical points of the potential", "One row each, by rising potential.", wholeTable("equilibria"));
+  if (!t.has("parameter")) return section("Critical points of the potential", "A column for each, by rising potential; 0: less than 1e−12 of the largest of the same unit.", turnedTable("equilibria"));
   const special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
   const columns = ["parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has), described = describedColumns("equilibria");
   const family = scene["Equilibrium/Family"], parameter = FAMILY_PARAMETERS[family] || "a2 / a1";
   const shown = columns.map(c => showAlike(special.map(i => t.at(c, i)), 7));
-  const title = c => c === "parameter" ? parameter : make("th", {}, c, make("br"), make("span", {class: "unit"}, unitInWords((described[c] || {}).unit)));
+  const title = c => c === "parameter" ? parameter : make("th", {}, c, make("br"), make("span", {class: "unit"}, unitInWords((described[c] || {}).unit).split(/(?<=[·/])/).flatMap(part => [part, make("wbr")])));
   return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns.map(title)], special.map((i, k) => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...shown.map(column => column[k])])) : make("p", {}, "None in this range.")),
     ...section("Along the family", `Over the parameter of the family ${family}: ${parameter}.`, genericCharts("equilibria", "parameter", parameter, "pseudo-rigid solid"))];
 }
@@ -184,12 +189,13 @@ function sweepSections() {
   const varies = m => { const [a, b] = extent(m.y); return b - a > 1e-7 * (scale.get(unitOf(m.base)) || 1); };
   const draws = m => chart({title: withUnit(`${m.base}, ${m.which}`, unitOf(m.base)), xLabel: `parameter ${x}`,
     series: lines.map(l => ({x: l.rows.map(i => t.at(x, i)), y: l.rows.map(i => m.y[i]), name: l.name, style: l.style, points: l.rows.length === 1}))});
-  const still = measured.filter(m => !varies(m));
+  const still = measured.filter(m => !varies(m)), stillOf = base => still.filter(m => m.base === base);
+  const stillNames = [...new Set(still.map(m => m.base))].map(base => stillOf(base).length > 1 ? base : `${base}, ${stillOf(base)[0].which}`);
   const failed = [...Array(t.n).keys()].filter(i => t.at("finished", i) === 0), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
   const head = t.names.slice(0, t.names.findIndex(n => /_(end|min|max)$/.test(n)));
   return [...section("Sweep", `The least and the greatest value within each run, over ${x}${others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : ""}.`,
     others.length ? legend(lines) : null, make("div", {class: "charts"}, measured.filter(varies).map(draws)),
-    still.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${still.map(m => `${m.base}, ${m.which}`).join("; ")}.`) : null),
+    still.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${stillNames.join("; ")}.`) : null),
   ...section(failed.length ? "Runs that stopped early" : "Runs", `${listed.length} of ${failed.length || t.n}; the file sweep.csv has all, with the values at the end.`, tableOf(head, listed.map(i => head.map(c => show(t.at(c, i), 5)))))];
 }
 
