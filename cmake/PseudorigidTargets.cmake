@@ -7,9 +7,9 @@ target_compile_features(pseudorigid_options INTERFACE cxx_std_20)
 target_compile_options(pseudorigid_options INTERFACE -Wall -Wextra -Wno-restrict
   $<$<BOOL:${PSEUDORIGID_WERROR}>:-Werror>)
 if(PSEUDORIGID_SANITIZE)
-  # Reports name functions and lines; where variables live at each instruction took most of the compile time.
-  target_compile_options(pseudorigid_options INTERFACE
-    -fsanitize=${PSEUDORIGID_SANITIZE} -fno-omit-frame-pointer -fno-var-tracking)
+  target_compile_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE} -fno-omit-frame-pointer)
+  # Checks multiply with what [[gnu::flatten]] inlines, and compile times with them.
+  target_compile_definitions(pseudorigid_options INTERFACE flatten=unused)
   target_link_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE})
 endif()
 
