@@ -22,7 +22,7 @@ run_sanitizers() {
   configure asan -DPSEUDORIGID_TESTS=ON
   build asan all
   # The tests that replace operator new, and MPI and PETSc, keep memory until the end.
-  ASAN_OPTIONS=detect_leaks=0 PSEUDORIGID_MUTANTS=10000 \
+  ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=halt_on_error=1:print_stacktrace=1 PSEUDORIGID_MUTANTS=10000 \
     ctest --test-dir "$root/build/asan" --output-on-failure -j "$(nproc)"
   # Threads are used by sweeps only, of systems without finite elements.
   configure tsan -DPSEUDORIGID_TESTS=ON
