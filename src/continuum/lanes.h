@@ -26,16 +26,19 @@ template <>
 struct VectorTypes<2> {
   typedef double Real __attribute__((vector_size(16)));
   typedef long long Integer __attribute__((vector_size(16)));
+  typedef unsigned long long Bits __attribute__((vector_size(16)));
 };
 template <>
 struct VectorTypes<4> {
   typedef double Real __attribute__((vector_size(32)));
   typedef long long Integer __attribute__((vector_size(32)));
+  typedef unsigned long long Bits __attribute__((vector_size(32)));
 };
 template <>
 struct VectorTypes<8> {
   typedef double Real __attribute__((vector_size(64)));
   typedef long long Integer __attribute__((vector_size(64)));
+  typedef unsigned long long Bits __attribute__((vector_size(64)));
 };
 
 /// The vector (a, b) of two numbers or vectors.
@@ -62,6 +65,7 @@ template <int n_lanes>
 struct Lanes {
   using Native = typename detail::VectorTypes<n_lanes>::Real;
   using NativeInt = typename detail::VectorTypes<n_lanes>::Integer;
+  using NativeBits = typename detail::VectorTypes<n_lanes>::Bits;
   using Native2 = typename detail::VectorTypes<2>::Real;
   Native v;
 
@@ -98,11 +102,12 @@ struct Lanes {
   /// Natural logarithm of positive finite numbers, to about one unit in the last place:
   /// x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
-    NativeInt bits;
+    NativeBits bits;
     std::memcpy(&bits, &x.v, sizeof bits);
-    constexpr long long sqrt_half_bits = 0x3fe6a09e667f3bcdLL, mantissa_mask = 0x000fffffffffffffLL;
-    const NativeInt exponent = (bits - sqrt_half_bits) >> 52;
-    const NativeInt mantissa_bits = ((bits - sqrt_half_bits) & mantissa_mask) + sqrt_half_bits;
+    constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
+    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow where x is not positive
+    const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
+    const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
     Native m;
     std::memcpy(&m, &mantissa_bits, sizeof m);
     const Native z = (m - 1.0) / (m + 1.0), z2 = z * z;
