@@ -1,6 +1,12 @@
 #pragma once
 /// The Gram operator of a position, assembled and inverted as a dense matrix: the preconditioner of small problems, in
 /// one process. Its inverse is kept in single precision, which is enough for the four digits that a solve asks for.
+/// With B_c the rows G M^{-1/2} of the multipliers of cell c, the block of the cells b and a is a sum over the nodes n
+/// that both have,
+///
+///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
+///
+/// and is zero where they have none.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
