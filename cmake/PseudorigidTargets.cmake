@@ -43,12 +43,15 @@ function(pseudorigid_use_dealii target)
   target_link_libraries(${target} PUBLIC pseudorigid_dealii)
 endfunction()
 
-# pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…] [TIMEOUT s]): one GoogleTest executable, one ctest entry per test case.
+# Seconds that a test may take; sanitizers make it ten times slower and more.
+set(pseudorigid_test_timeout 300)
+if(PSEUDORIGID_SANITIZE)
+  set(pseudorigid_test_timeout 6000)
+endif()
+
+# pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…]): one GoogleTest executable, one ctest entry per test case.
 function(pseudorigid_test name)
-  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;LIBS" ${ARGN})
-  if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 300)
-  endif()
+  cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE pseudorigid_options ${TEST_LIBS} GTest::gtest_main)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
@@ -57,5 +60,6 @@ function(pseudorigid_test name)
   else()
     pseudorigid_precompiled(${name} tests)
   endif()
-  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${TEST_LABEL} TIMEOUT ${TEST_TIMEOUT})
+  gtest_discover_tests(${name} NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${TEST_LABEL}
+    TIMEOUT ${pseudorigid_test_timeout})
 endfunction()

@@ -85,4 +85,10 @@ bool DenseGram::stale_after(int n_iterations) {
   return n_iterations_lost_ > 20 + 3e-4 * n * n;
 }
 
+std::size_t DenseGram::memory() const {
+  std::size_t n_shared = 0;
+  for (const auto& [cells, shared] : shared_nodes_) n_shared += shared.in_a.size() + shared.in_b.size();
+  return inverse_.memory() + n_shared * sizeof(unsigned int);
+}
+
 }  // namespace pseudorigid::continuum

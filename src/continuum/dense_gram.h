@@ -28,7 +28,7 @@ class DenseGram final : public GramPreconditioner {
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override { inverse_.multiply(r.begin(), result.begin()); }
   bool stale_after(int n_iterations) override;
-  std::size_t memory() const override { return inverse_.memory(); }
+  std::size_t memory() const override;
 
  private:
   using Block = dealii::LAPACKFullMatrix<double>;
