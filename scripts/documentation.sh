@@ -2,15 +2,16 @@
 # Makes every picture and every printed number of the documentation again: scripts/documentation.sh [PART …]
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
-# `git diff` then shows what has changed. Parts (default: all but stress):
+# `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
 #   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md and docs/tutorial.md
-#   pictures    docs/images: quickstart, equilibria, gallery
+#   pictures    docs/images: quickstart, report, equilibria, gallery
 #   benchmarks  scripts/benchmark.sh, 20 minutes
+#   long-run    scripts/benchmark.sh long-run, 15 minutes
 #   stress      scripts/stress.sh, some hours
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-drawing_packages=(python3-matplotlib python3-pil python3-vtk9 xvfb xauth libgl1-mesa-dri)
+drawing_packages=(chromium python3-matplotlib python3-pil python3-vtk9 xvfb xauth libgl1-mesa-dri)
 parts=()
 for part in "${@:-default}"; do
   case $part in
@@ -19,8 +20,9 @@ for part in "${@:-default}"; do
       exit
       ;;
     default) parts+=(pages pictures benchmarks) ;;
-    pages | pictures | benchmarks | stress) parts+=("$part") ;;
-    *) die "unknown part \"$part\"; parts are pages, pictures, benchmarks and stress" ;;
+    all) parts+=(pages pictures benchmarks long-run stress) ;;
+    pages | pictures | benchmarks | long-run | stress) parts+=("$part") ;;
+    *) die "unknown part \"$part\"; parts are pages, pictures, benchmarks, long-run, stress, or all" ;;
   esac
 done
 
@@ -43,6 +45,8 @@ make_pictures() {
   "$program" run params/quickstart.prm --output "$runs/fine" --set "Continuum/Refinements=1" --set "Time/End=7" \
     --set "Output/Samples=140" --set "Output/Frames=15"
   xvfb-run -a tools/render.py "$runs/fine" --frame 14 --output "$images/quickstart.png"
+  "$program" run params/quickstart.prm --output "$runs/report" --set "Output/Report=true"
+  tools/page_picture.py "$runs/report/report.html" --output "$images/report.png"
   tools/plot_equilibria.py "$program" --output "$images/equilibria.svg"
   xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
 }
@@ -52,6 +56,7 @@ for part in "${parts[@]}"; do
     pages) make_pages ;;
     pictures) make_pictures ;;
     benchmarks) scripts/benchmark.sh ;;
+    long-run) scripts/benchmark.sh long-run ;;
     stress) scripts/stress.sh ;;
   esac
 done
