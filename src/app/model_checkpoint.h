@@ -25,6 +25,7 @@ struct RunPosition {
   double step = 0;                                     ///< upper bound of the outer step, internal time
   double local_tolerance = 0;                          ///< of an adaptive method
   long steps_in_interval = 0;                          ///< of the interval that the cursor is in; 0 at a sample
+  long next_look = 0;                                  ///< the sample at which to look at the largest frequency again
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
 };
 
@@ -79,6 +80,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
   c.set("steps in interval", position.steps_in_interval);
+  c.set("next look", position.next_look);
   c.set("method", std::string(mechanics::method_name(position.method)));
   c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
                               position.max_constraint_rate, snapshot.state.t});
@@ -102,6 +104,7 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
                        numbers[0],
                        numbers[1],
                        c.get_integer("steps in interval"),
+                       c.get_integer("next look"),
                        numbers[2],
                        numbers[3]};
   snapshot.state.t = numbers[4];

@@ -102,8 +102,7 @@ class ModelRun {
   template <class Workspace>
   long steps_per_interval(long k, const State& state, Workspace&) {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
-    if (stepping_.adapts(position_) && k > 0 && k % looks_at_frequency_every() == 0)
-      stepping_.reconsider(state, position_);
+    if (stepping_.adapts(position_) && k >= position_.next_look) stepping_.reconsider(state, position_);
     return position_.steps_in_interval = times_.steps_per_interval(position_.step);
   }
 
@@ -192,6 +191,7 @@ class ModelRun {
     std::swap(position_.method, next_stepping_->method);
     std::swap(position_.step, next_stepping_->step);
     std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
+    position_.next_look = position_.cursor.sample;
     std::swap(identity_.stepping, next_stepping_->entries);
     good_.position = position_;
     good_.state = state_;
@@ -199,9 +199,6 @@ class ModelRun {
     good_.counters = counters_;
     next_stepping_.reset();
   }
-
-  /// The largest frequency changes with the deformation; it is looked at this often.
-  long looks_at_frequency_every() const { return std::max(1L, times_.n_samples / 16); }
 
   Status begin() {
     const std::vector<std::string> columns = model_.columns(context_.needs.quantities);

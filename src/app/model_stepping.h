@@ -53,7 +53,7 @@ class ModelStepping {
                                    .give_up = [this] { return context_.interrupted(); }};
     if constexpr (mechanics::ConstrainedSystem<System>) {
       double limit = 0;
-      if (Status status = rattle_limit(state, 0.8, limit); !status) return status;
+      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
       request.rattle_limit = std::min(limit, request.end);
     }
     State from_zero = state;
@@ -62,21 +62,24 @@ class ModelStepping {
                                                [&](const State& s) { return model_.configuration(s); });
     // Nothing is begun with a step that an interrupted search has not found.
     if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
-    if (!choice.status) return fall_back(choice, request, position);
-    take(choice, position, statistics);
+    if (!choice.status)
+      fall_back(choice, request, position);
+    else
+      take(choice, position, statistics);
+    plan_look(request.rattle_limit / reserve, position);
     return {};
   }
 
   /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
   void reconsider(const State& state, RunPosition& position) const {
     if constexpr (mechanics::ConstrainedSystem<System>) {
+      position.next_look = position.cursor.sample + samples_between_looks();
       double limit = 0;
-      if (!rattle_limit(state, 0.9, limit)) return;  // the step itself will meet the failure and report it
-      with_fitting_method<System>(position.method, [&]<class Method>(Method) {
-        if constexpr (!Method::adaptive) limit *= Method::stability_limit / mechanics::Rattle::stability_limit;
-      });
+      constexpr double less_reserve = 0.9;
+      if (!rattle_limit(state, less_reserve, limit)) return;  // the step itself will meet the failure and report it
       const double before = position.step;
-      while (position.step > limit) position.step /= 2;
+      while (position.step > limit_of(position.method, limit)) position.step /= 2;
+      plan_look(limit / less_reserve, position);
       if (position.step != before)
         context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", Model::name,
                            position.step * context_.units.time, state.t * context_.units.time);
@@ -92,6 +95,8 @@ class ModelStepping {
 
  private:
   static constexpr int n_lanczos = 24;
+  /// A step is at most this part of what is stable at the state that it was chosen for.
+  static constexpr double reserve = 0.8;
 
   double step_bound() const {
     return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
@@ -108,40 +113,55 @@ class ModelStepping {
     return {};
   }
 
+  /// RATTLE's limit, for a method of fixed steps.
+  static double limit_of(mechanics::MethodId id, double rattle_limit) {
+    return mechanics::with_method(id, [&]<class Method>(Method) {
+      if constexpr (Method::adaptive)
+        return HUGE_VAL;
+      else
+        return rattle_limit * (Method::stability_limit / mechanics::Rattle::stability_limit);
+    });
+  }
+
+  /// The largest frequency changes with the deformation. Sixteen looks at it in a run suppose that it grows from one to
+  /// the next by no more than 1/reserve, which a step with that reserve stands; a smaller step stands it longer.
+  void plan_look(double stable_rattle_step, RunPosition& position) const {
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      const double growth = limit_of(position.method, stable_rattle_step) / position.step;
+      const double n_looks = std::floor(std::log(growth) / std::log(1 / reserve));
+      const long between = samples_between_looks(), look = position.cursor.sample / between;
+      position.next_look = between * (look + static_cast<long>(std::clamp(n_looks, 1.0, 16.0)));
+    }
+  }
+  long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
+
   /// What another run has found, the step no longer than stability admits here.
   Status take_over(const KnownStepping& known, const State& state, RunPosition& position) const {
     position.method = known.method;
     position.step = known.step;
     if constexpr (mechanics::ConstrainedSystem<System>) {
       double limit = 0;
-      if (Status status = rattle_limit(state, 0.8, limit); !status) return status;
-      with_fitting_method<System>(known.method, [&]<class Method>(Method) {
-        if constexpr (!Method::adaptive)
-          position.step = std::min(known.step, limit * Method::stability_limit / mechanics::Rattle::stability_limit);
-      });
+      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
+      position.step = std::min(known.step, limit_of(known.method, limit));
+      plan_look(limit / reserve, position);
     }
     return {};
   }
 
   /// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
-  Status fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request,
-                   RunPosition& position) const {
+  void fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request,
+                 RunPosition& position) const {
     using Explicit = mechanics::DormandPrince8;
     constexpr bool explicit_fits = mechanics::method_fits<Explicit, System>();
     position.method =
         request.method.value_or(explicit_fits ? mechanics::id_of<Explicit> : mechanics::id_of<mechanics::Rattle>);
     position.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
-    position.step = std::min(request.step_bound, request.interval);
-    with_fitting_method<System>(position.method, [&]<class Method>(Method) {
-      if constexpr (!Method::adaptive)
-        position.step = std::min(
-            position.step, 0.5 * request.rattle_limit * Method::stability_limit / mechanics::Rattle::stability_limit);
-    });
+    position.step =
+        std::min({request.step_bound, request.interval, 0.5 * limit_of(position.method, request.rattle_limit)});
     context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", Model::name,
                        choice.status.reason(), mechanics::method_name(position.method),
                        is_adaptive(position.method) ? "the local tolerance" : "half the stable step",
                        is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
-    return {};
   }
 
   void take(const mechanics::StepChoice& choice, RunPosition& position, io::Manifest::Model& statistics) const {

@@ -120,7 +120,8 @@ struct RattleWorkspace {
         v_rounding(make_rounding(system)),
         constraint(system),
         impulse(system.make_multiplier()),
-        history(system) {}
+        history(system),
+        constraint_tolerance(system.constraint_tolerance()) {}
 
   typename S::Workspace system;
   typename S::Vector acceleration, q_start;   // M⁻¹f at the state; q_n
@@ -129,7 +130,8 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
-  double pending_weight = 0;  // half steps since the last projection, whose reaction is still to come
+  double constraint_tolerance;  // |g|_∞ and |G v|_∞ that may be left: the system's, unless somebody asks for less
+  double pending_weight = 0;    // half steps since the last projection, whose reaction is still to come
   bool acceleration_known = false;
   Counters counters;
 
@@ -196,7 +198,7 @@ struct Rattle {
         if (velocity_dependent(system)) w.acceleration_known = false;
       };
       if (Status status =
-              meet_constraint(system, "velocity", system.constraint_tolerance(), state.q, state.q, w, evaluate, apply);
+              meet_constraint(system, "velocity", w.constraint_tolerance, state.q, state.q, w, evaluate, apply);
           !status)
         return status;
       w.pending_weight = 0;
@@ -233,7 +235,7 @@ struct Rattle {
       axpy(-1.0, state.v, change);
       const double size = max_norm(change), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
       // What the projection may leave of G v, and so of v, is no sign of divergence either.
-      const double jitter = std::max(100 * round_off, 1000 * system.constraint_tolerance());
+      const double jitter = std::max(100 * round_off, 1000 * w.constraint_tolerance);
       if (size <= round_off || (size >= 0.5 * before && size <= jitter)) {
         w.acceleration_known = false;  // of the velocity before
         return {};
@@ -285,7 +287,7 @@ struct Rattle {
         ++w.counters.n_position_iterations;
       };
       if (Status status =
-              meet_constraint(system, "position", position_tolerance(system), state.q, w.q_start, w, evaluate, apply);
+              meet_constraint(system, "position", position_tolerance(w), state.q, w.q_start, w, evaluate, apply);
           !status)
         return status;
       record_multiplier(state.t, weight, h, w);
@@ -297,13 +299,13 @@ struct Rattle {
   /// in 10⁶ periods to an energy drift of 7e-12 with the tolerance of the system, of 1e-12 if g(q) is iterated to its
   /// round-off, and to none if g(q + q_rounding) is brought below that.
   template <ConstrainedSystem S>
-  static double position_tolerance(const S& system) {
+  static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)
-      return 0x1p-8 * system.constraint_tolerance();
+      return 0x1p-8 * w.constraint_tolerance;
     else if constexpr (VectorSpace<typename S::Vector>::compensated)
       return 0;
     else
-      return system.constraint_tolerance();
+      return w.constraint_tolerance;
   }
 
   /// λ(t_n) = Λ / weight. Where substeps of opposite sign meet, the weight may nearly vanish and says nothing.
