@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -39,7 +40,8 @@ class Cursor {
   template <class T>
   void take(T* values, std::size_t n) {
     if (n > rest_.size() / sizeof(T)) throw std::out_of_range("a section is longer than the file");
-    std::memcpy(values, rest_.data(), n * sizeof(T));
+    // Not memcpy, which takes no null pointer even for n = 0.
+    std::copy_n(rest_.data(), n * sizeof(T), reinterpret_cast<char*>(values));
     rest_.remove_prefix(n * sizeof(T));
   }
   template <class T>

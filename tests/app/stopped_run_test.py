@@ -148,6 +148,15 @@ class StoppedRun(StoppedRunTest):
     def test_full_disk_continuum(self):
         self.check_full_disk({**LONG_CONTINUUM, "Time/End": 1}, "continuum", 100_000, "continuum.csv", 1e-11)
 
+    def test_full_disk_before_the_step_is_reduced(self):
+        self.check_full_disk({"Models": "continuum", "Continuum/Degree": 3, "Time/End": 3, "Output/Samples": 60,
+                              "Initial state/Velocity": "-1.2, 0, 0; 0, -1.2, 0; 0, 0, 2.4", "Time/Method": "rattle",
+                              "Time/Tolerance": 0.1}, "continuum", 16_000, "continuum.csv", 1e-11)
+        self.assertIn("step reduced", (self.scratch / "parts/log.txt").read_text())
+        steps = {name: self.json(f"{name}/manifest.json")["models"]["continuum"]["counters"]["step"]
+                 for name in ("whole", "parts")}
+        self.assertEqual(steps["whole"], steps["parts"])
+
     def test_full_disk_from_the_beginning(self):
         self.scene({**LONG_REDUCED, "Time/End": 2})
         full = self.run_program("run", "scene.prm", preexec_fn=self.limit_files_to(0))

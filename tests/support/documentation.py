@@ -9,12 +9,10 @@ A page is read from top to bottom. Its blocks of the language `console` are run:
 other languages are for the reader.
 """
 import dataclasses
-import pathlib
 import re
 import subprocess
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
-TIME_LIMIT = 120  # of one command, only so that a hanging one ends
+from program_test import SOURCE, TIME_LIMIT
 
 BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n\n?)?^```(?P<language>\w*)\n(?P<text>.*?)^```$",
                    re.MULTILINE | re.DOTALL)
