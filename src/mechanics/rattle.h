@@ -108,6 +108,28 @@ typename S::Vector make_rounding(const S& system) {
     return {};
 }
 
+/// Temporaries of the iteration on a force that depends on the velocity; empty where none does.
+template <class S>
+struct VelocityIteration {
+  /// Solves for multipliers are dear, and reactions found once are worth keeping.
+  static constexpr bool keeps_reactions = !unconstrained<S> && !VectorSpace<typename S::Vector>::dense;
+
+  explicit VelocityIteration(const S& system)
+      : half(vector_if(velocity_dependent(system), system)),
+        before(vector_if(velocity_dependent(system), system)),
+        free(vector_if(keeps_reactions && velocity_dependent(system), system)),
+        reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
+
+  typename S::Vector half;            // v_n, then v_{n+1/2}
+  typename S::Vector before;          // v_{n+1} of the iteration before
+  typename S::Vector free, reaction;  // v_{n+1} without the last reaction; all reactions so far
+
+ private:
+  static typename S::Vector vector_if(bool wanted, const S& system) {
+    return wanted ? system.make_vector() : typename S::Vector{};
+  }
+};
+
 /// Temporaries, caches and warm starts of one integration.
 template <ConstrainedSystem S>
 struct RattleWorkspace {
@@ -115,7 +137,7 @@ struct RattleWorkspace {
       : system(system.make_workspace()),
         acceleration(system.make_vector()),
         q_start(system.make_vector()),
-        v_half(velocity_dependent(system) ? system.make_vector() : typename S::Vector{}),
+        settling(system),
         q_rounding(make_rounding(system)),
         v_rounding(make_rounding(system)),
         constraint(system),
@@ -124,8 +146,8 @@ struct RattleWorkspace {
         constraint_tolerance(system.constraint_tolerance()) {}
 
   typename S::Workspace system;
-  typename S::Vector acceleration, q_start;   // M⁻¹f at the state; q_n
-  typename S::Vector v_half;                  // v_{n+1/2}, for forces that depend on the velocity
+  typename S::Vector acceleration, q_start;  // M⁻¹f at the state; q_n
+  VelocityIteration<S> settling;
   typename S::Vector q_rounding, v_rounding;  // what rounding has kept back from q and v
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
@@ -172,6 +194,7 @@ struct Rattle {
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    if (velocity_dependent(system)) w.settling.half = state.v;
     add(h / 2, w.acceleration, state.v, w.v_rounding);
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
     state.t += h;
@@ -218,30 +241,47 @@ struct Rattle {
     return {};
   }
 
-  /// v_{n+1} from v_{n+1/2} by iteration on the force, each time with the projection, until v no longer changes.
+  /// v_{n+1} from v_{n+1/2} by iteration on the force, each time with the projection, until v no longer changes; begun
+  /// with v_n + 2 (v_{n+1/2} − v_n).
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
-    w.v_half = state.v;
+    auto& [half, before, free, reaction] = w.settling;
+    constexpr bool keeps_reactions = VelocityIteration<S>::keeps_reactions;
+    scale(-1.0, half);
+    axpy(2.0, state.v, half);
+    std::swap(half, state.v);
     const typename S::Vector rounding_half = w.v_rounding;
-    double before = HUGE_VAL;
+    if constexpr (keeps_reactions) scale(0.0, reaction);
+    double size_before = HUGE_VAL;
     for (int i = 0; i < detail::max_constraint_iterations; ++i) {
       w.acceleration_known = false;
       if (Status status = ensure_acceleration(system, state, w); !status) return status;
-      typename S::Vector change = state.v;
-      state.v = w.v_half;
+      before = state.v;
+      state.v = half;
       w.v_rounding = rounding_half;
       add(h / 2, w.acceleration, state.v, w.v_rounding);
+      if constexpr (keeps_reactions) {
+        axpy(1.0, reaction, state.v);
+        free = state.v;
+      }
       if (Status status = project_velocity(system, state, w); !status) return status;
-      axpy(-1.0, state.v, change);
-      const double size = max_norm(change), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
-      // What the projection may leave of G v, and so of v, is no sign of divergence either.
+      if constexpr (keeps_reactions) {
+        axpy(1.0, state.v, reaction);
+        axpy(-1.0, free, reaction);
+      }
+      axpy(-1.0, state.v, before);
+      const double size = max_norm(before), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
+      // What the projection may leave of G v, and so of v, need not be resolved, and is no sign of divergence either.
+      const double enough = std::max(round_off / 4, w.constraint_tolerance / 10);
       const double jitter = std::max(100 * round_off, 1000 * w.constraint_tolerance);
-      if (size <= round_off || (size >= 0.5 * before && size <= jitter)) {
+      // Changes that fall by a factor c each time add up to another size c/(1 − c).
+      const double c = size / size_before;
+      if (size <= round_off || (i > 0 && c < 0.5 && size * c / (1 - c) <= enough) || (c >= 0.5 && size <= jitter)) {
         w.acceleration_known = false;  // of the velocity before
         return {};
       }
-      if (!(size < 2 * before)) break;
-      before = size;
+      if (!(size < 2 * size_before)) break;
+      size_before = size;
     }
     return Status::failure(
         "the iteration on a force that depends on the velocity does not converge; use a smaller step");
