@@ -43,11 +43,12 @@ function(pseudorigid_use_dealii target)
   target_link_libraries(${target} PUBLIC pseudorigid_dealii)
 endfunction()
 
-# Seconds that a test may take; sanitizers make it ten times slower and more.
-set(pseudorigid_test_timeout 300)
+# Seconds that a test may take, and the factor to its own limits: sanitizers make programs ten times slower and more.
+set(pseudorigid_test_patience 1)
 if(PSEUDORIGID_SANITIZE)
-  set(pseudorigid_test_timeout 6000)
+  set(pseudorigid_test_patience 20)
 endif()
+math(EXPR pseudorigid_test_timeout "300 * ${pseudorigid_test_patience}")
 
 # pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…]): one GoogleTest executable, one ctest entry per test case.
 function(pseudorigid_test name)

@@ -18,10 +18,10 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program_test import (DONE, STOPPED, Table, WRONG_INPUT, largest_difference, overrides,  # noqa: E402, F401
+from program_test import (DONE, PATIENCE, STOPPED, Table, WRONG_INPUT, largest_difference, overrides,  # noqa: E402, F401
                           scene_text)
 
-SECONDS_TO_OBEY = 30
+SECONDS_TO_OBEY = 30 * PATIENCE
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
        "OMPI_MCA_mpi_yield_when_idle": "1"}
@@ -63,13 +63,13 @@ class Program:
         return [*launcher, str(self.executable), *map(str, arguments)]
 
     def call(self, *arguments, folder, limit=60, ranks=1, **options):
-        """Runs; beyond `limit` seconds it is interrupted, and killed if it does not obey."""
+        """Runs; beyond `limit` seconds, times PATIENCE, it is interrupted, and killed if it does not obey."""
         start, too_long = time.monotonic(), False
         process = subprocess.Popen(self.command(*arguments, ranks=ranks), stdin=subprocess.DEVNULL, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, cwd=self.scratch,
                                    env={**os.environ, **MPI}, errors="replace", **options)
         try:
-            stdout, stderr = process.communicate(timeout=limit)
+            stdout, stderr = process.communicate(timeout=limit * PATIENCE)
         except subprocess.TimeoutExpired:
             too_long = True
             process.send_signal(signal.SIGINT)
