@@ -57,9 +57,6 @@ fi
 data=$output/data
 bin=$root/build/release/bin
 program=$bin/pseudorigid
-# Numerical libraries that would start threads must not: everything here runs on one core unless it says otherwise.
-export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
 # into FILE COMMAND…: standard output becomes the file when all went well.
 into() {
   "${@:2}" >"$data/$1.part" && mv "$data/$1.part" "$data/$1"
@@ -126,6 +123,9 @@ if [[ -z $page_only ]]; then
   is_configured release || fresh=(-DPSEUDORIGID_TESTS=OFF)
   configure release -DPSEUDORIGID_BENCHMARKS=ON "${fresh[@]}"
   build release pseudorigid pseudorigid-continuum benchmarks
+  # Numerical libraries that would start threads must not: everything here runs on one core unless it says otherwise.
+  # (Not before the build: nproc says 1 where OMP_NUM_THREADS is 1.)
+  export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   for part in "${parts[@]}"; do
     say "Measuring: $part"
     read -r load _ </proc/loadavg

@@ -44,6 +44,8 @@ TEST(ComparisonReport, SentenceOfEqualMotions) {
 TEST(ComparisonReport, SentenceWithoutPulsation) {
   const Motion still = pulsation(1, 0);
   EXPECT_EQ(sentence(still, still), "Neither ball moves; their deformations are identical.");
+  EXPECT_EQ(summary_sentence(compare(reduced_run(still, ten), continuum_run(still, ten))),
+            "Neither ball moves; their deformations are identical.");
   EXPECT_EQ(sentence(turning(still, 1), turning(still, 1)),
             "Both balls turn without changing shape; their deformations are identical.");
   EXPECT_TRUE(contains(sentence(turning(still, 1), turning(still, 1.001)), "differ by at most 0.82 %"));
