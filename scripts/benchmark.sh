@@ -57,6 +57,7 @@ fi
 data=$output/data
 bin=$root/build/release/bin
 program=$bin/pseudorigid
+
 # into FILE COMMAND…: standard output becomes the file when all went well.
 into() {
   "${@:2}" >"$data/$1.part" && mv "$data/$1.part" "$data/$1"
