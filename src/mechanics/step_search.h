@@ -32,7 +32,7 @@ namespace detail {
 
 inline constexpr int max_step_halvings = 12;
 /// Pilot runs meet constraints that cost a solve to this part of the difference that two of them may have: the steps
-/// found are the same to three digits (measured for the ball with 0 … 5e-2).
+/// found are the same to three digits (measured for the ball with 0 … 5e-3; with 5e-2 one changed by 4 %).
 inline constexpr double pilot_constraint = 5e-3;
 /// Of a run; more would take hours.
 inline constexpr double max_run_forces = 1e11;
