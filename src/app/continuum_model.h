@@ -53,6 +53,11 @@ class ContinuumModel {
   /// About half a pulsation: by then the shear front from the surface has crossed the ball.
   double pilot_window(double end) const { return std::min(end, 1.0); }
 
+  /// Collective.
+  std::string place_of_least_jacobian(const State& state) const {
+    return "least " + continuum::to_string(ball_.least_jacobian(state.q));
+  }
+
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::continuum_columns(q); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {

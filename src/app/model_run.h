@@ -14,9 +14,9 @@
 ///   void report(workspace, statistics) const;
 /// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,
 /// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
-/// workspace),  for reports  shape_columns(), n_shape_rows(), shape(time, state),  with distributed vectors  const
-/// Order& rank_order() const  and  using MemoryLayout (continuum/rank_order.h). All ranks run it together; one of them
-/// writes.
+/// workspace),  for reports  shape_columns(), n_shape_rows(), shape(time, state),  for the message of a run that cannot
+/// go on  std::string place_of_least_jacobian(state) const,  with distributed vectors  const Order& rank_order() const
+/// and  using MemoryLayout (continuum/rank_order.h). All ranks run it together; one of them writes.
 
 #include <algorithm>
 #include <chrono>
@@ -324,9 +324,14 @@ class ModelRun {
     save(good_);
     if (result.outcome == Outcome::finished) return outcome(ModelOutcome::State::finished, "", start);
     return outcome(ModelOutcome::State::failed,
-                   stopped(result.t, result.reason) +
-                       (context_.rows ? "" : "; the state at t = " + physical_time(good_.state.t) + " is saved"),
-                   start);
+                   stopped(result.t, result.reason) + (context_.rows ? "" : "; " + saved_state()), start);
+  }
+
+  std::string saved_state() const {
+    std::string text = "the state at t = " + physical_time(good_.state.t) + " is saved";
+    if constexpr (requires { model_.place_of_least_jacobian(good_.state); })
+      text += ", " + model_.place_of_least_jacobian(good_.state);
+    return text;
   }
 
   std::string stopped(double t, const std::string& reason) const {

@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <cstdio>
-#include <string>
 #include <utility>
 
 #include "continuum/ranks.h"
@@ -23,14 +22,17 @@ BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, cons
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
+std::string to_string(const LeastJacobian& least) {
+  char text[120];
+  std::snprintf(text, sizeof text, "det F = %.3g at X/r = (%.3f, %.3f, %.3f)", least.value, least.where[0],
+                least.where[1], least.where[2]);
+  return text;
+}
+
 mechanics::Status BallBody::judge_jacobian(double least, const Vector& x) const {
   least = least_over_ranks(least, space_.communicator());
   if (least > 0 && std::isfinite(least)) return {};
-  const LeastJacobian found = least_jacobian(x);
-  char text[160];
-  std::snprintf(text, sizeof text, "an element is turned inside out: det F = %.3g at X/r = (%.3f, %.3f, %.3f)",
-                found.value, found.where[0], found.where[1], found.where[2]);
-  return mechanics::Status::failure(text);
+  return mechanics::Status::failure("an element is turned inside out: " + to_string(least_jacobian(x)));
 }
 
 mechanics::Status BallBody::applied_force(const Vector& x, const Vector& v, Vector& f) const {

@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 
 #include "continuum/ball_loads.h"
 #include "continuum/ball_space.h"
@@ -21,6 +22,9 @@
 #include "mechanics/constrained_system.h"
 
 namespace pseudorigid::continuum {
+
+/// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)", for messages.
+std::string to_string(const LeastJacobian& least);
 
 class BallBody {
  public:

@@ -62,6 +62,8 @@ class CellKernels {
   /// Calls `use(cell, rows)` for each cell; rows[j·3n + 3i + c] is the entry of G for function j, node i, component c.
   using UseRows = std::function<void(unsigned int, std::span<const double>)>;
   virtual void constraint_rows(const Vector& x, const UseRows& use) const = 0;
+  /// Calls `use(cell, values)` for each cell; values[j·n + i] is ψ_j at the cell's node i.
+  virtual void pressure_basis_at_nodes(const UseRows& use) const = 0;
 
   /// Volume of the sector and of its smallest cell, by the quadrature of the kernels.
   virtual double reference_volume() const = 0;

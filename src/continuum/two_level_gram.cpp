@@ -114,20 +114,14 @@ void TwoLevelGram::project_functions() {
   tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
   const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();
   projections_.resize(static_cast<std::size_t>(space_.n_cells()) * n_pressure * n_functions_);
-  Vector lambda = space_.make_multiplier();
-  MatrixXd psi(n_nodes, n_pressure);
-  for (unsigned int cell = 0; cell < space_.n_cells(); ++cell) {
-    for (unsigned int j = 0; j < n_pressure; ++j) {
-      lambda.local_element(cell * n_pressure + j) = 1;
-      kernels_.multiplier_at_nodes(lambda, cell, {psi.col(j).data(), n_nodes});
-      lambda.local_element(cell * n_pressure + j) = 0;
-    }
+  kernels_.pressure_basis_at_nodes([&](unsigned int cell, std::span<const double> values) {
+    const Eigen::Map<const MatrixXd> psi(values.data(), n_nodes, n_pressure);
     Eigen::Map<MatrixXd> P(&projections_[static_cast<std::size_t>(cell) * n_pressure * n_functions_], n_pressure,
                            n_functions_);
     P.noalias() = psi.transpose() * node_weights(space_, cell).asDiagonal() * tables_[0];
     for (unsigned int i = 0; i < n_functions_; ++i)
       if (on_surface_[local_functions_[cell * n_functions_ + i]]) P.col(i).setZero();
-  }
+  });
 }
 
 void TwoLevelGram::make_coarse_matrix() {

@@ -26,7 +26,8 @@ class StoppedRun(StoppedRunTest):
     def check_stopped_by_inversion(self, result):
         self.assert_exit(result, STOPPED)
         self.assertRegex(result.stderr, r"error: continuum stopped at t = [0-9.e-]+: an element is turned inside out: "
-                                        r"det F = -[0-9.e-]+ at X/r = \([^)]*\); the state at t = [0-9.e-]+ is saved")
+                                        r"det F = -[0-9.e-]+ at X/r = \([^)]*\); the state at t = [0-9.e-]+ is saved, "
+                                        r"least det F = [0-9.e-]+ at X/r = \([^)]*\)")
         self.assertIn("--resume", result.stderr)
         self.assertTrue((self.scratch / "output/scene/checkpoint-continuum.bin").exists())
         table = self.table("output/scene/continuum.csv")

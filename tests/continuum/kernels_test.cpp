@@ -134,6 +134,24 @@ TEST_P(Kernels, PressureBasisIsOrthonormalAndHoldsConstants) {
   }
 }
 
+TEST_P(Kernels, PressureBasisAtNodesSumsToTheMultiplier) {
+  const Vector lambda = random_field(ball.make_multiplier(), generator);
+  const unsigned int n_nodes = ball.space().nodes_per_cell(), n_pressure = ball.space().n_pressure();
+  std::vector<double> expected(n_nodes);
+  unsigned int n_cells = 0;
+  ball.kernels().pressure_basis_at_nodes([&](unsigned int cell, std::span<const double> psi) {
+    ++n_cells;
+    ASSERT_EQ(psi.size(), n_pressure * n_nodes);
+    ball.kernels().multiplier_at_nodes(lambda, cell, expected);
+    for (unsigned int i = 0; i < n_nodes; ++i) {
+      double sum = 0;
+      for (unsigned int j = 0; j < n_pressure; ++j) sum += lambda[cell * n_pressure + j] * psi[j * n_nodes + i];
+      ASSERT_NEAR(sum, expected[i], 1e-10);
+    }
+  });
+  EXPECT_EQ(n_cells, ball.space().n_cells());
+}
+
 TEST_P(Kernels, GramSolverSolvesTheMixedSystem) {
   auto workspace = ball.make_workspace();
   const Vector lambda = random_field(ball.make_multiplier(), generator);

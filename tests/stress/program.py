@@ -25,7 +25,8 @@ SECONDS_TO_OBEY = 30 * PATIENCE
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
        "OMPI_MCA_mpi_yield_when_idle": "1"}
-STOPPED_AT = re.compile(r"stopped at t = ([-+0-9.e]+): (.*?)(?:; the state at t = ([-+0-9.e]+) is saved)?(?: \(--resume|$)", re.M)
+STOPPED_AT = re.compile(r"stopped at t = ([-+0-9.e]+): (.*?)(?:; the state at t = ([-+0-9.e]+) is saved"
+                        r"(, least det F = [0-9.e+-]+ at X/r = \(.*?\))?)?(?: \(--resume|$)", re.M)
 
 
 class Run:
@@ -61,6 +62,10 @@ class Program:
     def command(self, *arguments, ranks=1):
         launcher = [] if ranks == 1 else ["mpirun", "--oversubscribe", "--bind-to", "none", "--quiet", "-np", str(ranks)]
         return [*launcher, str(self.executable), *map(str, arguments)]
+
+    def version(self):
+        """Its name, version and commit."""
+        return subprocess.run([self.executable, "--version"], capture_output=True, text=True, check=True).stdout.strip()
 
     def call(self, *arguments, folder, limit=60, ranks=1, **options):
         """Runs; beyond `limit` seconds, times PATIENCE, it is interrupted, and killed if it does not obey."""
@@ -148,6 +153,9 @@ def faults_of_stop(run):
     stop = run.stop()
     if not stop or len(stop[1]) < 15 or "nan" in stop[1].replace("det F = nan", ""):
         return [f"exit code 3 without time and reason: {run.stderr.strip()[-300:]!r}"]
+    _, _, saved, place = STOPPED_AT.search(run.stderr).groups()
+    if saved and not place and "continuum stopped" in run.stderr:
+        return [f"the ball's stop has no place: {run.stderr.strip()[-300:]!r}"]
     faults = [] if run.manifest()["state"] == "failed" else ["exit code 3, and the manifest does not say failed"]
     return faults if run.files(".bin") else faults + ["exit code 3 without a checkpoint"]
 
