@@ -7,7 +7,7 @@
 #   pictures    docs/images: quickstart, report, equilibria, gallery
 #   benchmarks  scripts/benchmark.sh, 20 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
-#   stress      scripts/stress.sh, some hours
+#   stress      scripts/stress.sh --fresh, half an hour
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
@@ -57,6 +57,6 @@ for part in "${parts[@]}"; do
     pictures) make_pictures ;;
     benchmarks) scripts/benchmark.sh ;;
     long-run) scripts/benchmark.sh long-run ;;
-    stress) scripts/stress.sh ;;
+    stress) scripts/stress.sh --fresh ;;
   esac
 done

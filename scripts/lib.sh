@@ -1,5 +1,5 @@
-# Shared by run.sh, test.sh, benchmark.sh and .ci/run, which source it: the packages of Debian that the build needs, and the steps
-# install, configure, build. Every step costs next to nothing when there is nothing to do.
+# Shared by the scripts beside it and .ci/run, which source it: the packages of Debian that the build needs, and the
+# steps install, configure, build. Every step costs next to nothing when there is nothing to do.
 # shellcheck shell=bash disable=SC2034  # the lists are read by the scripts
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)

@@ -33,6 +33,7 @@ run_sanitizers() {
 options=(--output "$root/output/stress")
 parts=()
 quick=
+sanitizers=
 while (($#)); do
   case $1 in
     -h | --help)
@@ -48,15 +49,16 @@ while (($#)); do
       shift
       ;;
     -*) options+=("$1") ;;
+    sanitizers) sanitizers=yes ;;
     *) parts+=("$1") ;;
   esac
   shift
 done
 
 install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${test_packages[@]}" python3-matplotlib
-if [[ ${parts[*]} == sanitizers ]]; then
+if [[ $sanitizers ]]; then
   run_sanitizers
-  exit
+  ((${#parts[@]})) || exit 0
 fi
 configure release -DPSEUDORIGID_TESTS=ON
 build release pseudorigid pseudorigid-continuum stress_mutants_test stress_prm_mutants_test io_checkpoint_test \

@@ -85,7 +85,8 @@ def main():
         if not path.is_file():
             continue
         part_results = json.loads(path.read_text())
-        page += [f"## {title}", "", *of_kinds(part_results), *(DETAILS[part](part_results) if part in DETAILS else [])]
+        page += [f"## {title}", "", f"{part_results['program']}, {part_results['date']}, seed {part_results['seed']}, "
+                 f"{part_results['seconds'] / 60:.0f} min", "", *of_kinds(part_results), *(DETAILS[part](part_results) if part in DETAILS else [])]
     (ROOT / "docs/stress_tables.md").write_text("\n".join(page).rstrip() + "\n")
     if (results / "map.csv").is_file():
         data = ROOT / "docs/data/stability_map.csv"

@@ -10,6 +10,7 @@ PSEUDORIGID, test programs are those of PSEUDORIGID_TESTS; scripts/stress.sh set
 import argparse
 import collections
 import csv
+import datetime
 import json
 import pathlib
 import shutil
@@ -62,12 +63,13 @@ def show(part, results):
 
 
 def run_part(part, options, scratch):
-    start = time.monotonic()
+    start, date = time.monotonic(), datetime.date.today().isoformat()
     number = options.number or N_SCENES[options.quick]
-    records = PARTS[part](Program(scratch / part), number=number, seed=options.seed, quick=options.quick,
+    program = Program(scratch / part)
+    records = PARTS[part](program, number=number, seed=options.seed, quick=options.quick,
                           with_continuum=not options.reduced, output=options.output)
-    return {"part": part, "quick": options.quick, "seed": options.seed, "seconds": time.monotonic() - start,
-            "kinds": summary(records), "records": records}
+    return {"part": part, "program": program.version(), "date": date, "quick": options.quick, "seed": options.seed,
+            "seconds": time.monotonic() - start, "kinds": summary(records), "records": records}
 
 
 def keep(results, folder):
