@@ -14,7 +14,7 @@
 
 namespace pseudorigid::io {
 
-/// The columns that `quantities` asks for, `time` first (DESIGN.md, contract with the outside).
+/// The columns that `quantities` asks for, `time` first (docs/output.md).
 std::vector<std::string> reduced_columns(const scene::Quantities& quantities);
 std::vector<std::string> continuum_columns(const scene::Quantities& quantities);
 

@@ -1,4 +1,4 @@
-/// The hydrostatic gauge of W shifts the multiplier by −c and nothing else (TOOLCHAIN: why the constraint is ∫ψ ln J):
+/// The hydrostatic gauge of W shifts the multiplier by −c and nothing else (why the constraint is ∫ψ ln J):
 /// W + c ln J adds to the force exactly the reaction of the constant multiplier −c, at any deformation, and the motion
 /// stays the same up to round-off.
 

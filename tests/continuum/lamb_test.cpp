@@ -73,7 +73,7 @@ TEST_P(Lamb, ResponseAndFrequency) {
   RecordProperty("frequency_error", std::to_string(1e9 * frequency_error) + "e-9");
 }
 
-/// Bounds on the response for k = 4, 5, 6: TOOLCHAIN's prototype, 2.1e-4, 5.4e-5 and 1.8e-5.
+/// Bounds a little above an independent prototype, whose response has 2.1e-4, 5.4e-5 and 1.8e-5 for k = 4, 5, 6.
 INSTANTIATE_TEST_SUITE_P(Degree, Lamb,
                          ::testing::Values(Bounds{2, 2.5e-2, 2e-3}, Bounds{3, 2.5e-3, 2e-4}, Bounds{4, 2.5e-4, 4e-6},
                                            Bounds{5, 7e-5, 1e-7}, Bounds{6, 2.5e-5, 1e-8}),

@@ -1,4 +1,4 @@
-/// Long runs: small oscillations do not drift away (TOOLCHAIN: with the constraint J − 1 they do), angular momentum is
+/// Long runs: small oscillations do not drift away (with the constraint J − 1 they do), angular momentum is
 /// conserved to round-off and energy stays bounded on a tumbling, pulsating ball without symmetry.
 
 #include <gtest/gtest.h>

@@ -36,7 +36,7 @@ State<Body> moving(const Matrix3d& Q, const Matrix3d& Qdot) {
   return {0, Q, Qdot};
 }
 
-/// TOOLCHAIN, "Small ODE", benchmark (i): Q₀ = diag(1.3, 1, 1/1.3), Q̇₀ = Q₀L.
+/// Q₀ = diag(1.3, 1, 1/1.3), Q̇₀ = Q₀L.
 template <class Body>
 State<Body> benchmark_state() {
   const Matrix3d Q = diagonal(1.3, 1, 1 / 1.3);

@@ -6,7 +6,7 @@
 
 namespace pseudorigid::testing {
 
-/// Benchmark (i) of TOOLCHAIN over a little more than one period.
+/// The motion of benchmark_state over a little more than one period.
 template <class Body>
 struct BodyFactory {
   using System = Body;
