@@ -4,10 +4,11 @@
     benchmarks/ball_release.py build/release/bin/pseudorigid [--quick] > ball_release.csv
     benchmarks/ball_release.py build/release/bin/pseudorigid --make-reference > benchmarks/references/ball_release.csv
 
-Every discretisation runs with every method and tolerance, in turn, for three rounds (the third and the second are left
-out once a run has taken 10 and 20 seconds in all). Columns: degree, refinements, method, tolerance (Time/Tolerance), step,
-unknowns, seconds (processor time of the process less that of its start, median; the search for the step is contained),
-error (the largest difference of Q33 from the reference over the 50 samples).
+Every discretisation runs with the methods and tolerances of STEPS, those of LARGE with the least tolerance only, those
+of QUICK also with HIGHER; in turn, for three rounds (the third and the second are left out once a run has taken 10 and
+20 seconds in all). Columns: degree, refinements, method, tolerance (Time/Tolerance), step, unknowns, seconds (processor
+time of the process less that of its start, median; the search for the step is contained), error (the largest difference
+of Q33 from the reference over the 50 samples).
 
 The reference is in benchmarks/references with a bar of its own: see make_reference.
 """
@@ -91,10 +92,10 @@ def measure(release, quick):
 
 def make_reference(release):
     """Richardson's extrapolation over the degree: of degrees 4, 5, 6, refined once, the differences of Q33 (root mean
-    squares over the samples) fall by a factor ρ, so that Q33 of the last plus (last − last but one)/(ρ − 1) is left. The
-    uncertainty is the largest of this correction. A check by other means: of the small release, whose exact motion is known
-    (lamb_response.cpp), degree 6 refined once has an error that is 2e-7 at this amplitude. Order 4 at the limit of stability
-    differs from order 6 by 4e-9.
+    squares over the samples) fall by a factor ρ, so that Q33 of the last plus (last − last but one)/(ρ − 1) is left.
+    The uncertainty is the largest of this correction. A check by other means: of the small release, whose exact motion
+    is known (lamb_response.cpp), degree 6 refined once has an error that is 2e-7 at this amplitude. Order 4 at the
+    limit of stability differs from order 6 by 4e-9.
     """
     Q = [release.run(degree, 1, "rattle-4", 1e-7)[0] for degree in REFERENCE_DEGREES]
     reference = extrapolate(*Q)

@@ -15,8 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-PACKAGES = ("libgsl-dev", "libboost-dev", "libsundials-dev", "libdeal.ii-dev", "libpetsc-real-dev", "libopenblas0-serial",
-            "libopenblas0-pthread", "python3-dolfinx-real")
+PACKAGES = ("libgsl-dev", "libboost-dev", "libsundials-dev", "libdeal.ii-dev", "libpetsc-real-dev",
+            "libopenblas0-serial", "libopenblas0-pthread", "python3-dolfinx-real")
 
 
 def first_match(path, pattern):
@@ -25,8 +25,8 @@ def first_match(path, pattern):
 
 
 def machine():
-    fields = dict(line.split(":", 1) for line in subprocess.run(
-        ["lscpu"], capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"}).stdout.splitlines() if ":" in line)
+    lines = subprocess.run(["lscpu"], capture_output=True, text=True, env={**os.environ, "LC_ALL": "C"}).stdout
+    fields = dict(line.split(":", 1) for line in lines.splitlines() if ":" in line)
     wide = [name for name in ("avx512f", "avx2", "fma") if name in fields.get("Flags", "")]
     memory = int(first_match("/proc/meminfo", r"^MemTotal:\s*(\d+)")) / 2**20
     return {
@@ -37,7 +37,8 @@ def machine():
         "caches": ", ".join(f"{name} {fields[f'{name} cache'].strip()}" for name in ("L1d", "L2", "L3")
                             if f"{name} cache" in fields),
         "memory": f"{memory:.0f} GiB",
-        "system": first_match("/etc/os-release", r'^PRETTY_NAME="?([^"\n]*)') + f", Linux {os.uname().release}",
+        "system": first_match("/etc/os-release", r'^PRETTY_NAME="?([^"\n]*)')
+                  + f", Linux {os.uname().release.partition('-')[0]}",
     }
 
 
@@ -53,8 +54,8 @@ def build(executable):
 
 
 def packages():
-    lines = subprocess.run(["dpkg-query", "--show", "--showformat=${db:Status-Status} ${Package} ${Version}\n", *PACKAGES],
-                           capture_output=True, text=True).stdout.splitlines()
+    command = ["dpkg-query", "--show", "--showformat=${db:Status-Status} ${Package} ${Version}\n", *PACKAGES]
+    lines = subprocess.run(command, capture_output=True, text=True).stdout.splitlines()
     return ", ".join(line.removeprefix("installed ") for line in lines if line.startswith("installed "))
 
 

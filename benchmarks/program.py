@@ -25,8 +25,9 @@ class Run:
 
 
 def run(program, scene, folder, entries=()):
-    """Runs a scene with entries {"Section/Entry": value} changed; a run that fails ends the benchmark with its message."""
-    command = [program, "run", scene, "--quiet", "--output", folder, *(f"--set={p}={v}" for p, v in dict(entries).items())]
+    """Runs a scene with entries {"Section/Entry": value} changed; a failed run ends the benchmark with its message."""
+    changes = [f"--set={p}={v}" for p, v in dict(entries).items()]
+    command = [program, "run", scene, "--quiet", "--output", folder, *changes]
     start = time.monotonic()
     process = subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL)
     _, status, used = os.wait4(process.pid, 0)
@@ -37,7 +38,6 @@ def run(program, scene, folder, entries=()):
     folder = pathlib.Path(folder)
     manifest = json.loads((folder / "manifest.json").read_text())
     return Run(manifest, wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
-
 
 
 def start_up(executable):

@@ -5,12 +5,12 @@
 
 `pseudorigid check` says what a scene skips. The scene is run as it is and, for each skipped part, with that part asked
 for (PARTS below): three runs each, or as many as 5 seconds hold, medians; --quick takes four scenes and one run. Where
-finite elements are on either side both runs are shortened to t ≤ 1 with 20 samples. Parts that the program cannot do for
-the scene have a reason and no numbers. tests/app/skipping_test.py shows that results do not change.
+finite elements are on either side both runs are shortened to t ≤ 1 with 20 samples. Parts that the program cannot do
+for the scene have a reason and no numbers. tests/app/skipping_test.py shows that results do not change.
 
 Columns: scene, part, seconds and seconds_with (processor time of the process, start-up included), megabytes and
-megabytes_with (largest resident set; not less than that of the Python that starts it, 17 MB), work and work_with (of the
-continuum unknowns × forces, else forces, by the manifest's counters), refused (what the program says).
+megabytes_with (largest resident set; not less than that of the Python that starts it, 17 MB), work and work_with (of
+the continuum unknowns × forces, else forces, by the manifest's counters), refused (what the program says).
 """
 import argparse
 import csv
@@ -50,7 +50,8 @@ PARTS = [
     Part("pictures", "Output/Graphics is none", {"Output/Graphics": "vtu"}),
     Part("quantities", "not among Output/Quantities)", {"Output/Quantities": "all"}),
     Part("modes", "modes: Analysis is motion",
-         {"Analysis": "modes", "Models": "continuum", "Initial state/Deformation": UNIT, "Initial state/Velocity": ZERO_MATRIX}),
+         {"Analysis": "modes", "Models": "continuum", "Initial state/Deformation": UNIT,
+          "Initial state/Velocity": ZERO_MATRIX}),
     Part("critical points", "critical points: Analysis is motion", {"Analysis": "equilibrium"}),
 ]
 

@@ -2,12 +2,13 @@
 # Measures run time against error and writes the page of benchmarks: scripts/benchmark.sh [option …] [PART …]
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the benchmarks in build/release, measures, and
-# writes data, pictures and docs/benchmarks/index.html, and the tables of docs/benchmarks.md and README.md. About 20
-# minutes on 2 cores beside installing and building. Parts (default: all but long-run):
+# writes data, pictures and docs/benchmarks/index.html, and the tables of docs/benchmarks.md, docs/kernels.md and
+# README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
 #   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
 #   lamb        small affine release against the exact modes
 #   frequency   the lowest frequency of the ball
+#   auto        degree and refinements from a tolerance, beside the cheapest found by hand
 #   kernels     cell kernels against dealii::FEEvaluation and the limits of the machine
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
 #   skipping    what the scenes of params/ skip, and what it would have cost
@@ -21,7 +22,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(methods release lamb frequency kernels steps skipping peers)
+all_parts=(methods release lamb frequency auto kernels steps skipping peers)
 parts=()
 quick=()
 output=
@@ -76,6 +77,7 @@ measure_methods() {
 measure_release() { into ball_release.csv "$root/benchmarks/ball_release.py" "$program" "${quick[@]}"; }
 measure_lamb() { into lamb_response.csv "$bin/lamb_response" "${quick[@]}"; }
 measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}"; }
+measure_auto() { into auto_discretization.csv "$root/benchmarks/auto_discretization.py" "$program" "${quick[@]}"; }
 measure_kernels() {
   if ((${#quick[@]})); then into kernels.csv "$bin/kernels" 4; else into kernels.csv "$bin/kernels" 2 8; fi
 }

@@ -5,7 +5,7 @@
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
 #   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md and docs/tutorial.md
 #   pictures    docs/images: quickstart, report, equilibria, gallery
-#   benchmarks  scripts/benchmark.sh, 20 minutes
+#   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
 #   stress      scripts/stress.sh --fresh, half an hour
 set -euo pipefail

@@ -22,7 +22,8 @@ def read_rows(folder, name):
 def read_notes(folder, name):
     """The lines with # of a file, without it."""
     path = folder / name
-    return [line[1:].strip() for line in path.read_text().splitlines() if line.startswith("#")] if path.is_file() else []
+    lines = path.read_text().splitlines() if path.is_file() else []
+    return [line[1:].strip() for line in lines if line.startswith("#")]
 
 
 def read_runs(folder):
@@ -40,6 +41,23 @@ def work_precision(folder):
     return problems
 
 
+def errors_of(folder, name):
+    """[(seconds, error)] of a file of runs."""
+    return [(float(row["seconds"]), float(row["error"])) for row in read_rows(folder, name)]
+
+
+def release_uncertainty(folder):
+    """Of the reference that the errors were measured against: the first line of benchmarks/references/ball_release.csv,
+    which benchmarks/ball_release.py hands on to its results. None without data."""
+    notes = [note for note in read_notes(folder, "ball_release.csv") if "uncertainty" in note]
+    return float(notes[0].rsplit(" ", 1)[-1]) if notes else None
+
+
+def runs_of_skipping(folder):
+    """The rows with numbers: not those of parts that the program does not offer for the scene."""
+    return [row for row in read_rows(folder, "skipping.csv") if not row["refused"]]
+
+
 def front(points):
     """The points (seconds, error, …) that no other one beats in time and in error."""
     best = []
@@ -50,7 +68,8 @@ def front(points):
 
 
 def time_for(points, level):
-    """Time for an error of `level`, on the straight lines through the front in logarithms; None if it is not reached."""
+    """Time for an error of `level`, on the straight lines through the front in logarithms; None where the front ends
+    before it."""
     line = front(points)
     if not line or line[-1][1] > level:
         return None
@@ -63,9 +82,11 @@ def time_for(points, level):
 
 def cheapest(rows, level):
     """The row of least time whose error is at most `level`, or None."""
-    return min((row for row in rows if float(row["error"]) <= level), key=lambda row: float(row["seconds"]), default=None)
+    good = [row for row in rows if float(row["error"]) <= level]
+    return min(good, key=lambda row: float(row["seconds"]), default=None)
 
 
-def discretization(row):
-    refinements = int(row["refinements"])
-    return f"k = {row['degree']}" + (f", refined {'once' if refinements == 1 else 'twice'}" if refinements else "")
+def discretization(row, prefix=""):
+    """By the columns degree and refinements, their names with the prefix."""
+    degree, refinements = row[f"{prefix}degree"], int(row[f"{prefix}refinements"])
+    return f"k = {degree}" + (f", refined {'once' if refinements == 1 else 'twice'}" if refinements else "")

@@ -1,5 +1,6 @@
 """Pictures of the benchmarks. Needs Debian's python3-matplotlib."""
 
+import statistics
 from collections import defaultdict
 
 import matplotlib
@@ -9,21 +10,27 @@ import matplotlib.patheffects as effects  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter  # noqa: E402
 
-from benchmark_data import discretization, front, read_rows, work_precision  # noqa: E402
+from benchmark_data import (  # noqa: E402
+    discretization, errors_of, front, read_rows, release_uncertainty, runs_of_skipping, work_precision)
 from run_directory import fail  # noqa: E402
 
-# Okabe and Ito's colours, each with a marker and a kind of line: distinct with every kind of colour vision. Own methods
-# have full lines, rivals broken ones.
+# Okabe and Ito's colours and some more; marker and kind of line alone tell the methods apart. Own methods have full
+# lines, rivals broken ones.
 STYLES = {
     "symmetric-8": ("#0072B2", "o", "-"),
     "symmetric-12": ("#56B4E9", "s", "-"),
     "explicit-8": ("#009E73", "D", "-"),
     "rattle-8": ("#000000", "^", "-"),
-    "rattle-6": ("#777777", "v", "-"),
+    "rattle-6": ("#555555", "v", "-"),
+    "rattle-4": ("#777777", "<", "-"),
+    "rattle": ("#999999", ">", "-"),
+    "energy-momentum": ("#7F3C8D", "P", "-"),
     "GSL rk8pd": ("#D55E00", "o", "--"),
     "odeint rkf78": ("#E69F00", "s", "--"),
     "odeint Bulirsch-Stoer": ("#CC79A7", "D", "--"),
+    "odeint Bulirsch-Stoer dense": ("#CC79A7", "X", "-."),
     "CVODE Adams": ("#8B4513", "^", ":"),
+    "CVODE BDF": ("#8B4513", "<", ":"),
     "ARKODE order 8": ("#999933", "v", ":"),
 }
 PROBLEMS = {
@@ -75,10 +82,8 @@ def draw_methods(data, images, problem):
     methods = work_precision(data).get(problem)
     if not methods:
         return None
-    figure, axes = make(9, 5.2)
-    for method in sorted(methods, key=lambda m: list(STYLES).index(bare(m)) if bare(m) in STYLES else 99):
-        if bare(method) not in STYLES:
-            continue
+    figure, axes = make(9, 5.2 + 0.1 * max(0, len(methods) - 15))
+    for method in sorted(methods, key=lambda m: (m.endswith("(angles)"), list(STYLES).index(bare(m)))):
         color, marker, line = STYLES[bare(method)]
         points = front(methods[method])
         axes.loglog([1e3 * p[0] for p in points], [p[1] for p in points], color=color, marker=marker, linestyle=line,
@@ -105,12 +110,23 @@ def draw_discretizations(axes, rows):
                     markerfacecolor=colour if refinements == 0 else "white")
 
 
+def draw_uncertainty(axes, data):
+    """Errors near this line are those of the reference as much as of the run."""
+    uncertainty = release_uncertainty(data)
+    if uncertainty is None:
+        return
+    axes.axhline(uncertainty, color="#777777", linewidth=0.8)
+    axes.annotate(f"uncertainty of the reference, {uncertainty:.1e}", (0, uncertainty), xytext=(4, 3), fontsize=9,
+                  xycoords=("axes fraction", "data"), textcoords="offset points", color="#555555")
+
+
 def draw_release(data, images):
     rows, peers = read_rows(data, "ball_release.csv"), read_rows(data, "fenicsx_release.csv")
     if not rows:
         return None
     figure, axes = make(9, 5.4)
     draw_discretizations(axes, rows)
+    draw_uncertainty(axes, data)
     for scheme, marker, line in (("midpoint", "P", "-."), ("midpoint, order 4", "X", (0, (1, 1)))):
         points = front([(float(r["seconds"]), float(r["error"])) for r in peers if r["scheme"] == scheme])
         if points:
@@ -123,6 +139,27 @@ def draw_release(data, images):
     return save(figure, images / "benchmark_ball_release.svg")
 
 
+def draw_summary(data, images):
+    """The picture of README.md, which is shown small: no more than the two fronts of the release."""
+    own, peers = errors_of(data, "ball_release.csv"), errors_of(data, "fenicsx_release.csv")
+    if not own:
+        return None
+    figure, axes = make(5, 4)
+    for points, name, colour, marker, line, place, side in (
+            (own, "pseudorigid", "#0072B2", "o", "-", (-6, -14), "right"),
+            (peers, "FEniCSx", "#D55E00", "s", "--", (8, 8), "left")):
+        if points := front(points):
+            axes.loglog(*zip(*points), color=colour, marker=marker, linestyle=line, linewidth=1.8, markersize=6)
+            axes.annotate(name, points[len(points) // 2], xytext=place, textcoords="offset points", color=colour,
+                          ha=side, fontsize=12)
+    draw_uncertainty(axes, data)
+    axes.set_xlabel("processor time of the run (s)")
+    axes.set_ylabel("largest error of $Q_{33}$ (dimensionless)")
+    axes.grid(color="#dddddd", linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    return save(figure, images / "benchmark_summary.svg")
+
+
 REFINED = (("#0072B2", "unrefined"), ("#D55E00", "refined once"), ("#000000", "refined twice"))
 
 
@@ -130,11 +167,12 @@ def draw_degrees(axes, points, refinements, marker, prefix=""):
     """(seconds, error, degree) of discretisations with the same refinements, each with its degree beside it."""
     colour, name = REFINED[refinements]
     points = sorted(points, key=lambda point: point[2])
-    axes.loglog([p[0] for p in points], [p[1] for p in points], color=colour, marker=marker, linestyle=LINES[refinements],
-                markersize=6, label=prefix + name, markerfacecolor="white" if marker == "s" else colour)
+    axes.loglog([p[0] for p in points], [p[1] for p in points], color=colour, marker=marker, markersize=6,
+                linestyle=LINES[refinements], label=prefix + name,
+                markerfacecolor="white" if marker == "s" else colour)
     for seconds, error, degree in points:
-        axes.annotate(str(degree), (seconds, error), xytext=(6, 3), textcoords="offset points", fontsize=9, color=colour,
-                      zorder=5, path_effects=[effects.withStroke(linewidth=2.5, foreground="white")])
+        axes.annotate(str(degree), (seconds, error), xytext=(6, 3), textcoords="offset points", fontsize=9, zorder=5,
+                      color=colour, path_effects=[effects.withStroke(linewidth=2.5, foreground="white")])
 
 
 def draw_lamb(data, images):
@@ -146,7 +184,8 @@ def draw_lamb(data, images):
         own = [(float(r["seconds"]), float(r["error"]), int(r["degree"])) for r in rows
                if int(r["refinements"]) == refinements]
         if own:
-            draw_degrees(axes, [min(p for p in own if p[2] == degree) for degree in {p[2] for p in own}], refinements, "o")
+            fastest = [min(p for p in own if p[2] == degree) for degree in {p[2] for p in own}]
+            draw_degrees(axes, fastest, refinements, "o")
     axes.set_xlabel("processor time of one run, set-up included (s)")
     axes.set_ylabel("largest error / largest response, 0 ≤ t ≤ 5")
     axes.set_title("small affine release; numbers are degrees", loc="left", fontsize=12)
@@ -165,12 +204,6 @@ def draw_frequency(data, images):
                    if r["way"] == way and int(r["refinements"]) == refinements]
             if own:
                 draw_degrees(axes, own, refinements, marker, f"{way}, ")
-    axes.axhline(1e-9, color="#777777", linewidth=0.8)
-    axes.annotate("1e-9", (0, 1e-9), xycoords=("axes fraction", "data"), xytext=(3, 3), textcoords="offset points",
-                  fontsize=9, color="#555555")
-    axes.axvline(0.5, color="#777777", linewidth=0.8)
-    axes.annotate("0.5 s", (0.5, 1), xycoords=("data", "axes fraction"), xytext=(3, -10), textcoords="offset points",
-                  fontsize=9, color="#555555")
     axes.set_xlabel("processor time from mesh to eigenvalue (s)")
     axes.set_ylabel("relative error of the frequency S2")
     axes.set_title("lowest spheroidal frequency; numbers are degrees", loc="left", fontsize=12)
@@ -214,7 +247,7 @@ def draw_steps(data, images):
 
 
 def draw_skipping(data, images):
-    rows = [r for r in read_rows(data, "skipping.csv") if not r["refused"]]
+    rows = runs_of_skipping(data)
     if not rows:
         return None
     parts = list(dict.fromkeys(r["part"] for r in rows))[::-1]
@@ -222,16 +255,29 @@ def draw_skipping(data, images):
     for y, part in enumerate(parts):
         ratios = [float(r["seconds_with"]) / float(r["seconds"]) for r in rows if r["part"] == part]
         axes.plot(ratios, [y] * len(ratios), "o", color="#0072B2", markersize=6, alpha=0.45, markeredgewidth=0)
-        axes.plot(sorted(ratios)[len(ratios) // 2], y, "|", color="#000000", markersize=16, markeredgewidth=2)
+        axes.plot(statistics.median(ratios), y, "|", color="#000000", markersize=16, markeredgewidth=2)
     axes.axvline(1, color="#777777", linewidth=0.8)
     axes.set_xscale("log")
     axes.set_yticks(range(len(parts)), parts)
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     axes.set_xlabel("processor time with the part / without")
-    axes.set_title("a dot for each scene, a bar at the median", loc="right", fontsize=10)
+    axes.set_title("scenes of params/, with finite elements shortened to t ≤ 1\n"
+                   "a dot for each scene, a bar at the median", loc="left", fontsize=10)
     axes.grid(axis="x", color="#dddddd", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     return save(figure, images / "benchmark_skipping.svg")
+
+
+LONG_RUN = {"rattle-8": ("#000000", "^", "-"), "symmetric-8": ("#0072B2", "o", "--"),
+            "symmetric-12": ("#56B4E9", "s", ":"), "energy-momentum": ("#D55E00", "P", "-.")}
+N_INTERVALS = 20
+
+
+def largest_of_intervals(times, values):
+    """(middles, largest values) of N_INTERVALS parts of the time, each with as many samples."""
+    cuts = [len(times) * i // N_INTERVALS for i in range(N_INTERVALS + 1)]
+    parts = [slice(a, b) for a, b in zip(cuts, cuts[1:]) if b > a]
+    return [statistics.mean(times[part]) for part in parts], [max(values[part]) for part in parts]
 
 
 def draw_long_run(data, images):
@@ -242,14 +288,17 @@ def draw_long_run(data, images):
                   ("det_error", "det Q")]
     plt.rcParams.update({"font.size": 11})
     figure, all_axes = plt.subplots(len(quantities), 1, sharex=True, figsize=(7.5, 9), layout="constrained")
-    colors = {"rattle-8": "#000000", "symmetric-8": "#0072B2", "symmetric-12": "#56B4E9", "energy-momentum": "#D55E00"}
     for axes, (column, label) in zip(all_axes, quantities):
-        for method, color in colors.items():
+        for method, (colour, marker, line) in LONG_RUN.items():
             own = [r for r in rows if r["method"] == method and float(r["time"]) > 0]
-            axes.semilogy([float(r["time"]) / 2e6 for r in own], [max(abs(float(r[column])), 1e-17) for r in own], ".",
-                          markersize=2.2, label=method, color=color, rasterized=True)
-        axes.set_ylabel(f"|error| of\n{label}\n" + ("(absolute; 0 at 1e-17)" if column == "det_error" else "(relative)"))
+            times = [float(r["time"]) / 2e6 for r in own]
+            errors = [max(abs(float(r[column])), 1e-17) for r in own]
+            axes.semilogy(times, errors, ".", markersize=1.6, color=colour, alpha=0.4, rasterized=True)
+            axes.semilogy(*largest_of_intervals(times, errors), color=colour, marker=marker, markersize=4.5,
+                          linestyle=line, linewidth=1.1, label=method)
+        kind = "(absolute; 0 at 1e-17)" if column == "det_error" else "(relative)"
+        axes.set_ylabel(f"|error| of\n{label}\n{kind}")
         axes.grid(color="#dddddd", linewidth=0.6)
-    all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, markerscale=5, fontsize=10)
+    all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, fontsize=10)
     all_axes[-1].set_xlabel("time (million periods of pulsation of 2 units of time)")
     return save(figure, images / "benchmark_long_run.png")

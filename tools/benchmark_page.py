@@ -2,19 +2,21 @@
 """Pictures, page and tables of the benchmarks, from the data that scripts/benchmark.sh has measured.
 
     tools/benchmark_page.py                  docs/benchmarks/data → docs/images, docs/benchmarks/index.html, and the
-                                             tables of docs/benchmarks.md and README.md
+                                             tables of docs/benchmarks.md, docs/kernels.md and README.md
     tools/benchmark_page.py --output DIR     DIR/data → DIR
     tools/benchmark_page.py --check          whether the tables are those of the data (no picture is made)
 
-A table stands between <!-- begin: NAME --> and <!-- end: NAME --> of a Markdown file and is replaced as a whole; TABLES
-lists the names. Markers of parts without data keep what they have.
+A table, or a text with numbers, stands between <!-- begin: NAME --> and <!-- end: NAME --> of a Markdown file and is
+replaced as a whole; TABLES and TEXTS list the names. Markers of parts without data keep what they have.
 """
 
 import argparse
+import base64
 import html
 import pathlib
 import re
 
+import benchmark_sections as sections
 import benchmark_tables as tables
 from run_directory import fail
 
@@ -31,7 +33,10 @@ TABLES = {
     "peers": tables.peers,
     "lamb": tables.lamb,
     "frequency": tables.frequency,
+    "auto_discretization": tables.auto_discretization,
     "kernels": tables.kernels,
+    "kernels_of_degree_4": lambda data: tables.kernels_of_degree(data, "4"),
+    "kernel_sizes": tables.kernel_sizes,
     "steps": tables.steps,
     "ranks": tables.ranks,
     "gram_iterations": tables.gram_iterations,
@@ -40,6 +45,14 @@ TABLES = {
     "long_run": tables.long_run,
     "machine": tables.machine,
     "parts": tables.parts,
+}
+TEXTS = {
+    "release_reference": sections.reference_of_release,
+    "lamb_reference": sections.reference_of_lamb,
+    "frequency_reference": sections.reference_of_frequency,
+    "machine_limits": sections.limits_of_the_machine,
+    "long_run_drift": sections.drift_of_the_long_run,
+    "summary_picture": sections.summary_picture,
 }
 MARKERS = re.compile(r"(<!-- begin: (\w+) -->\n).*?(<!-- end: \2 -->)", re.DOTALL)
 
@@ -53,9 +66,11 @@ def as_markdown(table):
 def as_html(table):
     header, rows = table
 
+    def kind(cell):
+        return ' class="words"' if len(cell) > MOST_UNBROKEN else ' class="short"' if len(header) > 9 else ""
+
     def line(tag, cells):
-        kind = [' class="words"' if len(cell) > MOST_UNBROKEN else ' class="short"' if len(cells) > 9 else "" for cell in cells]
-        return "<tr>" + "".join(f"<{tag}{k}>{html.escape(cell)}</{tag}>" for cell, k in zip(cells, kind)) + "</tr>\n"
+        return "<tr>" + "".join(f"<{tag}{kind(cell)}>{html.escape(cell)}</{tag}>" for cell in cells) + "</tr>\n"
 
     head = f"<thead>{line('th', header)}</thead>\n" if any(header) else ""
     return f'<div class="wide"><table>\n{head}{"".join(line("td", row) for row in rows)}</table></div>\n'
@@ -64,15 +79,18 @@ def as_html(table):
 def spliced(text, data, path):
     def replacement(match):
         begin, name, end = match.groups()
+        if name in TEXTS:
+            text = TEXTS[name](data)
+            return f"{begin}{text}\n{end}" if text else match[0]
         if name not in TABLES:
-            fail(f"{path}: there is no table {name}; tools/benchmark_page.py lists them")
+            fail(f"{path}: there is no table or text {name}; tools/benchmark_page.py lists them")
         table = TABLES[name](data)
         return begin + as_markdown(table) + end if table else match[0]
 
     return MARKERS.sub(replacement, text)
 
 
-MOST_UNBROKEN = 26  # characters of a cell that stays on one line
+MOST_UNBROKEN = 30  # characters of a cell that stays on one line
 # What is wider than the page is moved sideways in a box of its own, with a shadow where it goes on.
 STYLE = """body { font: 16px/1.5 sans-serif; max-width: 68em; margin: 1em auto; padding: 0 1em; color: #111; }
 h2 { border-top: 1px solid #ccc; padding-top: 1em; margin-top: 2em; }
@@ -81,38 +99,48 @@ th, td { border: 1px solid #ccc; padding: 0.2em 0.6em; text-align: left; min-wid
 td { white-space: nowrap; }
 td.short { white-space: normal; min-width: 4.8em; }
 td.words { white-space: normal; min-width: 11em; overflow-wrap: anywhere; }
-.wide { overflow-x: auto; margin: 1em 0; background: linear-gradient(to right, #fff, #fff) left / 14px 100% no-repeat local,
-  linear-gradient(to left, #fff, #fff) right / 14px 100% no-repeat local, linear-gradient(to right, #bbb, #fff) left / 12px 100% no-repeat scroll,
-  linear-gradient(to left, #bbb, #fff) right / 12px 100% no-repeat scroll; }
-.picture svg { display: block; min-width: 640px; max-width: 100%; height: auto; mix-blend-mode: multiply; }
-@media print { .wide { overflow: visible; background: none; } .picture svg { min-width: 0; } table { font-size: 10px; } tr, .picture { break-inside: avoid; } h2, .notes { break-after: avoid; } }
+.wide { overflow-x: auto; margin: 1em 0;
+  background: linear-gradient(to right, #fff, #fff) left / 14px 100% no-repeat local,
+    linear-gradient(to left, #fff, #fff) right / 14px 100% no-repeat local,
+    linear-gradient(to right, #bbb, #fff) left / 12px 100% no-repeat scroll,
+    linear-gradient(to left, #bbb, #fff) right / 12px 100% no-repeat scroll; }
+.picture svg, .picture img { display: block; min-width: 640px; max-width: 100%; height: auto;
+  mix-blend-mode: multiply; }
+@media print {
+  .wide { overflow: visible; background: none; }
+  .picture svg, .picture img { min-width: 0; }
+  table { font-size: 10px; }
+  tr, .picture { break-inside: avoid; }
+  h2, .notes { break-after: avoid; }
+}
 .notes { color: #444; font-size: 14px; }"""
 
 
-def inline(path):
-    """An SVG file as a part of a page."""
+def inline(path, title):
+    """A picture as a part of a page."""
+    if path.suffix == ".png":
+        content = base64.b64encode(path.read_bytes()).decode()
+        return f'<img src="data:image/png;base64,{content}" alt="{html.escape(title)}">'
     text = path.read_text()
     return text[text.index("<svg"):]
 
 
 def section(title, part, runs, paragraphs, figure, names, data):
-    pieces = [f"<h2>{html.escape(title)}</h2>\n", *(f"<p>{html.escape(p)}</p>\n" for p in paragraphs)]
+    pieces = [f"<h2>{html.escape(title)}</h2>\n", *(f"<p>{html.escape(p)}</p>\n" for p in paragraphs if p)]
     run = runs.get(part)
     if run:
-        pieces.append(f'<p class="notes">scripts/benchmark.sh {part}: {run["date"]}, load {run["load at start"]:.1f} at the '
-                      f'start, {run["seconds"]} s, commit {run["commit"][:9]}{", --quick" if run["quick"] else ""}</p>\n')
-    if figure and figure.suffix == ".svg":
-        pieces.append(f'<div class="wide picture">{inline(figure)}</div>\n')
+        pieces.append(f'<p class="notes">scripts/benchmark.sh {part}: {run["date"]}, load {run["load at start"]:.1f} '
+                      f'at the start, {run["seconds"]} s, commit {run["commit"][:9]}'
+                      f'{", --quick" if run["quick"] else ""}</p>\n')
+    if figure:
+        pieces.append(f'<div class="wide picture">{inline(figure, title)}</div>\n')
     for name in names:
         if table := TABLES[name](data):
             pieces.append(as_html(table))
     return "".join(pieces) if figure or any(TABLES[name](data) for name in names) else ""
 
 
-def make_page(data, images, target):
-    import benchmark_figures as figures
-    import benchmark_sections as sections
-
+def make_page(figures, data, images, target):
     runs = tables.read_runs(data)
     body = ["<h1>Benchmarks of pseudorigid</h1>\n", "<p>Written by scripts/benchmark.sh; nothing here is typed by hand "
             "but the descriptions of the problems. Times are compared within one part only.</p>\n",
@@ -121,8 +149,8 @@ def make_page(data, images, target):
         figure = draw(figures, data, images) if draw else None
         body.append(section(title, part, runs, paragraphs, figure, names, data))
     target.write_text('<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><meta name="viewport" '
-                      f'content="width=device-width"><title>Benchmarks of pseudorigid</title>\n<style>{STYLE}</style></head>\n'
-                      f'<body>\n{"".join(body)}</body></html>\n')
+                      'content="width=device-width"><title>Benchmarks of pseudorigid</title>\n'
+                      f'<style>{STYLE}</style></head>\n<body>\n{"".join(body)}</body></html>\n')
 
 
 def main():
@@ -132,15 +160,18 @@ def main():
     arguments = parser.parse_args()
     target = arguments.output or ROOT / "docs/benchmarks"
     data = target / "data"
-    pages = [] if arguments.output else [ROOT / "docs/benchmarks.md", ROOT / "README.md"]
+    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "README.md")]
     if arguments.check:
         stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
         if stale:
             fail(f"tables of {', '.join(stale)} are not those of {data}; run tools/benchmark_page.py")
         return
+    import benchmark_figures as figures  # not for --check, which needs no matplotlib
+
     images = ROOT / "docs/images" if not arguments.output else target / "images"
     images.mkdir(parents=True, exist_ok=True)
-    make_page(data, images, target / "index.html")
+    make_page(figures, data, images, target / "index.html")
+    figures.draw_summary(data, images)
     for page in pages:
         page.write_text(spliced(page.read_text(), data, page))
 

@@ -1,10 +1,18 @@
 """Tables of the benchmarks as (header, rows of texts), from the files of docs/benchmarks/data; None without data."""
 
-from benchmark_data import (cheapest, discretization, read_notes, read_rows, read_runs, time_for, work_precision)
+import math
+import statistics
+
+from benchmark_data import (cheapest, discretization, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-11, 1e-12)
 LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE")
 NONE = "–"
+AUTO_SCENES = {"release": "release from a stretch", "velocity": "release by a velocity, a = 0.3",
+               "compressible": "compressible, in a tidal field"}
+# Counted work says nothing of these: eigenvalue problems and searches are not counted as forces, and forces of the
+# continuum have another unit than those of the reduced model.
+PARTS_WITHOUT_WORK = ("modes", "critical points", "continuum")
 
 
 def number(x, digits=3):
@@ -60,7 +68,8 @@ def peers(data):
     rows = read_rows(data, "fenicsx_release.csv")
     return (["discretisation", "scheme", "step", "unknowns", "s", "error", "iterations a step", "factorisations"],
             [[discretization(r), r["scheme"], r["step"], r["unknowns"], number(float(r["seconds"])),
-              f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]] for r in rows]) if rows else None
+              f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]]
+             for r in rows]) if rows else None
 
 
 def lamb(data):
@@ -69,8 +78,8 @@ def lamb(data):
     for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 5e-6):
         best = cheapest(rows, level)
         if best:
-            result.append([f"{level:.0e}", discretization(best), best["unknowns"], best["steps"], f"{float(best['error']):.1e}",
-                           number(float(best["seconds"]))])
+            result.append([f"{level:.0e}", discretization(best), best["unknowns"], best["steps"],
+                           f"{float(best['error']):.1e}", number(float(best["seconds"]))])
     return (["error at most", "cheapest", "unknowns", "steps", "its error", "s"], result) if result else None
 
 
@@ -79,6 +88,16 @@ def frequency(data):
     return (["way", "discretisation", "unknowns", "relative error", "s"],
             [[r["way"], discretization(r), r["unknowns"], f"{float(r['error']):.1e}", number(float(r["seconds"]))]
              for r in rows]) if rows else None
+
+
+def auto_discretization(data):
+    rows = read_rows(data, "auto_discretization.csv")
+    return (["scene", "tolerance", "found", "estimate", "error", "by hand", "its error", "s", "s / by hand",
+             "work / by hand"],
+            [[AUTO_SCENES[r["scene"]], f"{float(r['tolerance']):.0e}", discretization(r), f"{float(r['estimate']):.1e}",
+              f"{float(r['error']):.1e}", discretization(r, "hand_"), f"{float(r['hand_error']):.1e}",
+              number(float(r["seconds"])), f"{float(r['seconds']) / float(r['hand_seconds']):.1f}",
+              f"{float(r['work']) / float(r['hand_work']):.1f}"] for r in rows]) if rows else None
 
 
 def kernels(data):
@@ -97,6 +116,30 @@ def kernels(data):
     return ["k", "unknowns", *names, "force / FEEvaluation", "force / roofline"], result
 
 
+def kernels_of_degree(data, degree):
+    """A column for each kernel: speed, what the machine would allow, and what was counted for that."""
+    rows = [r for r in read_rows(data, "kernels.csv") if r["degree"] == degree]
+    if not rows:
+        return None
+
+    def line(name, column, scale, digits=0):
+        return [name, *(f"{float(r[column]) / scale:.{digits}f}" if float(r[column]) else NONE for r in rows)]
+
+    return [f"k = {degree}, {rows[0]['unknowns']} unknowns", *(r["kernel"] for r in rows)], [
+        line("median", "per_second", 1e6), line("best", "best_per_second", 1e6), line("roofline", "roofline", 1e6),
+        line("median / FEEvaluation", "over_fe_evaluation", 1, 2), line("flops an unknown", "flops", 1),
+        line("bytes an unknown", "bytes", 1)]
+
+
+def kernel_sizes(data):
+    """Speed over the size of the mesh, by the kernels' times of the part `steps`."""
+    rows = [r for r in read_rows(data, "ball_steps.csv") if r["degree"] == "4" and r["ranks"] == "1"]
+    kinds = ("force", "constraint", "rate", "reaction")
+    return (["k = 4, unknowns", *kinds], [
+        [r["unknowns"], *(f"{int(r['unknowns']) / float(r[f'{kind}_s']) / 1e6:.0f}" for kind in kinds)]
+        for r in rows]) if rows else None
+
+
 def steps(data):
     rows = read_rows(data, "ball_steps.csv")
     return (["k, refined", "ranks", "unknowns", "multipliers", "ms a step", "step/force", "Gram iterations a step",
@@ -105,7 +148,8 @@ def steps(data):
               number(1e3 * float(r["step_s"])), r["step_per_force"], r["gram_iterations"], r["iterations_per_solve"],
               r["iterations_at_most"],
               f"{float(r['allocated_MB']) * 1e6 * int(r['ranks']) / int(r['unknowns']):.0f}",
-              f"{float(r['gram_MB']) * 1e6 * int(r['ranks']) / int(r['unknowns']):.0f}"] for r in rows]) if rows else None
+              f"{float(r['gram_MB']) * 1e6 * int(r['ranks']) / int(r['unknowns']):.0f}"]
+             for r in rows]) if rows else None
 
 
 def ranks(data):
@@ -127,11 +171,19 @@ def gram_iterations(data):
     columns.sort(key=lambda c: float(c[0]))
     of = {(r["degree"], r["shear"], r["refinements"]): r["iterations"] for r in rows}
     header = ["k", *(f"{'at rest' if float(shear) == 0 else 'deformed'}, refined {n}" for shear, n in columns)]
-    return header, [[k, *(of.get((k, *column), NONE) for column in columns)] for k in dict.fromkeys(r["degree"] for r in rows)]
+    degrees = dict.fromkeys(r["degree"] for r in rows)
+    return header, [[k, *(of.get((k, *column), NONE) for column in columns)] for k in degrees]
+
+
+def work_ratio(row):
+    """Counted work with the part over that without; None where it was not counted."""
+    without, having = float(row["work"]), float(row["work_with"])
+    return having / without if without and row["part"] not in PARTS_WITHOUT_WORK else None
 
 
 def skipping(data):
-    """A line for each scene, a column for each part: seconds more and the ratio."""
+    """A line for each scene, a column for each part: seconds more, the ratio, and that of the counted work if it is
+    not 1."""
     rows = read_rows(data, "skipping.csv")
     if not rows:
         return None
@@ -144,7 +196,9 @@ def skipping(data):
         if row["refused"]:
             return "not offered"
         without, having = float(row["seconds"]), float(row["seconds_with"])
-        return f"{having - without:+.2g} s (×{having / without:.2g})"
+        ratio = work_ratio(row)
+        work = f", work ×{ratio:.2g}" if ratio and ratio != 1 else ""
+        return f"{having - without:+.2g} s (×{having / without:.2g}{work})"
 
     scenes = dict.fromkeys(r["scene"] for r in rows)
     return ["scene", *parts], [[scene, *(cell(of.get((scene, part))) for part in parts)] for scene in scenes]
@@ -152,24 +206,35 @@ def skipping(data):
 
 def skipped_parts(data):
     """A line for each part, over the scenes."""
-    rows = [r for r in read_rows(data, "skipping.csv") if not r["refused"]]
+    rows = runs_of_skipping(data)
     result = []
     for part in dict.fromkeys(r["part"] for r in rows):
         own = [r for r in rows if r["part"] == part]
-        middle = len(own) // 2
-        ratios = sorted(float(r["seconds_with"]) / float(r["seconds"]) for r in own)
-        more = sorted(float(r["seconds_with"]) - float(r["seconds"]) for r in own)
-        memory = sorted(float(r["megabytes_with"]) - float(r["megabytes"]) for r in own)
-        result.append([part, str(len(own)), number(more[middle], 2), number(ratios[middle], 2),
-                       f"{number(ratios[0], 2)} to {number(ratios[-1], 2)}", f"{memory[middle]:.0f}"])
-    return (["part", "scenes that skip it", "s more", "time with / without", "from, to", "MB more"], result) if result else None
+        ratios = [float(r["seconds_with"]) / float(r["seconds"]) for r in own]
+        more = [float(r["seconds_with"]) - float(r["seconds"]) for r in own]
+        memory = [float(r["megabytes_with"]) - float(r["megabytes"]) for r in own]
+        work = [ratio for r in own if (ratio := work_ratio(r))]
+        result.append([part, str(len(own)), number(statistics.median(more), 2), number(statistics.median(ratios), 2),
+                       f"{number(min(ratios), 2)} to {number(max(ratios), 2)}",
+                       number(statistics.median(work), 2) if work else NONE, f"{statistics.median(memory):.0f}"])
+    header = ["part", "scenes that skip it", "s more", "time with / without", "from, to", "work with / without",
+              "MB more"]
+    return (header, result) if result else None
+
+
+def with_error(value, error):
+    """Both with the power of ten of the larger one: -1.6e-13 ± 0.8e-13."""
+    exponent = math.floor(math.log10(max(abs(value), error)))
+    return f"{value / 10**exponent:.1f}e{exponent} ± {error / 10**exponent:.1f}e{exponent}"
 
 
 def long_run(data):
     rows = read_rows(data, "long_run_summary.csv")
-    return (["method, step", "energy", "its drift", "J", "Z", "det Q − 1", "s"],
-            [[f"{r['method']}, 1/{r['steps_per_unit']}", r["energy_error"], f"{r['energy_drift']} ± {r['drift_error']}",
-              r["J_error"], r["Z_error"], r["det_error"], number(float(r["seconds"]))] for r in rows]) if rows else None
+    header = ["method, step", "energy", "its drift", "J", "Z", "det Q − 1", "s"]
+    return (header, [[f"{r['method']}, 1/{r['steps_per_unit']}", f"{float(r['energy_error']):.1e}",
+                      with_error(float(r["energy_drift"]), float(r["drift_error"])),
+                      *(f"{float(r[name]):.1e}" for name in ("J_error", "Z_error", "det_error")),
+                      number(float(r["seconds"]))] for r in rows]) if rows else None
 
 
 def machine(data):
@@ -203,8 +268,3 @@ def summary(data):
     if best:
         lines.append(["elastic ball, frequency S2, relative error 1e-9", f"{number(float(best['seconds']))} s", NONE])
     return (["problem", "pseudorigid", "fastest rival here"], lines) if lines else None
-
-
-def uncertainty_of_release(data):
-    notes = [note for note in read_notes(data, "ball_release.csv") if "uncertainty" in note]
-    return notes[0].rsplit(" ", 1)[-1] if notes else "unknown"

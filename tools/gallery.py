@@ -50,7 +50,8 @@ def make_small(path):
     palette = image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE)
     small = image.quantize(palette=palette, dither=PIL.Image.Dither.FLOYDSTEINBERG)
     colours, (_, paper) = small.getpalette(), max(small.getcolors())
-    colours[3 * paper:3 * paper + 3] = [255, 255, 255]  # what is most of a picture is white but for the choice of a palette
+    # What is most of a picture is white but for the choice of a palette.
+    colours[3 * paper:3 * paper + 3] = [255, 255, 255]
     small.putpalette(colours)
     small.save(path, optimize=True)
 

@@ -61,8 +61,8 @@ def polydata(points, quadrilaterals, scalars=None):
 
 
 class Surface:
-    """The surface of the hexahedra of a .vtu, whose cells have points of their own: those at one place are joined, and a
-    face that one hexahedron alone has is on the surface."""
+    """The surface of the hexahedra of a .vtu, whose cells have points of their own: those at one place are joined, and
+    a face that one hexahedron alone has is on the surface."""
 
     FACES = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
 
@@ -100,6 +100,13 @@ def painted(data, table):
     return actor
 
 
+def add_colour_bar(window, height, table, caption):
+    """In a strip at the bottom of the window, of this part of its height."""
+    strip = render.renderer(window, 0, 0, 1, height)
+    strip.AddActor2D(render.colour_bar(table))
+    strip.AddActor2D(render.text(caption, 26, 0.5, 0.1))
+
+
 def release(run, path):
     """Both balls with their stress, by tools/render.py."""
     directory = run("spin_and_stretch")
@@ -120,9 +127,7 @@ def rough_ball(run, path):
         view.AddActor(render.lines(render.polylines(sides), (1, 1, 1), 1, 0.35))
         view.AddActor2D(render.text(f"t = {time:g} r/c", 26, 0.5, 0.9, bold=True))
         render.aim(view, 1.25)
-    strip = render.renderer(window, 0, 0, 1, render.STRIP)
-    strip.AddActor2D(render.colour_bar(table))
-    strip.AddActor2D(render.text("von Mises stress (μ)", 26, 0.5, 0.1))
+    add_colour_bar(window, render.STRIP, table, "von Mises stress (μ)")
     write(window, path)
 
 
@@ -131,18 +136,21 @@ def modes(run, path):
     directory = run("modes", "Modes/Number=8")
     rows = read_csv(directory / "modes.csv")
     frames = read_pvd(directory / "modes.pvd")
-    window = new_window(900, 520)
+    window = new_window(900, 630)
+    strip = 110 / 630  # of the height
+    height = (1 - strip) / 2
     table = render.colours(1)
     for k, (_, file) in enumerate(frames[:8]):
         surface = Surface(file, ("displacement",))
         u = surface.fields["displacement"]
-        column, row = k % 4, 1 - k // 4
-        view = render.renderer(window, column / 4, row / 2, (column + 1) / 4, (row + 1) / 2)
+        column, bottom = k % 4, 1 - (1 + k // 4) * height
+        view = render.renderer(window, column / 4, bottom, (column + 1) / 4, bottom + height)
         size = np.linalg.norm(u, axis=1)
         view.AddActor(painted(polydata(surface.points + 0.3 * u, surface.faces, size), table))
         name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "*" * int(rows["overtone"][k])
         view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 21, 0.5, 0.89))
         render.aim(view, 1.2)
+    add_colour_bar(window, strip, table, "displacement / largest displacement of the mode")
     write(window, path)
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""The picture of docs/equilibria.md: spin and energy of fluid figures of equilibrium over their angular momentum, and the
-elastic spheroids between a ball of rubber and a ball of water. Needs Debian's python3-matplotlib.
+"""The picture of docs/equilibria.md: squared spin of fluid figures of equilibrium over their angular momentum, and the
+spin of elastic spheroids between a ball of rubber and a ball of water. Needs Debian's python3-matplotlib.
 
     tools/plot_equilibria.py build/release/bin/pseudorigid --output docs/images/equilibria.svg
 """
@@ -18,7 +18,8 @@ BLUE, ORANGE, GREY = "#0072B2", "#D55E00", "#777777"  # Okabe and Ito's
 
 
 def curve(program, entries, first, last, number):
-    return family(program, {**entries, "Equilibrium/First": first, "Equilibrium/Last": last, "Equilibrium/Number": number})
+    return family(program, {**entries, "Equilibrium/First": first, "Equilibrium/Last": last,
+                            "Equilibrium/Number": number})
 
 
 def split_by_stability(rows):
@@ -58,7 +59,8 @@ def main():
         members = [r for r in rows if r["kind"] == 0]
         draw(left, members, lambda r: r["J3"], lambda r: r["omega3"] ** 2, colour, name)
     for row in maclaurin:
-        words = {1: ("greatest spin", (-0.55, 0.014)), 3: ("Jacobi branches off", (-1.1, -0.005)), 4: ("unstable from here", (0.1, 0.012))}
+        words = {1: ("greatest spin", (-0.55, 0.014)), 3: ("Jacobi branches off", (-1.1, -0.005)),
+                 4: ("unstable from here", (0.1, 0.012))}
         if row["kind"] in words:
             text, (dx, dy) = words[row["kind"]]
             left.plot(row["J3"], row["omega3"] ** 2, "o", color="black", markersize=5)
@@ -66,12 +68,13 @@ def main():
                           (row["J3"] + dx, row["omega3"] ** 2 + dy), fontsize=8, va="bottom" if dy > 0 else "top")
     left.set_ylim(0, 0.58)
     left.set_xlabel("angular momentum J  (units r = ρ = πGρ = 1)")
-    left.set_ylabel("Ω²/πGρ")
+    left.set_ylabel("squared spin Ω²/πGρ")
     left.set_title("Fluid bodies with gravity", fontsize=10)
 
     shades = ["#000000", BLUE, "#56B4E9", "#009E73", ORANGE]
     for modulus, colour in zip((0, 0.02, 0.1, 0.3, 1), shades):
-        law = {"Gravity/Constant": "$(1/pi)", **({"Material/Law": "none"} if modulus == 0 else {"Material/Shear modulus": modulus})}
+        law = {"Gravity/Constant": "$(1/pi)",
+               **({"Material/Law": "none"} if modulus == 0 else {"Material/Shear modulus": modulus})}
         rows = curve(options.program, {**law, "Equilibrium/Family": "maclaurin"}, 0.02, 0.98, 193)
         name = "fluid" if modulus == 0 else f"μ = {modulus} ρ²πGr²"
         members = [r for r in rows if r["kind"] == 0]

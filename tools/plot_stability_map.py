@@ -35,12 +35,13 @@ def draw(axes, runs, degree, biot):
     for run in mine:
         x, y = amplitudes.index(run["amplitude"]), parts.index(run["part_of_limit"])
         colour, hatch, _ = OUTCOMES[run["outcome"]]
-        axes.add_patch(plt.Rectangle((across[x], up[y]), 1, 1, facecolor=colour, edgecolor="white", linewidth=0.6, hatch=hatch))
+        axes.add_patch(plt.Rectangle((across[x], up[y]), 1, 1, facecolor=colour, edgecolor="white", linewidth=0.6,
+                                     hatch=hatch))
         if run["outcome"] == "ended":
             axes.text(x, y, f"{float(run['time']):.2g}", ha="center", va="center", fontsize=7,
                       bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.2})
         if run["biot_time"]:
-            axes.plot(x - 0.34, y + 0.32, marker="o", markersize=5, color="black", markeredgecolor="white")
+            axes.plot(x + 0.34, y + 0.32, marker="o", markersize=5, color="black", markeredgecolor="white")
     place = sum(a < biot for a in amplitudes) - 1
     fraction = (biot - amplitudes[place]) / (amplitudes[place + 1] - amplitudes[place])
     axes.axvline(place + fraction, color="black", linewidth=1.6)
@@ -66,6 +67,7 @@ def main():
     runs = [{**line, "degree": int(line["degree"]), "amplitude": float(line["amplitude"]), "step": float(line["step"]),
              "part_of_limit": float(line["part_of_limit"])} for line in lines if line["degree"] and line["outcome"]]
     degrees = sorted({run["degree"] for run in runs})
+    plt.rcParams["svg.hashsalt"] = "pseudorigid"  # the same picture is the same file
     figure, grid = plt.subplots(2, 2, figsize=(9, 7.6), sharex=True, sharey=True)
     figure.subplots_adjust(left=0.08, right=0.98, top=0.96, bottom=0.21, wspace=0.06, hspace=0.13)
     for axes, degree in zip(grid.flat, degrees):
@@ -79,11 +81,13 @@ def main():
                for name, (colour, hatch, label) in OUTCOMES.items()]
     handles.append(plt.Line2D([], [], marker="o", markersize=5, color="black", markeredgecolor="white", linestyle="",
                               label="the continuum's surface reached Biot's limit"))
-    handles.append(plt.Line2D([], [], color="black", linewidth=1.6, label=f"reduced model: a₃/a₁ reaches 0.2956 at a = {biot:.3f} c/r"))
-    handles.append(plt.Line2D([], [], color="black", linewidth=1, linestyle="--", label="stability limit of small motions at rest"))
+    handles.append(plt.Line2D([], [], color="black", linewidth=1.6,
+                              label=f"reduced model: a₃/a₁ reaches 0.2956 at a = {biot:.3f} c/r"))
+    handles.append(plt.Line2D([], [], color="black", linewidth=1, linestyle="--",
+                              label="stability limit of small motions at rest"))
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9, frameon=False)
     options.picture.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(options.picture)
+    figure.savefig(options.picture, metadata={"Date": None} if options.picture.suffix == ".svg" else None)
 
 
 if __name__ == "__main__":

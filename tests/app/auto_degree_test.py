@@ -3,8 +3,7 @@ interrupts; every comparison says its discretisation error.
 
 The references are Q(t) of the same scenes on much finer discretisations, in auto_degree_reference.json, made by
     PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/auto_degree_test.py reference [SCENE …]
-and a table of costs (CPU seconds and counted work, by hand and by auto) is printed by
-    PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/auto_degree_test.py costs [SCENE …]
+Times on these scenes, by hand and by auto, are measured by benchmarks/auto_discretization.py.
 """
 import json
 import pathlib
@@ -26,6 +25,7 @@ SCENES = {
 }
 COMMON = {"Models": "continuum", "Time/End": 2, "Output/Samples": 10, "Output/Quantities": "state"}
 AUTO = {"Continuum/Degree": "auto", "Continuum/Refinements": "auto"}
+TOLERANCE_OF_TIME = 1 / 20  # over that of the discretisation, whose error is then what is seen
 # Finer than anything that the tolerances ask for.
 FINEST = {"release": (6, 1), "velocity": (6, 1), "compressible": (6, 1)}
 
@@ -47,7 +47,7 @@ class AutoDegree(ProgramTest):
         return max(abs(x - y) for row, other in zip(a, b) for x, y in zip(row, other))
 
     def at_tolerance(self, scene, tolerance):
-        return {**SCENES[scene], "Time/Tolerance": tolerance / 20}
+        return {**SCENES[scene], "Time/Tolerance": tolerance * TOLERANCE_OF_TIME}
 
     def check_tolerance(self, scene, tolerance):
         counters = self.run_scene({**self.at_tolerance(scene, tolerance), **AUTO, "Continuum/Tolerance": tolerance})
@@ -152,33 +152,8 @@ def make_references(scenes):
     run.doCleanups()
 
 
-def print_costs(scenes):
-    run = AutoDegree()
-    run.setUp()
-    references = json.loads(REFERENCES.read_text())
-    for scene in scenes or SCENES:
-        for tolerance in (1e-3, 1e-4, 1e-5):
-            hand = {}
-            for discretization in ((2, 0), (3, 0), (2, 1), (4, 0), (5, 0), (3, 1), (6, 0), (7, 0), (4, 1), (8, 0)):
-                k, r = discretization
-                counters = run.run_scene({**run.at_tolerance(scene, tolerance), "Continuum/Degree": k,
-                                          "Continuum/Refinements": r})
-                if run.distance(run.deformation(), references[scene]) <= tolerance:
-                    hand[discretization] = (counters["work"], run.cpu)
-                if len(hand) == 2:
-                    break
-            best = min(hand, key=lambda d: hand[d][1])
-            auto = run.check_tolerance(scene, tolerance)
-            print(f"| {scene} | {tolerance:.0e} | {best} | {hand[best][1]:.2f} | {auto['degree']}, {auto['refinements']} | "
-                  f"{run.cpu:.2f} | {run.cpu / hand[best][1]:.2f} | "
-                  f"{(auto['work'] + auto['search_work']) / hand[best][0]:.2f} |", flush=True)
-    run.doCleanups()
-
-
 if __name__ == "__main__":
     if sys.argv[1:2] == ["reference"]:
         make_references(sys.argv[2:])
-    elif sys.argv[1:2] == ["costs"]:
-        print_costs(sys.argv[2:])
     else:
         unittest.main()
