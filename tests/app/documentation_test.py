@@ -8,6 +8,12 @@ import documentation
 from program_test import ProgramTest, SOURCE, main
 
 
+def anchors(text):
+    """Of the headings of a page, as they are made where the pages are shown: lower case, no punctuation, hyphens."""
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    return [re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings]
+
+
 class Documentation(ProgramTest):
     def check(self, page):
         documentation.make_workplace(self.scratch, self.program)
@@ -37,12 +43,17 @@ class Documentation(ProgramTest):
     def test_tutorial(self):
         self.assertGreaterEqual(self.check("docs/tutorial.md"), 10)
 
-    def test_every_link_of_the_documentation_leads_to_a_file(self):
+    def test_every_link_of_the_documentation_leads_somewhere(self):
         for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]:
             text = page.read_text()
-            for target in re.findall(r"\]\(([^)#\s]+)(?:#[^)]*)?\)", text) + re.findall(r'src="([^"]+)"', text):
-                if not re.match(r"https?:", target):
-                    self.assertTrue((page.parent / target).exists(), f"{page.name}: {target}")
+            for target in re.findall(r"\]\(([^)\s]+)\)", text) + re.findall(r'src="([^"]+)"', text):
+                if re.match(r"https?:", target):
+                    continue
+                file, _, anchor = target.partition("#")
+                path = page.parent / file if file else page
+                self.assertTrue(path.exists(), f"{page.name}: {target}")
+                if anchor:
+                    self.assertIn(anchor, anchors(path.read_text()), f"{page.name}: {target}")
 
 
 if __name__ == "__main__":
