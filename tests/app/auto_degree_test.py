@@ -11,7 +11,7 @@ import resource
 import sys
 import unittest
 
-from program_test import STOPPED, ProgramTest, overrides
+from program_test import STOPPED, ProgramTest
 
 REFERENCES = pathlib.Path(__file__).with_name("auto_degree_reference.json")
 Q = [f"Q{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
@@ -133,7 +133,8 @@ class AutoDegree(ProgramTest):
         self.assertIsNone(difference["uncertainty"])
 
     def test_comparison_of_models_that_hardly_differ(self):
-        """In the first tenth of its time unit the shear front has not left the surface: what the coarsest elements see is their own error."""
+        """In the first tenth of its time unit the shear front has not left the surface: what the coarsest elements see is
+        their own error."""
         text, difference = self.compare({"Continuum/Degree": 2, "Time/End": 0.1, "Time/Tolerance": 1e-7})
         self.assertIn("the two overlap: the difference is not resolved", text)
         self.assertFalse(difference["resolved"])
