@@ -18,6 +18,7 @@ median of three runs, or of as many as 10 seconds hold), error (largest differen
 iterations_per_step (Newton iterations of a midpoint step), factorizations.
 """
 import logging
+import os
 import pathlib
 import statistics
 import sys
@@ -194,3 +195,5 @@ def main():
 
 if __name__ == "__main__":
     main()
+    sys.stdout.flush()
+    os._exit(0)  # Python destroys PETSc's objects in no certain order, which now and then is a segmentation fault

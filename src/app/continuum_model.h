@@ -55,7 +55,7 @@ class ContinuumModel {
 
   /// Collective.
   std::string place_of_least_jacobian(const State& state) const {
-    return "least " + continuum::to_string(ball_.least_jacobian(state.q));
+    return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
 
   std::vector<std::string> columns(const scene::Quantities& q) const { return io::continuum_columns(q); }

@@ -19,15 +19,15 @@ class WrinklingWatch {
 
   void look(double time, const continuum::BallSpace& space, const continuum::Vector& x) {
     if (!watches_) return;
-    const continuum::SurfaceStretch surface = continuum::least_surface_stretch(space, x);
-    least_ = std::min(least_, surface.ratio);
-    if (first_ || surface.ratio > continuum::biot_ratio) return;
+    const continuum::LeastPlace surface = continuum::least_surface_stretch(space, x);
+    least_ = std::min(least_, surface.value);
+    if (first_ || surface.value > continuum::biot_ratio) return;
     first_ = time;
     context_.log->warn(
         "continuum: the surface reaches Biot's limit at t = {:.6g}: its stretch along the surface is {:.3g} of that "
         "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below 0.2956 a smooth surface is unstable to wrinkles "
         "whose length the mesh decides, so compare with finer elements what is seen near it",
-        time, surface.ratio, surface.place[0], surface.place[1], surface.place[2]);
+        time, surface.value, surface.where[0], surface.where[1], surface.where[2]);
   }
 
   void report(io::Manifest::Model& statistics) const {

@@ -22,17 +22,17 @@ BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, cons
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
-std::string to_string(const LeastJacobian& least) {
+std::string in_words(const LeastPlace& jacobian) {
   char text[120];
-  std::snprintf(text, sizeof text, "det F = %.3g at X/r = (%.3f, %.3f, %.3f)", least.value, least.where[0],
-                least.where[1], least.where[2]);
+  std::snprintf(text, sizeof text, "det F = %.3g at X/r = (%.3f, %.3f, %.3f)", jacobian.value, jacobian.where[0],
+                jacobian.where[1], jacobian.where[2]);
   return text;
 }
 
 mechanics::Status BallBody::judge_jacobian(double least, const Vector& x) const {
   least = least_over_ranks(least, space_.communicator());
   if (least > 0 && std::isfinite(least)) return {};
-  return mechanics::Status::failure("an element is turned inside out: " + to_string(least_jacobian(x)));
+  return mechanics::Status::failure("an element is turned inside out: " + in_words(least_jacobian(x)));
 }
 
 mechanics::Status BallBody::applied_force(const Vector& x, const Vector& v, Vector& f) const {
@@ -88,15 +88,9 @@ Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {
   return whole_ball(sum_over_ranks(sum, space_.communicator()));
 }
 
-LeastJacobian BallBody::least_jacobian(const Vector& x) const {
-  LeastJacobian least = kernels_->locate_least_jacobian(x);
-  const MPI_Comm communicator = space_.communicator();
-  if (n_ranks(communicator) == 1) return least;
-  const double of_all = least_over_ranks(least.value, communicator);
-  const bool is_mine = least.value == of_all || (std::isnan(least.value) && !std::isfinite(of_all));
-  const double n_places = sum_over_ranks(is_mine ? 1 : 0, communicator);
-  for (int c = 0; c < 3; ++c) least.where[c] = sum_over_ranks(is_mine ? least.where[c] : 0, communicator) / n_places;
-  least.value = of_all;
+LeastPlace BallBody::least_jacobian(const Vector& x) const {
+  LeastPlace least = kernels_->locate_least_jacobian(x);
+  if (n_ranks(space_.communicator()) > 1) least.take_others(space_.communicator());
   return least;
 }
 

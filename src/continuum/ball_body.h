@@ -24,7 +24,7 @@
 namespace pseudorigid::continuum {
 
 /// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)", for messages.
-std::string to_string(const LeastJacobian& least);
+std::string in_words(const LeastPlace& jacobian);
 
 class BallBody {
  public:
@@ -66,7 +66,7 @@ class BallBody {
   /// exactly one of x_i and x_j, and then cancels.
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its place.
-  LeastJacobian least_jacobian(const Vector& x) const;
+  LeastPlace least_jacobian(const Vector& x) const;
   /// Integrals over the sector, of all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.

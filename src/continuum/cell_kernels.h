@@ -22,15 +22,10 @@
 #include <span>
 
 #include "continuum/ball_space.h"
+#include "continuum/least_place.h"
 #include "materials/law_table.h"
 
 namespace pseudorigid::continuum {
-
-/// Least det F over the quadrature points.
-struct LeastJacobian {
-  double value = 1;
-  dealii::Point<3> where;  ///< reference position; only found when asked for
-};
 
 /// Integrals over the computed sector that observables are made of.
 struct CellIntegrals {
@@ -55,7 +50,8 @@ class CellKernels {
   virtual double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const = 0;
 
   virtual CellIntegrals integrals(const Vector& x, const Vector& v) const = 0;
-  virtual LeastJacobian locate_least_jacobian(const Vector& x) const = 0;
+  /// Least det F over the quadrature points of this rank, with its reference position.
+  virtual LeastPlace locate_least_jacobian(const Vector& x) const = 0;
   /// λ_h at the nodes of a cell (first direction fastest).
   virtual void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const = 0;
 

@@ -170,9 +170,9 @@ class DegreeKernels final : public CellKernels {
     return sums;
   }
 
-  LeastJacobian locate_least_jacobian(const Vector& x) const override {
+  LeastPlace locate_least_jacobian(const Vector& x) const override {
     const GhostValues of_x(x);
-    LeastJacobian result{HUGE_VAL, {}};
+    LeastPlace result;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
       for (int q3 = 0; q3 < n; ++q3) {
@@ -180,7 +180,7 @@ class DegreeKernels final : public CellKernels {
         for (int q = 0; q < plane; ++q) {
           const L J =
               materials::determinant(batches_.points(b)[q3 * plane + q].deformation_gradient(load(buffers_->H, q)));
-          locate_least(J, b, batches_.pressure_points(b)[q3 * plane + q], result);
+          take_least(J, b, batches_.pressure_points(b)[q3 * plane + q], result);
         }
       }
     }
@@ -340,12 +340,12 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
-  void locate_least(const L& J, std::size_t b, const PressurePoint& p, LeastJacobian& result) const {
+  void take_least(const L& J, std::size_t b, const PressurePoint& p, LeastPlace& result) const {
     const auto& batch = batches_.batches[b];
     for (int l = 0; l < batch.n_active; ++l) {
-      if (J[l] >= result.value || std::isnan(result.value)) continue;  // a NaN is the least of all
-      result.value = J[l];
-      for (int c = 0; c < 3; ++c) result.where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
+      dealii::Point<3> where;
+      for (int c = 0; c < 3; ++c) where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
+      result.take(J[l], where);
     }
   }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
 
 #include "continuum/ghost_values.h"
 #include "continuum/node_gradients.h"
@@ -36,8 +35,8 @@ bool is_on_face(int node, unsigned int f, int n) {
 
 }  // namespace
 
-SurfaceStretch least_surface_stretch(const BallSpace& space, const Vector& x) {
-  SurfaceStretch least{std::numeric_limits<double>::infinity(), {}};
+LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x) {
+  LeastPlace least;
   const GhostValues ghosts(x);
   const ReferenceCell& ref = space.reference_cell();
   unsigned int c = 0;
@@ -52,11 +51,11 @@ SurfaceStretch least_surface_stretch(const BallSpace& space, const Vector& x) {
         const int d = static_cast<int>(f / 2);
         const double ratio =
             stretch_ratio(tangents(reference_gradient(ref, X, i), d), tangents(reference_gradient(ref, y, i), d));
-        if (ratio < least.ratio) least = {ratio, {X(0, i), X(1, i), X(2, i)}};
+        least.take(ratio, {X(0, i), X(1, i), X(2, i)});
       }
     }
   }
-  least.ratio = least_over_ranks(least.ratio, space.communicator());
+  if (n_ranks(space.communicator()) > 1) least.take_others(space.communicator());
   return least;
 }
 

@@ -13,17 +13,13 @@
 /// of x³ + x² + 3x = 1 (Biot 1963): waves of every length then grow, the shorter the faster.
 
 #include "continuum/ball_space.h"
+#include "continuum/least_place.h"
 
 namespace pseudorigid::continuum {
 
 inline constexpr double biot_ratio = 0.29559774252208477;
 
-struct SurfaceStretch {
-  double ratio;            ///< the least λ₁/λ_n over the nodes of the surface
-  dealii::Point<3> place;  ///< X there; on several ranks, of a rank's own least
-};
-
-/// At the nodes of the free surface; collective.
-SurfaceStretch least_surface_stretch(const BallSpace& space, const Vector& x);
+/// The least λ₁/λ_n over the nodes of the free surface, with X there. Collective.
+LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x);
 
 }  // namespace pseudorigid::continuum
