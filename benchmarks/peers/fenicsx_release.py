@@ -18,6 +18,7 @@ median of three runs, or of as many as 10 seconds hold), error (largest differen
 iterations_per_step (Newton iterations of a midpoint step), factorizations.
 """
 import logging
+import multiprocessing
 import os
 import pathlib
 import statistics
@@ -169,31 +170,39 @@ def reference():
     return [float(line.split(",")[1]) for line in REFERENCE.read_text().splitlines()[2:]]
 
 
-def main():
+def measure(degree, refinements, schemes, quick):
     logging.disable(logging.WARNING)  # FFCx tells of each of its files
+    exact = reference()
+    ball = Ball(degree, refinements)
+    Motion(ball).step(1e-3, 0)  # whatever is done once
+    for scheme, steps in schemes.items():
+        for n_steps in steps:
+            seconds = []
+            while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
+                motion = Motion(ball)
+                start = time.process_time()
+                Q33 = motion.run(SCHEMES[scheme], n_steps)
+                seconds.append(time.process_time() - start)
+            error = max(abs(a - b) for a, b in zip(Q33, exact))
+            print(degree, refinements, f'"{scheme}"', f"{END / SAMPLES / n_steps:.4g}", len(ball.velocity),
+                  f"{statistics.median(seconds):.4g}", f"{error:.3g}", f"{motion.n_iterations / motion.n_steps:.1f}",
+                  motion.n_factorizations, sep=",", flush=True)
+    # Now and then destroying a Ball with its factors is a segmentation fault, so it is left to the system.
+    os._exit(0)
+
+
+def main():
     quick = sys.argv[1:] == ["--quick"]
     if sys.argv[1:] and not quick:
         raise SystemExit(__doc__)
-    print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations")
-    exact = reference()
+    print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations", flush=True)
     for (degree, refinements), schemes in (QUICK if quick else JOBS).items():
-        ball = Ball(degree, refinements)
-        Motion(ball).step(1e-3, 0)  # whatever is done once
-        for scheme, steps in schemes.items():
-            for n_steps in steps:
-                seconds = []
-                while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
-                    motion = Motion(ball)
-                    start = time.process_time()
-                    Q33 = motion.run(SCHEMES[scheme], n_steps)
-                    seconds.append(time.process_time() - start)
-                error = max(abs(a - b) for a, b in zip(Q33, exact))
-                print(degree, refinements, f'"{scheme}"', f"{END / SAMPLES / n_steps:.4g}", len(ball.velocity),
-                      f"{statistics.median(seconds):.4g}", f"{error:.3g}",
-                      f"{motion.n_iterations / motion.n_steps:.1f}", motion.n_factorizations, sep=",", flush=True)
+        process = multiprocessing.get_context("spawn").Process(target=measure, args=(degree, refinements, schemes, quick))
+        process.start()
+        process.join()
+        if process.exitcode:
+            raise SystemExit(f"error: exit code {process.exitcode} of degree {degree}, {refinements} refinements")
 
 
 if __name__ == "__main__":
     main()
-    sys.stdout.flush()
-    os._exit(0)  # Python destroys PETSc's objects in no certain order, which now and then is a segmentation fault
