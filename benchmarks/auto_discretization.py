@@ -8,8 +8,8 @@ By hand: of BY_HAND, in the order of their cost, the first two whose error is at
 one of less time. Times are medians of three to fifteen runs; --quick takes the tolerance 1e-3 and one to five runs.
 
 Columns: scene, tolerance, degree, refinements (found), estimate (of the error), error (largest difference of an entry
-of Q from the reference), hand_degree, hand_refinements, hand_error, seconds and hand_seconds (processor time of the
-process less that of its start), work and hand_work (unknowns × forces by the manifest's counters, pilots and search
+of Q from the reference), hand_degree, hand_refinements, hand_error, seconds and hand_seconds (wall_seconds of the
+manifest: without what loading the libraries takes), work and hand_work (unknowns × forces by the manifest's counters, pilots and search
 included).
 """
 import argparse
@@ -35,7 +35,6 @@ class Runs:
         self.scene = self.folder / "scene.prm"
         self.scene.write_text(scene_text(COMMON))
         self.references = json.loads(REFERENCES.read_text())
-        self.start_up = program.start_up(executable.with_name("pseudorigid-continuum"))
 
     def run(self, scene, entries):
         """(seconds, error, counters of the continuum)"""
@@ -43,11 +42,11 @@ class Runs:
         table = result.table("continuum.csv")
         motion = zip(*(table[name] for name in Q))
         error = max(abs(x - y) for row, other in zip(motion, self.references[scene]) for x, y in zip(row, other))
-        return result.cpu - self.start_up, error, result.manifest["models"]["continuum"]["counters"]
+        return result.manifest["wall_seconds"], error, result.manifest["models"]["continuum"]["counters"]
 
     def repeated(self, scene, entries, n_runs, done=()):
-        """(median of the seconds, error, counters) of n_runs runs, those that are done among them; five times as many
-        of runs that take less than the start of the process varies by."""
+        """(median of the seconds, error, counters) of n_runs runs, those that are done among them; up to five times
+        as many of short ones."""
         runs = [*done]
         while len(runs) < n_runs or (len(runs) < 5 * n_runs and sum(run[0] for run in runs) < 0.5 * n_runs):
             runs.append(self.run(scene, entries))

@@ -93,8 +93,8 @@ def errors_of_the_ball(data):
         ("Discretisation from a tolerance", "auto",
          ["Continuum/Degree = auto, Refinements = auto beside the cheapest discretisation that meets the tolerance, "
           "found by hand: scenes of tests/app/auto_degree_test.py, one octant, t ≤ 2, Time/Tolerance a twentieth of "
-          "Continuum/Tolerance. Error: largest difference of an entry of Q from degree 6 refined once. s: processor "
-          "time of the process less that of its start, median of three to fifteen runs. work: unknowns × forces, pilots and "
+          "Continuum/Tolerance. Error: largest difference of an entry of Q from degree 6 refined once. s: wall "
+          "time without loading the libraries, median of three to fifteen runs. work: unknowns × forces, pilots and "
           "search included."],
          None, ["auto_discretization"]),
     ]
