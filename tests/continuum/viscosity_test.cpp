@@ -79,7 +79,9 @@ TEST_P(ViscousKernel, IsTheStiffnessOfAShearModulusAtRest) {
 
 INSTANTIATE_TEST_SUITE_P(Degree, ViscousKernel, ::testing::Values(2, 3, 5));
 
-/// C = (η/μ)K at rest, so that γ = (η/μ)ω², and RATTLE's iteration converges at the step that this asks for.
+/// C = (η/μ)K at rest, so that γ = (η/μ)ω², and RATTLE's iteration converges at the step that this asks for. As many
+/// steps of Lanczos as the program makes: many more lose orthogonality, and a copy of the largest value that has not
+/// converged yet adds its residual, up to some percent.
 template <class Ball>
 class LargestDamping : public ::testing::Test {};
 using BothBalls = ::testing::Types<ElasticBall, CompressibleBall>;
@@ -87,17 +89,18 @@ TYPED_TEST_SUITE(LargestDamping, BothBalls);
 
 TYPED_TEST(LargestDamping, BoundsTheStepOfTheIteration) {
   constexpr double eta = 0.1, drag = 0.5;
+  constexpr int n_lanczos = 24;
   const materials::AnyLaw law = materials::make_law("neo-hookean", {1, 1e-12, false, 0});  // λ = 0: K is that of shear
   const TypeParam ball(octant, 3, 0, law, {.viscosity = eta, .drag = drag}), free(octant, 3, 0, law);
   auto workspace = ball.make_workspace(), free_workspace = free.make_workspace();
   const auto free_rest = affine_state(free, Matrix3d::Identity(), Matrix3d::Zero());
   const auto rest = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());
-  const auto omega = mechanics::largest_frequency(free, free_rest, free_workspace, 80);
+  const auto omega = mechanics::largest_frequency(free, free_rest, free_workspace, n_lanczos);
   ASSERT_TRUE(omega.status);
-  const auto damping = mechanics::largest_damping(ball, rest, workspace, omega.omega, 80);
+  const auto damping = mechanics::largest_damping(ball, rest, workspace, omega.omega, n_lanczos);
   ASSERT_TRUE(damping.status);
-  EXPECT_NEAR(damping.gamma, eta * omega.omega * omega.omega + drag, 1e-3 * damping.gamma);
-  EXPECT_EQ(mechanics::largest_damping(free, free_rest, free_workspace, omega.omega, 80).gamma, 0);
+  EXPECT_NEAR(damping.gamma, eta * omega.omega * omega.omega + drag, 1e-6 * damping.gamma);
+  EXPECT_EQ(mechanics::largest_damping(free, free_rest, free_workspace, omega.omega, n_lanczos).gamma, 0);
 
   const auto steps = [&](double h) {
     auto state = affine_state(ball, diagonal(1.05, 1, 1 / 1.05), Matrix3d::Zero());
