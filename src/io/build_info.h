@@ -8,7 +8,7 @@ namespace pseudorigid::io {
 
 struct BuildInfo {
   std::string_view version;
-  std::string_view git_hash;  ///< "unknown" outside a git checkout; ends in "-dirty" if files were changed
+  std::string_view git_hash;  ///< "unknown" outside a git checkout; ends in "-dirty" if what is built was changed
   std::string_view compiler, flags, build_type;
 };
 BuildInfo build_info();
