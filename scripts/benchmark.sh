@@ -59,9 +59,11 @@ data=$output/data
 bin=$root/build/release/bin
 program=$bin/pseudorigid
 
-# into FILE COMMAND…: standard output becomes the file when all went well.
+# into FILE COMMAND…: standard output becomes the file when all went well, and is gone otherwise.
 into() {
-  "${@:2}" >"$data/$1.part" && mv "$data/$1.part" "$data/$1"
+  "${@:2}" >"$data/$1.part" && mv "$data/$1.part" "$data/$1" && return
+  rm -f "$data/$1.part"
+  return 1
 }
 
 measure_methods() {
