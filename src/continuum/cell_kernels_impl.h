@@ -8,7 +8,6 @@
 ///
 /// so the constraint's operators read one scalar of geometry a point beside its position.
 
-#include <array>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "continuum/cell_kernels.h"
 #include "continuum/ghost_values.h"
 #include "continuum/point_law.h"
+#include "continuum/pressure_at_nodes.h"
 
 namespace pseudorigid::continuum {
 
@@ -187,8 +187,10 @@ class DegreeKernels final : public CellKernels {
     return result;
   }
 
-  void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const override;
-  void pressure_basis_at_nodes(const UseRows& use) const override;
+  void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const override {
+    continuum::multiplier_at_nodes(batches_, lambda, cell, values);
+  }
+  void pressure_basis_at_nodes(const UseRows& use) const override { continuum::pressure_basis_at_nodes(batches_, use); }
 
   double reference_volume() const override {
     double sum = 0;
@@ -349,14 +351,6 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
-  /// (X − X_c)/h_c of node i, after reference positions were gathered.
-  std::array<L, 3> local_position(std::size_t b, int i) const {
-    const auto& batch = batches_.batches[b];
-    std::array<L, 3> local;
-    for (int c = 0; c < 3; ++c) local[c] = (buffers_->x[c][i] - batch.center[c]) / batch.scale;
-    return local;
-  }
-
   void store(const L* moments, std::size_t b, Vector& g) const {
     L values[n_pressure];
     batches_.from_moments(moments, b, values);
@@ -367,41 +361,6 @@ class DegreeKernels final : public CellKernels {
   Batches batches_;
   std::unique_ptr<Buffers> buffers_;
 };
-
-template <int degree>
-void DegreeKernels<degree>::multiplier_at_nodes(const Vector& lambda, unsigned int cell,
-                                                std::span<double> values) const {
-  const std::size_t b = cell / Batches::n_lanes;
-  const int lane = static_cast<int>(cell % Batches::n_lanes);
-  L coefficients[n_pressure];
-  batches_.load_multiplier(lambda, b, buffers_->multiplier);
-  batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
-  batches_.gather(*batches_.reference_positions, b, buffers_->x);
-  for (int i = 0; i < n_nodes; ++i) {
-    const auto local = local_position(b, i);
-    values[i] = Batches::Monomials::evaluate(coefficients, local[0], local[1], local[2])[lane];
-  }
-}
-
-template <int degree>
-void DegreeKernels<degree>::pressure_basis_at_nodes(const UseRows& use) const {
-  constexpr std::size_t size = std::size_t{n_pressure} * n_nodes;
-  std::vector<double> values(Batches::n_lanes * size);
-  for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-    const auto& batch = batches_.batches[b];
-    batches_.gather(*batches_.reference_positions, b, buffers_->x);
-    for (int i = 0; i < n_nodes; ++i) {
-      const auto local = local_position(b, i);
-      L monomials[n_pressure], psi[n_pressure];
-      for (L& monomial : monomials) monomial = L(0.0);
-      Batches::Monomials::add_moments(L(1.0), local[0], local[1], local[2], monomials);
-      batches_.from_moments(monomials, b, psi);
-      for (int l = 0; l < batch.n_active; ++l)
-        for (int j = 0; j < n_pressure; ++j) values[l * size + j * n_nodes + i] = psi[j][l];
-    }
-    for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {values.data() + l * size, size});
-  }
-}
 
 /// Defined in one source file a degree, which are compiled for the widest vectors of the machine.
 template <int degree>
