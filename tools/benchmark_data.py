@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import statistics
 from collections import defaultdict
 
 from run_directory import fail
@@ -51,6 +52,12 @@ def release_uncertainty(folder):
     which benchmarks/ball_release.py hands on to its results. None without data."""
     notes = [note for note in read_notes(folder, "ball_release.csv") if "uncertainty" in note]
     return float(notes[0].rsplit(" ", 1)[-1]) if notes else None
+
+
+def space_rate(errors):
+    """p of error ~ N⁻ᵖ, N = k·1.6^r, from {(k, r): error}, by least squares in logarithms."""
+    log_n = [math.log(degree * 1.6**refinements) for degree, refinements in errors]
+    return -statistics.linear_regression(log_n, [math.log(error) for error in errors.values()]).slope
 
 
 def runs_of_skipping(folder):

@@ -48,6 +48,7 @@ TABLES = {
 }
 TEXTS = {
     "release_reference": sections.reference_of_release,
+    "rates_in_space": sections.rates_in_space,
     "lamb_reference": sections.reference_of_lamb,
     "frequency_reference": sections.reference_of_frequency,
     "machine_limits": sections.limits_of_the_machine,

@@ -1,7 +1,7 @@
 """The sections of the page of benchmarks: what is computed, how the error is measured, how good the reference is; and
 the sentences with numbers that other pages have too (None without data)."""
 
-from benchmark_data import errors_of, front, read_notes, read_rows, release_uncertainty
+from benchmark_data import errors_of, front, read_notes, read_rows, release_uncertainty, space_rate
 
 
 def reference_of_release(data):
@@ -19,6 +19,20 @@ def reference_of_lamb(_):
 def reference_of_frequency(_):
     # benchmarks/ball_frequency.cpp.
     return "The uncertainty of the reference is 2e-13 of it: the digits that are left out."
+
+
+def rates_in_space(data):
+    by_velocity = {(int(r["degree"]), int(r["refinements"])): float(r["error"])
+                   for r in read_rows(data, "ball_release.csv") if r["method"] == "rattle-4"}
+    from_stretch = {(int(r[f"{of}degree"]), int(r[f"{of}refinements"])): float(r[f"{of}error"])
+                    for r in read_rows(data, "auto_discretization.csv") if r["scene"] == "release"
+                    for of in ("", "hand_")}
+    if min(len(by_velocity), len(from_stretch)) < 3:
+        return None
+    return (f"The error in space falls as N⁻ᵖ, N = k·1.6^r after r refinements: p = {space_rate(by_velocity):.1f} for "
+            f"this release by a velocity (rattle-4, {len(by_velocity)} discretisations), {space_rate(from_stretch):.1f} "
+            f"for one from a stretch (Q, {len(from_stretch)} discretisations of the part `auto`), by least squares in "
+            "logarithms.")
 
 
 def limits_of_the_machine(data):
@@ -78,7 +92,7 @@ def errors_of_the_ball(data):
           "(benchmarks/ball_release.py says how it is made). Time: processor time of the process less that of its "
           "start, median; the search for the step is contained. FEniCSx: benchmarks/peers, processor time from the "
           "first assembly to the last sample; start, mesh and compilation of forms left out.",
-          reference_of_release(data)],
+          reference_of_release(data), rates_in_space(data)],
          lambda f, d, i: f.draw_release(d, i), ["release", "release_runs", "peers"]),
         ("Elastic ball: small affine release", "lamb",
          ["ẋ(0) = εHX with H = diag(1, 1, −2), ε = 1e-4, until t = 5, on one octant. Error: odd part in ε of Q − Id "

@@ -22,7 +22,7 @@
 
 namespace pseudorigid::analysis {
 
-/// Measured between degrees 2 and 6: 3.5 to 4.4 for a release from rest, 4.5 to 7 by a velocity.
+/// What is measured lies between the bounds or above them (docs/benchmarks.md, "The ball: nonlinear release").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
 
 /// e of the run of resolution N, at the distance d from one of resolution N_other.
