@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
+#include "support/scratch_directory.h"
 #include "synthetic_runs.h"
 
 namespace {
@@ -129,17 +129,14 @@ TEST(ComparisonReport, JsonHoldsTheFindings) {
 
 TEST(ComparisonReport, FilesAreReadBackUnchanged) {
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "pseudorigid_comparison_report";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  write_comparison(folder, c);
+  const pseudorigid::testing::ScratchDirectory folder;
+  write_comparison(folder.path(), c);
   const Table written = pseudorigid::io::read_csv(folder / "comparison.csv"), expected = comparison_table(c);
   EXPECT_EQ(written.columns, expected.columns);
   EXPECT_EQ(written.values, expected.values);
   EXPECT_EQ(written.columns[0], "time");
   std::ifstream file(folder / "comparison.json");
   EXPECT_EQ(nlohmann::ordered_json::parse(file), comparison_json(c));
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <functional>
 
 #include "app/error_estimate.h"
+#include "support/scratch_directory.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -53,22 +53,19 @@ struct Continuum {
   }
 };
 
-class DiscretizationSearchTest : public testing::Test {
+class DiscretizationSearchTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "pseudorigid-search-XXXXXX").native();
-    folder_ = ::mkdtemp(name.data());
     scene_.continuum.degree.reset();
     scene_.continuum.refinements.reset();
     scene_.time.tolerance = 1e-6;
     scene_.output.samples = n_samples;
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
 
   ModelOutcome search(Continuum& continuum, double tolerance, bool resume = false) {
     scene_.continuum.tolerance = tolerance;
     needs_ = scene::needs(scene_);
-    const io::RunDirectory directory(folder_);
+    const io::RunDirectory directory(folder_.path());
     const RunContext context{.scene = scene_,
                              .needs = needs_,
                              .directory = directory,
@@ -82,7 +79,7 @@ class DiscretizationSearchTest : public testing::Test {
 
   scene::Scene scene_;
   scene::Needs needs_;
-  std::filesystem::path folder_;
+  pseudorigid::testing::ScratchDirectory folder_;
 };
 
 double work_of(const scene::Discretization& d) { return Continuum::unknowns(d) * Continuum::forces(d); }

@@ -12,6 +12,7 @@
 #include "io/files.h"
 #include "io/gmsh.h"
 #include "scene/user_error.h"
+#include "scratch.h"
 #include "support/two_cubes.h"
 
 namespace pseudorigid::io {
@@ -29,9 +30,8 @@ std::string replaced(std::string text, const std::string& old, const std::string
 class Gmsh : public ::testing::Test {
  protected:
   std::filesystem::path write(const std::string& text) const {
-    const std::filesystem::path file = ::testing::TempDir() + "gmsh_test.msh";
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
+    test::put(scratch_ / "mesh.msh", text);
+    return scratch_ / "mesh.msh";
   }
   HexahedralMesh read(const std::string& text) const { return read_gmsh(write(text)); }
   std::string refusal(const std::string& text) const {
@@ -42,6 +42,8 @@ class Gmsh : public ::testing::Test {
     }
     return "read";
   }
+
+  test::ScratchDirectory scratch_;
 };
 
 TEST_F(Gmsh, ReadsTwoCubes) {
@@ -96,8 +98,8 @@ TEST_F(Gmsh, RefusesWhatIsNotSuchAMesh) {
   EXPECT_THAT(refusal(replaced(two_cubes, "2\n1 5", "99999999999999\n1 5")), HasSubstr("expected the number"));
   EXPECT_THAT(refusal(two_cubes.substr(0, two_cubes.find("2 5 2"))), HasSubstr("ends within $Elements; is it trunc"));
   EXPECT_THAT(refusal(two_cubes.substr(0, two_cubes.find("$Elements"))), HasSubstr("without the section $Elements"));
-  EXPECT_THROW(read_gmsh(::testing::TempDir()), UserError);
-  EXPECT_THROW(read_gmsh(::testing::TempDir() + "nowhere.msh"), UserError);
+  EXPECT_THROW(read_gmsh(scratch_.path()), UserError);
+  EXPECT_THROW(read_gmsh(scratch_ / "nowhere.msh"), UserError);
 }
 
 TEST_F(Gmsh, RefusesWhatIsNotOneBody) {

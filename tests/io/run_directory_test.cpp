@@ -102,8 +102,8 @@ TEST(RunDirectory, AnImpossibleFolderIsAUserErrorWithPathAndReason) {
 TEST(RunDirectoryDeathTest, AReadOnlyFolderIsAUserError) {
   const ScratchDirectory scratch;
   fs::permissions(scratch.path(), fs::perms(0555));
-  EXPECT_EXIT(prepare_as_nobody(scratch.path()), testing::ExitedWithCode(0), "cannot write to .*Permission denied");
-  EXPECT_EXIT(prepare_as_nobody(scratch / "new"), testing::ExitedWithCode(0), "cannot create .*Permission denied");
+  EXPECT_EXIT(prepare_as_nobody(scratch.path()), ::testing::ExitedWithCode(0), "cannot write to .*Permission denied");
+  EXPECT_EXIT(prepare_as_nobody(scratch / "new"), ::testing::ExitedWithCode(0), "cannot create .*Permission denied");
   fs::permissions(scratch.path(), fs::perms::owner_all);
 }
 

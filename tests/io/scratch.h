@@ -2,7 +2,6 @@
 /// What the tests of files share: a scratch folder and a disk that is full on demand.
 
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -10,24 +9,11 @@
 #include <sstream>
 #include <string>
 
+#include "support/scratch_directory.h"
+
 namespace pseudorigid::io::test {
 
-/// A folder of the test's own, removed with everything in it.
-class ScratchDirectory {
- public:
-  ScratchDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "pseudorigid-io-XXXXXX").native();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ScratchDirectory() { std::filesystem::remove_all(path_); }
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using pseudorigid::testing::ScratchDirectory;
 
 /// While it lives no file may grow beyond `bytes`: a write stops half-way, as on a full disk.
 class FileSizeLimit {

@@ -19,8 +19,8 @@
 namespace pseudorigid::io::test {
 namespace {
 
-using testing::internal::CaptureStderr;
-using testing::internal::GetCapturedStderr;
+using ::testing::internal::CaptureStderr;
+using ::testing::internal::GetCapturedStderr;
 
 std::string said(Verbosity verbosity, const std::optional<std::filesystem::path>& file, bool append = false) {
   CaptureStderr();
@@ -166,7 +166,7 @@ void raise_twice(int signal) {
 }
 
 TEST(SignalsDeathTest, TheFirstIsAFlagAndTheSecondKills) {
-  for (const int signal : {SIGINT, SIGTERM}) EXPECT_EXIT(raise_twice(signal), testing::KilledBySignal(signal), "");
+  for (const int signal : {SIGINT, SIGTERM}) EXPECT_EXIT(raise_twice(signal), ::testing::KilledBySignal(signal), "");
 }
 
 /// Exit code 0 if a file that may not grow gives a WriteError.
@@ -184,7 +184,7 @@ void write_beyond_limit(const std::filesystem::path& path) {
 
 TEST(SignalsDeathTest, AFileSizeLimitBecomesAWriteError) {
   const ScratchDirectory scratch;
-  EXPECT_EXIT(write_beyond_limit(scratch / "a"), testing::ExitedWithCode(0), "");
+  EXPECT_EXIT(write_beyond_limit(scratch / "a"), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

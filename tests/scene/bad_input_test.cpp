@@ -14,7 +14,7 @@ struct BadInput {
 
 std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
 
-class BadInputTest : public test::SceneFiles, public testing::WithParamInterface<BadInput> {};
+class BadInputTest : public test::SceneFiles, public ::testing::WithParamInterface<BadInput> {};
 
 TEST_P(BadInputTest, IsRefusedInOneSentence) {
   const BadInput& bad = GetParam();
@@ -34,7 +34,7 @@ const std::string matrix_expected =
 
 INSTANTIATE_TEST_SUITE_P(
     Numbers, BadInputTest,
-    testing::Values(
+    ::testing::Values(
         BadInput{"negative",
                  entry("Material", "Shear modulus = -1"),
                  {},
@@ -66,31 +66,31 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Integers, BadInputTest,
-    testing::Values(BadInput{"degree_low",
-                             entry("Continuum", "Degree = 0"),
-                             {},
-                             "scene.prm:2: Continuum/Degree: expected auto or a whole number from 1 to 8, got \"0\""},
-                    BadInput{"degree_high",
-                             entry("Continuum", "Degree = 9"),
-                             {},
-                             "scene.prm:2: Continuum/Degree: expected auto or a whole"},
-                    BadInput{"degree_real",
-                             entry("Continuum", "Degree = 2.0"),
-                             {},
-                             "scene.prm:2: Continuum/Degree: expected auto or a whole"},
-                    BadInput{
-                        "refinements",
-                        entry("Continuum", "Refinements = -1"),
-                        {},
-                        "scene.prm:2: Continuum/Refinements: expected auto or a whole number from 0 to 4, got \"-1\""},
-                    BadInput{"samples",
-                             entry("Output", "Samples = 10000001"),
-                             {},
-                             "scene.prm:2: Output/Samples: expected a whole number from 1 to 10000000"},
-                    BadInput{"int_overflow",
-                             entry("Output", "Frames = 99999999999"),
-                             {},
-                             "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
+    ::testing::Values(
+        BadInput{"degree_low",
+                 entry("Continuum", "Degree = 0"),
+                 {},
+                 "scene.prm:2: Continuum/Degree: expected auto or a whole number from 1 to 8, got \"0\""},
+        BadInput{"degree_high",
+                 entry("Continuum", "Degree = 9"),
+                 {},
+                 "scene.prm:2: Continuum/Degree: expected auto or a whole"},
+        BadInput{"degree_real",
+                 entry("Continuum", "Degree = 2.0"),
+                 {},
+                 "scene.prm:2: Continuum/Degree: expected auto or a whole"},
+        BadInput{"refinements",
+                 entry("Continuum", "Refinements = -1"),
+                 {},
+                 "scene.prm:2: Continuum/Refinements: expected auto or a whole number from 0 to 4, got \"-1\""},
+        BadInput{"samples",
+                 entry("Output", "Samples = 10000001"),
+                 {},
+                 "scene.prm:2: Output/Samples: expected a whole number from 1 to 10000000"},
+        BadInput{"int_overflow",
+                 entry("Output", "Frames = 99999999999"),
+                 {},
+                 "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
 
 const std::string at_law =
     "scene.prm:2: Material/Law: expected one of neo-hookean, mooney-rivlin, ciarlet-geymonat, ciarlet-geymonat (as "
@@ -98,7 +98,7 @@ const std::string at_law =
 
 INSTANTIATE_TEST_SUITE_P(
     Words, BadInputTest,
-    testing::Values(
+    ::testing::Values(
         BadInput{"boolean",
                  entry("Body", "Incompressible = yes"),
                  {},
@@ -151,39 +151,40 @@ INSTANTIATE_TEST_SUITE_P(
                  {},
                  "scene.prm:2: Output/Directory: expected a text that is not empty, got nothing"}));
 
-INSTANTIATE_TEST_SUITE_P(Matrices, BadInputTest,
-                         testing::Values(BadInput{"rows",
-                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0"),
-                                                  {},
-                                                  matrix_expected + "\"1,0,0; 0,1,0\", which has 2 rows"},
-                                         BadInput{"entries",
-                                                  entry("Initial state", "Deformation = 1,0,0; 0,1; 0,0,1"),
-                                                  {},
-                                                  matrix_expected + "\"1,0,0; 0,1; 0,0,1\", where row 2 has 2 entries"},
-                                         BadInput{"blanks",
-                                                  entry("Initial state", "Deformation = 1 0 0; 0 1 0; 0 0 1"),
-                                                  {},
-                                                  matrix_expected + "\"1 0 0; 0 1 0; 0 0 1\", where row 1 has 1 entry"},
-                                         BadInput{"word",
-                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,one,1"),
-                                                  {},
-                                                  matrix_expected + "\"one\" as entry (3,2)"},
-                                         BadInput{"infinite",
-                                                  entry("Initial state", "Deformation = 1,0,0; 0,-inf,0; 0,0,1"),
-                                                  {},
-                                                  matrix_expected + "\"-inf\" as entry (2,2)"},
-                                         BadInput{"trailing_semicolon",
-                                                  entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,0,1;"),
-                                                  {},
-                                                  matrix_expected + "\"1,0,0; 0,1,0; 0,0,1;\", which has 4 rows"},
-                                         BadInput{"nothing",
-                                                  entry("Initial state", "Deformation ="),
-                                                  {},
-                                                  matrix_expected + "nothing, which has 0 rows"}));
+INSTANTIATE_TEST_SUITE_P(
+    Matrices, BadInputTest,
+    ::testing::Values(BadInput{"rows",
+                               entry("Initial state", "Deformation = 1,0,0; 0,1,0"),
+                               {},
+                               matrix_expected + "\"1,0,0; 0,1,0\", which has 2 rows"},
+                      BadInput{"entries",
+                               entry("Initial state", "Deformation = 1,0,0; 0,1; 0,0,1"),
+                               {},
+                               matrix_expected + "\"1,0,0; 0,1; 0,0,1\", where row 2 has 2 entries"},
+                      BadInput{"blanks",
+                               entry("Initial state", "Deformation = 1 0 0; 0 1 0; 0 0 1"),
+                               {},
+                               matrix_expected + "\"1 0 0; 0 1 0; 0 0 1\", where row 1 has 1 entry"},
+                      BadInput{"word",
+                               entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,one,1"),
+                               {},
+                               matrix_expected + "\"one\" as entry (3,2)"},
+                      BadInput{"infinite",
+                               entry("Initial state", "Deformation = 1,0,0; 0,-inf,0; 0,0,1"),
+                               {},
+                               matrix_expected + "\"-inf\" as entry (2,2)"},
+                      BadInput{"trailing_semicolon",
+                               entry("Initial state", "Deformation = 1,0,0; 0,1,0; 0,0,1;"),
+                               {},
+                               matrix_expected + "\"1,0,0; 0,1,0; 0,0,1;\", which has 4 rows"},
+                      BadInput{"nothing",
+                               entry("Initial state", "Deformation ="),
+                               {},
+                               matrix_expected + "nothing, which has 0 rows"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Names, BadInputTest,
-    testing::Values(
+    ::testing::Values(
         BadInput{"misspelt",
                  "subsection Body\n\nset Radiuss = 1\nend",
                  {},
@@ -217,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Overrides, BadInputTest,
-    testing::Values(
+    ::testing::Values(
         BadInput{"no_equals", "", {"Body/Radius"}, "--set: expected \"Section/Entry=value\", got \"Body/Radius\""},
         BadInput{"no_name", "", {"=1"}, "--set: unknown entry \"\""},
         BadInput{

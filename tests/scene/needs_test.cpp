@@ -24,7 +24,7 @@ struct SectorCase {
 
 std::ostream& operator<<(std::ostream& out, const SectorCase& c) { return out << c.name; }
 
-class SectorTest : public testing::TestWithParam<SectorCase> {};
+class SectorTest : public ::testing::TestWithParam<SectorCase> {};
 
 TEST_P(SectorTest, IsTheSmallestOneOrTheOneAskedFor) {
   Scene scene;
@@ -40,19 +40,19 @@ TEST_P(SectorTest, IsTheSmallestOneOrTheOneAskedFor) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, SectorTest,
-    testing::Values(SectorCase{"diagonal", {}, {}, Symmetry::automatic, "octant", 8},
-                    SectorCase{"shear_12", {{1, 2}}, {}, Symmetry::automatic, "half (plane z)", 2},
-                    SectorCase{"shear_21", {{2, 1}}, {}, Symmetry::automatic, "half (plane z)", 2},
-                    SectorCase{"shear_13", {{1, 3}}, {}, Symmetry::automatic, "half (plane y)", 2},
-                    SectorCase{"shear_32", {{3, 2}}, {}, Symmetry::automatic, "half (plane x)", 2},
-                    SectorCase{"spin_about_z", {}, {{1, 2}, {2, 1}}, Symmetry::automatic, "half (plane z)", 2},
-                    SectorCase{"two_shears", {{1, 2}}, {{2, 3}}, Symmetry::automatic, "full ball", 1},
-                    SectorCase{"asked_none", {}, {}, Symmetry::none, "full ball", 1},
-                    SectorCase{"asked_x", {}, {}, Symmetry::x, "half (plane x)", 2},
-                    SectorCase{"asked_xy", {}, {}, Symmetry::xy, "quarter (planes x, y)", 4},
-                    SectorCase{"asked_xz", {}, {}, Symmetry::xz, "quarter (planes x, z)", 4},
-                    SectorCase{"asked_yz", {}, {}, Symmetry::yz, "quarter (planes y, z)", 4},
-                    SectorCase{"asked_octant", {}, {}, Symmetry::octant, "octant", 8}));
+    ::testing::Values(SectorCase{"diagonal", {}, {}, Symmetry::automatic, "octant", 8},
+                      SectorCase{"shear_12", {{1, 2}}, {}, Symmetry::automatic, "half (plane z)", 2},
+                      SectorCase{"shear_21", {{2, 1}}, {}, Symmetry::automatic, "half (plane z)", 2},
+                      SectorCase{"shear_13", {{1, 3}}, {}, Symmetry::automatic, "half (plane y)", 2},
+                      SectorCase{"shear_32", {{3, 2}}, {}, Symmetry::automatic, "half (plane x)", 2},
+                      SectorCase{"spin_about_z", {}, {{1, 2}, {2, 1}}, Symmetry::automatic, "half (plane z)", 2},
+                      SectorCase{"two_shears", {{1, 2}}, {{2, 3}}, Symmetry::automatic, "full ball", 1},
+                      SectorCase{"asked_none", {}, {}, Symmetry::none, "full ball", 1},
+                      SectorCase{"asked_x", {}, {}, Symmetry::x, "half (plane x)", 2},
+                      SectorCase{"asked_xy", {}, {}, Symmetry::xy, "quarter (planes x, y)", 4},
+                      SectorCase{"asked_xz", {}, {}, Symmetry::xz, "quarter (planes x, z)", 4},
+                      SectorCase{"asked_yz", {}, {}, Symmetry::yz, "quarter (planes y, z)", 4},
+                      SectorCase{"asked_octant", {}, {}, Symmetry::octant, "octant", 8}));
 
 /// A load or a motion of the centre of mass breaks the planes that it is not symmetric to, and no others.
 TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {

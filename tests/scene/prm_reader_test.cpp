@@ -51,7 +51,7 @@ TEST(PrmReader, KnowsKeywordsInCapitals) { EXPECT_EQ(settings("SUBSECTION S\nSET
 
 TEST(PrmReader, SkipsByteOrderMark) { EXPECT_EQ(settings("\xEF\xBB\xBFset A = 1"), (List{"A=1@1"})); }
 
-class PrmSyntaxErrors : public testing::TestWithParam<std::pair<std::string, std::string>> {};
+class PrmSyntaxErrors : public ::testing::TestWithParam<std::pair<std::string, std::string>> {};
 
 TEST_P(PrmSyntaxErrors, NameFileLineAndExpectation) {
   const auto& [text, expected] = GetParam();
@@ -68,25 +68,25 @@ const std::string nul_byte = std::string("set A = x") + '\0' + "y";
 
 INSTANTIATE_TEST_SUITE_P(
     All, PrmSyntaxErrors,
-    testing::Values(std::pair{"set A = 1\ngarbage",
-                              "f:2: expected \"set Name = value\", \"subsection Name\", \"end\" or "
-                              "\"include FILE\", got \"garbage\""},
-                    std::pair{"Set A = 1", "f:1: expected \"set Name = value\""},
-                    std::pair{"set", "f:1: expected \"set Name"}, std::pair{"subsection", "f:1: expected \"set Name"},
-                    std::pair{"include", "f:1: expected \"set Name"},
-                    std::pair{"set A 1", "f:1: expected \"set Name = value\", but there is no \"=\" in \"A 1\""},
-                    std::pair{"set = 1", "f:1: the name of the entry is missing"},
-                    std::pair{"set S/A = 1", "f:1: a name holds no \"/\", got \"S/A\""},
-                    std::pair{"subsection S\nend of S", "f:2: expected \"end\" alone, got \"end of S\""},
-                    std::pair{"subsection S\nendS", "f:2: expected \"end\" alone"},
-                    std::pair{"set A = 1\nend", "f:2: this \"end\" closes no subsection"},
-                    std::pair{"\nsubsection S\nset A = 1", "f:2: the subsection \"S\" is not closed by an \"end\""},
-                    std::pair{"set A = \\\n1\n2", "f:3: expected \"set Name"},
-                    std::pair{nul_byte, "f:1: expected text, got control characters"},
-                    std::pair{"\x7f"
-                              "ELF\x02\x01",
-                              "f:1: expected text"},
-                    std::pair{"include no such file", "f:1: cannot open the parameter file \"no such file\""}));
+    ::testing::Values(std::pair{"set A = 1\ngarbage",
+                                "f:2: expected \"set Name = value\", \"subsection Name\", \"end\" or "
+                                "\"include FILE\", got \"garbage\""},
+                      std::pair{"Set A = 1", "f:1: expected \"set Name = value\""},
+                      std::pair{"set", "f:1: expected \"set Name"}, std::pair{"subsection", "f:1: expected \"set Name"},
+                      std::pair{"include", "f:1: expected \"set Name"},
+                      std::pair{"set A 1", "f:1: expected \"set Name = value\", but there is no \"=\" in \"A 1\""},
+                      std::pair{"set = 1", "f:1: the name of the entry is missing"},
+                      std::pair{"set S/A = 1", "f:1: a name holds no \"/\", got \"S/A\""},
+                      std::pair{"subsection S\nend of S", "f:2: expected \"end\" alone, got \"end of S\""},
+                      std::pair{"subsection S\nendS", "f:2: expected \"end\" alone"},
+                      std::pair{"set A = 1\nend", "f:2: this \"end\" closes no subsection"},
+                      std::pair{"\nsubsection S\nset A = 1", "f:2: the subsection \"S\" is not closed by an \"end\""},
+                      std::pair{"set A = \\\n1\n2", "f:3: expected \"set Name"},
+                      std::pair{nul_byte, "f:1: expected text, got control characters"},
+                      std::pair{"\x7f"
+                                "ELF\x02\x01",
+                                "f:1: expected text"},
+                      std::pair{"include no such file", "f:1: cannot open the parameter file \"no such file\""}));
 
 using PrmFiles = SceneFiles;
 
@@ -143,7 +143,7 @@ TEST_F(PrmFiles, ExponentialIncludesEnd) {
 }
 
 TEST_F(PrmFiles, ThingsThatAreNoParameterFiles) {
-  EXPECT_NE(complaint([&] { settings_of(folder_); }).find("is a directory"), std::string::npos);
+  EXPECT_NE(complaint([&] { settings_of(folder_.path()); }).find("is a directory"), std::string::npos);
   EXPECT_EQ(complaint([&] { settings_of(folder_ / "none.prm"); }),
             "none.prm: cannot open the parameter file \"none.prm\"");
   EXPECT_NE(complaint([&] { settings_of("/dev/zero"); }).find("larger than 1 MiB"), std::string::npos);

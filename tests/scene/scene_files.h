@@ -10,6 +10,7 @@
 
 #include "scene/read_scene.h"
 #include "scene/user_error.h"
+#include "support/scratch_directory.h"
 
 namespace pseudorigid::scene::test {
 
@@ -34,18 +35,8 @@ inline const Catalogue& test_catalogue() {
   return catalogue;
 }
 
-class SceneFiles : public testing::Test {
+class SceneFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string("pseudorigid_") + info->test_suite_name() + "_" + info->name();
-    for (char& c : name) c = c == '/' ? '_' : c;
-    folder_ = std::filesystem::temp_directory_path() / name;
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     const auto file = folder_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -64,7 +55,7 @@ class SceneFiles : public testing::Test {
       action();
     } catch (const UserError& error) {
       std::string message = error.what();
-      const std::string folder = folder_.string() + "/";
+      const std::string folder = folder_.path().string() + "/";
       for (auto at = message.find(folder); at != std::string::npos; at = message.find(folder))
         message.erase(at, folder.size());
       return message;
@@ -72,7 +63,7 @@ class SceneFiles : public testing::Test {
     return "";
   }
 
-  std::filesystem::path folder_;
+  pseudorigid::testing::ScratchDirectory folder_;
 };
 
 }  // namespace pseudorigid::scene::test

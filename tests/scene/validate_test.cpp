@@ -29,7 +29,7 @@ struct Refused {
 
 std::ostream& operator<<(std::ostream& out, const Refused& refused) { return out << refused.name; }
 
-class RefusedScenes : public test::SceneFiles, public testing::WithParamInterface<Refused> {};
+class RefusedScenes : public test::SceneFiles, public ::testing::WithParamInterface<Refused> {};
 
 TEST_P(RefusedScenes, SayWhereAndWhy) {
   const std::string message = complaint([&] {
@@ -47,7 +47,7 @@ std::string compressible(const Matrix3& deformation) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedScenes,
-    testing::Values(
+    ::testing::Values(
         Refused{"no_model", "set Models =", {"scene.prm:1: Models: expected at least one of reduced, continuum"}},
         Refused{"entry_of_another_system",
                 "set System = top\nsubsection Body\nset Radius = 1\nend",
