@@ -78,7 +78,7 @@ TEST_F(Gmsh, ReadsLineEndsOfOtherSystems) {
 }
 
 TEST_F(Gmsh, RefusesWhatIsNotSuchAMesh) {
-  EXPECT_THAT(refusal(""), HasSubstr("gmsh_test.msh:1: expected $MeshFormat"));
+  EXPECT_THAT(refusal(""), HasSubstr("mesh.msh:1: expected $MeshFormat"));
   EXPECT_THAT(refusal("\x7f"
                       "ELF"),
               HasSubstr("expected $MeshFormat"));
