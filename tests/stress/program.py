@@ -15,6 +15,7 @@ import signal
 import struct
 import subprocess
 import sys
+import textwrap
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
@@ -34,9 +35,10 @@ class Run:
 
     def __init__(self, folder, code, seconds, stdout, stderr, too_long, ranks):
         self.folder, self.seconds, self.ranks = folder, seconds, ranks
-        # An interrupted mpirun ends with a code of its own.
-        self.code = STOPPED if too_long and ranks > 1 and code > 0 else code
         self.stdout, self.stderr, self.too_long = stdout, stderr, too_long
+        # An interrupted mpirun ends with a code of its own, even if its program has just come to the end.
+        of_mpirun = too_long and ranks > 1 and code > 0
+        self.code = code if not of_mpirun else DONE if self.manifest()["state"] == "done" else STOPPED
 
     def stop(self):
         """(time, reason) of a run that could not go on."""
@@ -188,4 +190,5 @@ def faults_of_resume(program, run, name="scene", **options):
 
 
 def reason_without_numbers(text):
-    return re.sub(r"[-+]?[0-9]+(?:\.[0-9]*)?(?:e[-+]?[0-9]+)?|-?nan|-?inf", "#", text)[:110]
+    text = re.sub(r"[-+]?[0-9]+(?:\.[0-9]*)?(?:e[-+]?[0-9]+)?|-?nan|-?inf", "#", text)
+    return textwrap.shorten(text, 110, placeholder=" …")
