@@ -108,13 +108,16 @@ measure_steps() {
 }
 measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
 
+# What is not of this project may be missing or fail: then its earlier results stay, with their date.
 measure_peers() {
+  not_measured=1
   if [[ -n $(missing_packages python3-dolfinx-real) ]]; then
     say "FEniCSx is left out: apt-get install --no-install-recommends python3-dolfinx-real"
-    return
-  fi
-  into fenicsx_release.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_release.py" "${quick[@]}" ||
+  elif into fenicsx_release.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_release.py" "${quick[@]}"; then
+    not_measured=
+  else
     say "FEniCSx failed; its earlier results stay"
+  fi
 }
 
 measure_long_run() {
@@ -136,8 +139,9 @@ if [[ -z $page_only ]]; then
     say "Measuring: $part"
     read -r load _ </proc/loadavg
     start=$SECONDS
+    not_measured=
     "measure_${part//-/_}"
-    "$root/benchmarks/machine.py" "$data" "$part" "$((SECONDS - start))" "$load" "$program" "${quick[@]}"
+    [[ -n $not_measured ]] || "$root/benchmarks/machine.py" "$data" "$part" "$((SECONDS - start))" "$load" "$program" "${quick[@]}"
     say "$part took $((SECONDS - start)) s"
   done
 fi
