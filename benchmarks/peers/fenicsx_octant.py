@@ -5,6 +5,7 @@ import dolfinx
 import numpy as np
 import ufl
 from mpi4py import MPI
+from scipy.spatial import cKDTree
 
 BLOCK = (0, 0.528, 0.4533, 0.3752)  # distances of the block's corners from the centre: axes, face and space diagonals
 
@@ -53,16 +54,17 @@ def octant(degree, n_refinements):
                                   for variant in (basix.LagrangeVariant.gll_warped, basix.LagrangeVariant.equispaced))
     interpolate = gauss_lobatto.tabulate(0, equidistant.points)[0, :, :, 0]
     n = 2**n_refinements
-    nodes, cells, number = [], [], {}
+    points = []
     for cell in coarse_cells():
         for i in range(n**3):
             offset = np.array([i % n, i // n % n, i // n**2])
-            X = interpolate @ position(cell, (offset + gauss_lobatto.points) / n)
-            X[np.abs(X) < 1e-12] = 0
-            keys = [tuple(key) for key in np.round(X * 1e9).astype(int)]
-            for key, x in zip(keys, X):
-                if number.setdefault(key, len(nodes)) == len(nodes):
-                    nodes.append(x)
-            cells.append([number[key] for key in keys])
+            points.append(interpolate @ position(cell, (offset + gauss_lobatto.points) / n))
+    # Cells share nodes, whose positions differ by round-off. Of a node that is given twice dolfinx reads beyond its memory.
+    points = np.concatenate(points)
+    points[np.abs(points) < 1e-12] = 0
+    first = [min(near) for near in cKDTree(points).query_ball_point(points, 1e-8)]
+    nodes, cells = np.unique(first, return_inverse=True)
+    m = degree * n
+    assert len(nodes) == (m + 1) ** 3 + 3 * m**2 * (m + 1) + m  # the block, what lies outside of it, the diagonal
     element = ufl.VectorElement("Lagrange", "hexahedron", degree)
-    return dolfinx.mesh.create_mesh(MPI.COMM_SELF, np.array(cells, dtype=np.int64), np.array(nodes), ufl.Mesh(element))
+    return dolfinx.mesh.create_mesh(MPI.COMM_SELF, cells.reshape(4 * n**3, -1), points[nodes], ufl.Mesh(element))

@@ -15,12 +15,9 @@ without imports, mesh, and compilation of forms.
 
 Columns: degree, refinements, scheme, step, unknowns, seconds (processor time from the first assembly to the last sample;
 median of three runs, or of as many as 10 seconds hold), error (largest difference of Q33 over the 50 samples),
-iterations_per_step (Newton iterations of a midpoint step), factorizations. Each discretisation is a process of its own,
-which is begun again, twice at most, where it ends in a segmentation fault, as one of PETSc's factors now and then does.
+iterations_per_step (Newton iterations of a midpoint step), factorizations.
 """
 import logging
-import multiprocessing
-import os
 import pathlib
 import statistics
 import sys
@@ -171,55 +168,28 @@ def reference():
     return [float(line.split(",")[1]) for line in REFERENCE.read_text().splitlines()[2:]]
 
 
-def measure(degree, refinements, schemes, quick, sender):
-    logging.disable(logging.WARNING)  # FFCx tells of each of its files
-    exact = reference()
-    ball = Ball(degree, refinements)
-    Motion(ball).step(1e-3, 0)  # whatever is done once
-    rows = []
-    for scheme, steps in schemes.items():
-        for n_steps in steps:
-            seconds = []
-            while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
-                motion = Motion(ball)
-                start = time.process_time()
-                Q33 = motion.run(SCHEMES[scheme], n_steps)
-                seconds.append(time.process_time() - start)
-            error = max(abs(a - b) for a, b in zip(Q33, exact))
-            rows.append(f'{degree},{refinements},"{scheme}",{END / SAMPLES / n_steps:.4g},{len(ball.velocity)},'
-                        f"{statistics.median(seconds):.4g},{error:.3g},{motion.n_iterations / motion.n_steps:.1f},"
-                        f"{motion.n_factorizations}")
-    sender.send(rows)
-    # Now and then destroying a Ball with its factors is a segmentation fault, so it is left to the system.
-    os._exit(0)
-
-
-def in_own_process(*case):
-    """The rows of a case; None if its process came to an end before it had them."""
-    context = multiprocessing.get_context("spawn")
-    receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=measure, args=(*case, sender))
-    process.start()
-    sender.close()
-    try:
-        return receiver.recv()
-    except EOFError:
-        return None
-    finally:
-        process.join()
-
-
 def main():
+    logging.disable(logging.WARNING)  # FFCx tells of each of its files
     quick = sys.argv[1:] == ["--quick"]
     if sys.argv[1:] and not quick:
         raise SystemExit(__doc__)
-    print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations", flush=True)
+    print("degree,refinements,scheme,step,unknowns,seconds,error,iterations_per_step,factorizations")
+    exact = reference()
     for (degree, refinements), schemes in (QUICK if quick else JOBS).items():
-        attempts = (in_own_process(degree, refinements, schemes, quick) for _ in range(3))
-        rows = next((rows for rows in attempts if rows), None)
-        if rows is None:
-            raise SystemExit(f"error: degree {degree}, {refinements} refinements came to no end three times")
-        print(*rows, sep="\n", flush=True)
+        ball = Ball(degree, refinements)
+        Motion(ball).step(1e-3, 0)  # whatever is done once
+        for scheme, steps in schemes.items():
+            for n_steps in steps:
+                seconds = []
+                while len(seconds) < (1 if quick else 3) and sum(seconds) < 10:
+                    motion = Motion(ball)
+                    start = time.process_time()
+                    Q33 = motion.run(SCHEMES[scheme], n_steps)
+                    seconds.append(time.process_time() - start)
+                error = max(abs(a - b) for a, b in zip(Q33, exact))
+                print(degree, refinements, f'"{scheme}"', f"{END / SAMPLES / n_steps:.4g}", len(ball.velocity),
+                      f"{statistics.median(seconds):.4g}", f"{error:.3g}",
+                      f"{motion.n_iterations / motion.n_steps:.1f}", motion.n_factorizations, sep=",", flush=True)
 
 
 if __name__ == "__main__":
