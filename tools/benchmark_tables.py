@@ -245,9 +245,9 @@ def machine(data):
 
 
 def parts(data):
-    return ["part", "date", "load at start", "s", "commit", ""], [
+    return ["part", "date", "load at start", "s", "commit", "form"], [
         [name, run["date"], f"{run['load at start']:.1f}", str(run["seconds"]), run["commit"][:9],
-         "quick" if run["quick"] else ""] for name, run in read_runs(data).items()]
+         "quick" if run["quick"] else "full"] for name, run in read_runs(data).items()]
 
 
 def summary(data):
