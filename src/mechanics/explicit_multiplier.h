@@ -63,17 +63,12 @@ class ExplicitMultiplier {
     } else {
       auto& c = w.constraint;
       c.direction_known = false;  // the velocity may use it too: the position's correction changes it by round-off
-      const auto evaluate_position = [&] { return system_.constraint(q, c.residual); };
-      const auto evaluate_rate = [&] {
-        system_.constraint_rate(q, v, c.residual);
-        return Status();
-      };
-      if (Status status = detail::meet_constraint(system_, "position", system_.constraint_tolerance(), q, q, w.system,
-                                                  c, evaluate_position, [&] { axpy(1.0, c.reaction, q); });
+      const double tolerance = system_.constraint_tolerance();
+      if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
+                                                           [&] { axpy(1.0, c.reaction, q); });
           !status)
         return status;
-      return detail::meet_constraint(system_, "velocity", system_.constraint_tolerance(), q, q, w.system, c,
-                                     evaluate_rate, [&] { axpy(1.0, c.reaction, v); });
+      return detail::meet_velocity_constraint(system_, tolerance, q, v, w.system, c, [&] { axpy(1.0, c.reaction, v); });
     }
   }
 

@@ -212,18 +212,14 @@ struct Rattle {
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
       w.constraint.direction_known = false;
-      const auto evaluate = [&] {
-        system.constraint_rate(state.q, state.v, w.constraint.residual);
-        return Status();
-      };
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.v, w.v_rounding);
         if (velocity_dependent(system)) w.acceleration_known = false;
       };
-      if (Status status =
-              meet_constraint(system, "velocity", w.constraint_tolerance, state.q, state.q, w, evaluate, apply);
-          !status)
-        return status;
+      Status status = detail::meet_velocity_constraint(system, w.constraint_tolerance, state.q, state.v, w.system,
+                                                       w.constraint, apply);
+      w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+      if (!status) return status;
       w.pending_weight = 0;
       ++w.counters.n_projections;
     }
@@ -287,15 +283,6 @@ struct Rattle {
         "the iteration on a force that depends on the velocity does not converge; use a smaller step");
   }
 
-  template <ConstrainedSystem S>
-  static Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
-                                const typename S::Vector& q0, RattleWorkspace<S>& w, const auto& evaluate,
-                                const auto& apply) {
-    Status status = detail::meet_constraint(system, what, tolerance, q1, q0, w.system, w.constraint, evaluate, apply);
-    w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
-    return status;
-  }
-
   /// q ← q + h v with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
@@ -311,12 +298,6 @@ struct Rattle {
       detail::set_reaction(system, w.q_start, w.impulse, w.constraint);
       add(1.0, w.constraint.reaction, state.v, w.v_rounding);
       add(h, state.v, state.q, w.q_rounding);
-      const auto evaluate = [&] {
-        if constexpr (resolves_rounding<S>)
-          return system.constraint(state.q, w.q_rounding, w.constraint.residual);
-        else
-          return system.constraint(state.q, w.constraint.residual);
-      };
       const auto apply = [&] {
         axpy(1 / h, w.constraint.delta, w.impulse);
         // q moves by h times what is added to v. With fl(1/h) for the one and 1 for the other the step would not be
@@ -326,10 +307,10 @@ struct Rattle {
         add(h, w.constraint.reaction, state.q, w.q_rounding);
         ++w.counters.n_position_iterations;
       };
-      if (Status status =
-              meet_constraint(system, "position", position_tolerance(w), state.q, w.q_start, w, evaluate, apply);
-          !status)
-        return status;
+      Status status = detail::meet_position_constraint(system, position_tolerance(w), state.q, w.q_rounding, w.q_start,
+                                                       w.system, w.constraint, apply);
+      w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
+      if (!status) return status;
       record_multiplier(state.t, weight, h, w);
       return {};
     }

@@ -138,12 +138,8 @@ struct SymmetricMultistep {
     if constexpr (unconstrained<S>) return {};
     ++w.counters.n_projections;
     w.constraint.direction_known = false;
-    const auto evaluate = [&] {
-      system.constraint_rate(state.q, state.v, w.constraint.residual);
-      return Status();
-    };
-    return detail::meet_constraint(system, "velocity", system.constraint_tolerance(), state.q, state.q, w.system,
-                                   w.constraint, evaluate, [&] { axpy(1.0, w.constraint.reaction, state.v); });
+    return detail::meet_velocity_constraint(system, system.constraint_tolerance(), state.q, state.v, w.system,
+                                            w.constraint, [&] { axpy(1.0, w.constraint.reaction, state.v); });
   }
 
  private:
@@ -209,7 +205,6 @@ struct SymmetricMultistep {
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
       const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // multiplier for a shift of q_{n+1}
-      const auto evaluate = [&] { return system.constraint(state.q, w.constraint.residual); };
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);
@@ -217,8 +212,8 @@ struct SymmetricMultistep {
         axpy(per_shift, w.constraint.delta, w.multiplier);
         ++w.counters.n_position_iterations;
       };
-      if (Status status = detail::meet_constraint(system, "position", system.constraint_tolerance(), state.q, w.q_start,
-                                                  w.system, w.constraint, evaluate, apply);
+      if (Status status = detail::meet_position_constraint(system, system.constraint_tolerance(), state.q, w.q_start,
+                                                           w.system, w.constraint, apply);
           !status)
         return status;
       record_multiplier<S>(w);

@@ -1,7 +1,7 @@
 /// Violent and extreme motions of the pseudo-rigid body by several methods: large stretches, nearly flat and
-/// needle-like bodies, coincident axes, spin near √κ, a multiplier near 0, and a million steps with gravity. Nothing
-/// that is not finite comes out; runs that arrive have kept what their method promises, and the others end with a
-/// reason.
+/// needle-like bodies, coincident axes, spin near √κ, a multiplier near 0, rates of all sizes, and a million steps with
+/// gravity. Nothing that is not finite comes out; runs that arrive have kept what their method promises, and the others
+/// end with a reason.
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,9 @@
 #include <string>
 
 #include "mechanics/explicit_multiplier.h"
+#include "mechanics/field_of.h"
+#include "reduced/diagonal_body.h"
+#include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"
 #include "support/conserved.h"
 
@@ -136,6 +139,42 @@ TEST(ExtremeBodies, AreExtreme) {
     if (x.name.find("needle") != std::string::npos) {
       EXPECT_GT(o.semi_axes[0] / o.semi_axes[1], 4e2);
     }
+  }
+}
+
+/// The steps resolve the motion, however fast or slow it is: spin and stretching at 10⁻⁶ … 10⁶ times the elastic rate,
+/// where |G v| cannot be made smaller than ε|Q⁻¹||Q̇|.
+template <class System>
+void expect_to_arrive(const System& system, const State<System>& start, double rate, const char* what) {
+  const double end = std::min(1 / rate, 10.0);
+  mechanics::for_each_method([&]<class Method>(Method) {
+    if constexpr (mechanics::method_fits<Method, System>()) {
+      const auto& form = mechanics::form_for<Method>(system);
+      if (!Method::accepts(form)) return;
+      const auto r = run<Method>(form, start, end, 20, 10);
+      EXPECT_TRUE(r.finished()) << Method::name << ", " << what << " " << rate << ": " << r.result.reason;
+      if (!r.finished()) return;
+      auto g = system.make_multiplier(), rate_of_g = g;
+      ASSERT_TRUE(system.constraint(r.last().q, g));
+      system.constraint_rate(r.last().q, r.last().v, rate_of_g);
+      EXPECT_LT(std::abs(g), 1e-14) << Method::name << ", " << what << " " << rate;
+      EXPECT_LT(std::abs(rate_of_g), 1e-14 * std::max(1.0, rate)) << Method::name << ", " << what << " " << rate;
+    }
+  });
+}
+TEST(FastAndSlowBodies, ArriveByEveryMethod) {
+  const auto body = elastic_sl3({});
+  const reduced::DiagonalBody<LoadedSl3> three(body);
+  const reduced::DissipativeBody<LoadedSl3> damped(body, {0.1, 0.1});
+  const Matrix3d generic = matrix({0.3, 0.7, -0.2, 0.5, -0.1, 0.9, 0.4, 0.2, -0.2});
+  for (double exponent = -6; exponent <= 6; exponent += 0.25) {
+    const double rate = std::pow(10, exponent);
+    const auto start = [&](const Matrix3d& L) { return moving<LoadedSl3>(Matrix3d::Identity(), rate * L); };
+    expect_to_arrive(body, start(hat({0, 0, 1})), rate, "spin");
+    expect_to_arrive(body, start(diagonal(1, -0.4, -0.6)), rate, "stretching");
+    expect_to_arrive(body, start(generic), rate, "both");
+    expect_to_arrive(three, three.state_of(start(diagonal(1, -0.4, -0.6))), rate, "stretching, diagonal form");
+    expect_to_arrive(damped, damped.state_of(start(generic)), rate, "both, damped");
   }
 }
 
