@@ -13,7 +13,7 @@ namespace {
 template <bool incompressible>
 std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
   const ReducedScene s = reduced_scene(scene);
-  switch (form_of(s, incompressible)) {
+  switch (form_of(s)) {
     case ReducedForm::elastic:
     case ReducedForm::general:
       return refuses_method(scene, general_body<incompressible>(s));

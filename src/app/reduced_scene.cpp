@@ -2,6 +2,7 @@
 
 #include "app/scene_to_model.h"
 #include "scene/scales.h"
+#include "scene/sector.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -25,13 +26,13 @@ ReducedScene reduced_scene(const scene::Scene& scene) {
           .nominal_traction = loads.nominal_traction,
           .dissipation = {loads.viscosity, loads.drag},
           .center = {loads.center, loads.center_velocity, loads.acceleration, loads.quadratic, loads.drag},
-          .start = {0, initial_deformation(scene), initial_velocity(scene, units)}};
+          .start = {0, initial_deformation(scene), initial_velocity(scene, units)},
+          .keeps_diagonal = scene::keeps_diagonal(scene)};
 }
 
-ReducedForm form_of(const ReducedScene& s, bool incompressible) {
+ReducedForm form_of(const ReducedScene& s) {
   if (s.dissipation.present()) return ReducedForm::dissipative;
-  const auto holds = [&]<class Body>(const Body& body) { return reduced::DiagonalBody<Body>::holds(body, s.start); };
-  if (incompressible ? holds(general_body<true>(s)) : holds(general_body<false>(s))) return ReducedForm::diagonal;
+  if (s.keeps_diagonal) return ReducedForm::diagonal;
   const bool plain = s.gravity_constant == 0 && s.quadratic.isZero(0) && s.nominal_traction.isZero(0);
   return plain && std::holds_alternative<materials::CiarletGeymonat>(s.law) ? ReducedForm::elastic
                                                                             : ReducedForm::general;

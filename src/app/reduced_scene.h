@@ -21,6 +21,7 @@ struct ReducedScene {
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
+  bool keeps_diagonal;                            ///< Q = diag(a) for all times
 };
 
 ReducedScene reduced_scene(const scene::Scene& scene);
@@ -43,9 +44,9 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
   return {reduced::Potential(s.law, s.body, s.gravity_constant, s.quadratic, s.nominal_traction), s.body};
 }
 
-ReducedForm form_of(const ReducedScene& scene, bool incompressible);
+ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of that form; elastic only where form_of says so.
+/// The system of that form; elastic and diagonal only where form_of says so.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;

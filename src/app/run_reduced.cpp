@@ -7,7 +7,7 @@ namespace pseudorigid::app {
 
 ModelOutcome run_reduced(const RunContext& context) {
   const ReducedScene scene = reduced_scene(context.scene);
-  switch (form_of(scene, context.scene.body.incompressible)) {
+  switch (form_of(scene)) {
     case ReducedForm::elastic:
       return run_reduced_form<ReducedForm::elastic>(scene, context);
     case ReducedForm::general:

@@ -6,8 +6,12 @@
 ///
 ///   Λ = [Σ (ȧ_i/a_i)² + Σ ∂V/∂a_i /(a_i e_i)] / Σ 1/(a_i² e_i).
 ///
+/// Each of them must be diagonal by itself, which the owner of the scene judges (scene/sector.h): loads whose sum is
+/// diagonal at the start turn the body later.
+///
 /// Three numbers instead of nine, and self-gravity has its axes without an eigenvalue problem.
 
+#include <cassert>
 #include <cmath>
 
 #include "mechanics/conservative_system.h"
@@ -25,17 +29,10 @@ class DiagonalBody {
 
   explicit DiagonalBody(Body body) : body_(std::move(body)), e_(body_.E0().diagonal()) {}
 
-  /// Whether this motion is one of these.
-  static bool holds(const Body& body, const mechanics::VectorState<Eigen::Matrix3d>& start) {
-    Eigen::Matrix3d V = Eigen::Matrix3d::Zero();
-    typename Body::Workspace w;
-    return start.q.isDiagonal(0) && start.v.isDiagonal(0) && body.E0().isDiagonal(0) &&
-           body.force(start.t, start.q, start.v, w, V) && V.isDiagonal(0);
-  }
-
   mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     if (mechanics::Status status = body_.force(t, a.asDiagonal(), adot.asDiagonal(), w, F); !status) return status;
+    assert(F.isDiagonal(0));
     f = F.diagonal();
     return {};
   }

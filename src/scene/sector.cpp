@@ -18,6 +18,22 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
+/// As breaks_plane, of what moves Q: it is apart from the centre of mass.
+std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
+  const std::pair<const char*, const Matrix3*> matrices[] = {
+      {"Initial state/Deformation", &scene.initial_state.deformation},
+      {"Initial state/Velocity", &scene.initial_state.velocity},
+      {"Body/Inertia", scene.body.inertia ? &*scene.body.inertia : nullptr},
+      {"Loads/Tidal matrix", &scene.loads.quadratic},
+      {"Loads/Nominal traction", &scene.loads.nominal_traction}};
+  for (const auto& [path, matrix] : matrices)
+    for (int j = 0; matrix && j < 3; ++j)
+      for (const auto& [row, column] : {std::pair{i, j}, std::pair{j, i}})
+        if (const double entry = (*matrix)[row][column]; row != column && entry != 0)
+          return fmt::format("entry ({},{}) of {} is {}", row + 1, column + 1, path, print_number(entry));
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string Sector::name() const {
@@ -57,16 +73,8 @@ std::array<bool, 3> planes_of(Symmetry symmetry) {
 }
 
 std::optional<std::string> breaks_plane(const Scene& scene, int i) {
+  if (auto reason = matrix_breaks_plane(scene, i)) return reason;
   const auto& initial = scene.initial_state;
-  const std::pair<const char*, const Matrix3*> matrices[] = {{"Initial state/Deformation", &initial.deformation},
-                                                             {"Initial state/Velocity", &initial.velocity},
-                                                             {"Loads/Tidal matrix", &scene.loads.quadratic},
-                                                             {"Loads/Nominal traction", &scene.loads.nominal_traction}};
-  for (const auto& [path, matrix] : matrices)
-    for (int j = 0; j < 3; ++j)
-      for (const auto& [row, column] : {std::pair{i, j}, std::pair{j, i}})
-        if (const double entry = (*matrix)[row][column]; row != column && entry != 0)
-          return fmt::format("entry ({},{}) of {} is {}", row + 1, column + 1, path, print_number(entry));
   const std::pair<const char*, const std::vector<double>*> vectors[] = {
       {"Initial state/Center", &initial.center},
       {"Initial state/Center velocity", &initial.center_velocity},
@@ -75,6 +83,12 @@ std::optional<std::string> breaks_plane(const Scene& scene, int i) {
     if (const double entry = (*vector)[i]; entry != 0)
       return fmt::format("entry {} of {} is {}", i + 1, path, print_number(entry));
   return std::nullopt;
+}
+
+bool keeps_diagonal(const Scene& scene) {
+  for (int i = 0; i < 3; ++i)
+    if (matrix_breaks_plane(scene, i)) return false;
+  return true;
 }
 
 Sector sector(const Scene& scene) {

@@ -1,8 +1,8 @@
 #pragma once
 /// Which sector of the ball has to be computed. A motion x = x_c + Q(t) X + … keeps the coordinate plane with normal
 /// e_i as a symmetry plane if the reflection S_i = Id - 2 e_i e_i^T leaves the initial state and the loads as they are:
-/// S_i A S_i = A for the matrices Q0, Qdot0, the tidal matrix and the nominal traction, that is, their entries (i,j)
-/// and (j,i), j != i, are zero; and S_i a = a for the centre of mass, its velocity and the acceleration, a_i = 0.
+/// S_i A S_i = A for the matrices Q0, Qdot0, E0, the tidal matrix and the nominal traction, that is, their entries
+/// (i,j) and (j,i), j != i, are zero; and S_i a = a for the centre of mass, its velocity and the acceleration, a_i = 0.
 
 #include <array>
 #include <optional>
@@ -31,6 +31,10 @@ std::array<bool, 3> planes_of(Symmetry symmetry);
 /// The first entry of the initial state or of the loads that keeps the plane with normal e_i from being a symmetry
 /// plane, in words ("entry (1,2) of Initial state/Velocity is 0.5"); nothing if the plane is admissible.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
+
+/// Whether Q keeps all three planes, which makes it diagonal for all times. The centre of mass moves apart from Q and
+/// may leave the planes.
+bool keeps_diagonal(const Scene& scene);
 
 /// The sector that the scene asks for, the smallest one that initial state and loads admit if it leaves the choice.
 Sector sector(const Scene& scene);

@@ -1,4 +1,4 @@
-/// The diagonal form of the pseudo-rigid body: the same motion as (5.120) with nine numbers, and where it holds.
+/// The diagonal form of the pseudo-rigid body: the same motion as (5.120) with nine numbers.
 
 #include "reduced/diagonal_body.h"
 
@@ -43,7 +43,6 @@ TYPED_TEST(DiagonalForm, HasTheMotionOfTheFullForm) {
   using Body = TypeParam;
   for (const Body& body : diagonal_bodies<Body>()) {
     const auto start = diagonal_start<Body>();
-    ASSERT_TRUE(DiagonalBody<Body>::holds(body, start));
     const DiagonalBody<Body> three(body);
     const auto full = run<mechanics::Rattle8>(body, start, 6, 30, 10);
     const auto short_form = run<mechanics::Rattle8>(three, three.state_of(start), 6, 30, 10);
@@ -95,36 +94,12 @@ TYPED_TEST(DiagonalForm, StatesGoThereAndBack) {
   EXPECT_EQ(back.v, start.v);
 }
 
-/// Anything off the diagonal, in Q, Q̇, E₀ or the force, however small, is not of this form.
-TEST(DiagonalBody, HoldsOnlyWhereAllIsDiagonal) {
-  const auto holds = [](const LoadedSl3& body, const State<LoadedSl3>& s) {
-    return DiagonalBody<LoadedSl3>::holds(body, s);
-  };
-  const auto start = diagonal_start<LoadedSl3>();
+/// Half a turn: diagonal, with two negative entries.
+TEST(DiagonalBody, MayBeTurnedByHalfATurn) {
   const auto plain = elastic_sl3({0.3, diagonal_quadratic()});
-  EXPECT_TRUE(holds(plain, start));
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (i != j) {
-        auto turned = start, turning = start;
-        turned.q(i, j) = 1e-12;
-        turning.v(i, j) = 1e-12;
-        EXPECT_FALSE(holds(plain, turned)) << i << j;
-        EXPECT_FALSE(holds(plain, turning)) << i << j;
-        Matrix3d T = diagonal_quadratic();
-        T(i, j) = T(j, i) = 1e-12;
-        EXPECT_FALSE(holds(elastic_sl3({0.3, T}), start)) << i << j;
-        reduced::ReferenceBody reference = reduced::ReferenceBody::unit_ball();
-        reference.E0(i, j) = reference.E0(j, i) = 1e-12;
-        EXPECT_FALSE(holds(elastic_sl3({0, Matrix3d::Zero(), reference}), start)) << i << j;
-      }
-  auto inside_out = start;
-  inside_out.q(0, 0) = -1;
-  EXPECT_FALSE(holds(plain, inside_out)) << "there is no force";
-  auto two_turned = start;  // half a turn: diagonal, with two negative entries
+  State<LoadedSl3> two_turned = diagonal_start<LoadedSl3>();
   two_turned.q = diagonal(-1.3, -1, 1 / 1.3);
   two_turned.v = Matrix3d::Zero();
-  ASSERT_TRUE(holds(plain, two_turned));
   const DiagonalBody<LoadedSl3> three(plain);
   const auto full = run<mechanics::Rattle8>(plain, two_turned, 3, 1, 150);
   const auto short_form = run<mechanics::Rattle8>(three, three.state_of(two_turned), 3, 1, 150);
