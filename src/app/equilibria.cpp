@@ -71,7 +71,11 @@ std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& 
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context) {
-  mechanics::CriticalPointSearch search{.radius = 2};
+  // Coordinates that are not periodic are lengths, in the system's own unit (systems/*_scene.h), about which its
+  // motions are of order 1. A box of twice that is a guess: what lies outside is found only where Newton's iteration
+  // leads there.
+  constexpr double radius = 2;
+  mechanics::CriticalPointSearch search{.radius = radius};
   if (!dissipative) search.added_damping = [&](const Eigen::VectorXd& q) { return unit_damping(landscape, q); };
   mechanics::CriticalPoints found;
   ModelOutcome outcome;
@@ -92,7 +96,8 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
   for (const mechanics::CriticalPoint& point : found.points)
     csv.append(equilibria_row(++index, point, columns, scales));
   csv.flush();
-  context.log->info("{} critical points from {} of {} starts", found.points.size(), found.n_converged, found.n_starts);
+  context.log->info("{} critical points from {} of {} starts (a search: there may be more)", found.points.size(),
+                    found.n_converged, found.n_starts);
   for (const mechanics::CriticalPoint& p : found.points)
     context.log->info("  V = {:.6g}: Morse index {}, nullity {}, {} unstable and {} stable directions",
                       p.V * scales("mass*length^2/time^2"), p.morse_index, p.nullity, p.n_unstable, p.n_stable);

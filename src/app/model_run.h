@@ -12,11 +12,12 @@
 ///   std::vector<std::string> columns(quantities) const;
 ///   Status row(time, state, system workspace, row);
 ///   void report(workspace, statistics) const;
-/// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,
-/// with constraints  double constraint_scale() const,  with pictures  Status write_frame(path, state, system
-/// workspace),  for reports  shape_columns(), n_shape_rows(), shape(time, state),  for the message of a run that cannot
-/// go on  std::string place_of_least_jacobian(state) const,  with distributed vectors  const Order& rank_order() const
-/// and  using MemoryLayout (continuum/rank_order.h). All ranks run it together; one of them writes.
+/// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,  Status judge(state)
+/// const for states with which a run ends, asked after every step, with constraints  double constraint_scale() const,
+/// with pictures  Status write_frame(path, state, system workspace),  for reports  shape_columns(), n_shape_rows(),
+/// shape(time, state),  for the message of a run that cannot go on  std::string place_of_least_jacobian(state) const,
+/// with distributed vectors  const Order& rank_order() const and  using MemoryLayout (continuum/rank_order.h). All
+/// ranks run it together; one of them writes.
 
 #include <algorithm>
 #include <chrono>
@@ -109,6 +110,11 @@ class ModelRun {
   template <class Workspace>
   bool step_done(mechanics::Cursor cursor, const State& state, Workspace& workspace) {
     position_.cursor = cursor;
+    if constexpr (requires { model_.judge(state); })
+      if (Status status = model_.judge(state); !status) {
+        verdict_ = std::move(status);
+        return false;
+      }
     // Steps of an adaptive method do not end at samples.
     if (stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
     if (++steps_since_look_ < Model::steps_between_looks) return true;
@@ -171,6 +177,7 @@ class ModelRun {
     }
     const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
     auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
+    if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
     counters_ = workspace.counters;
     model_.report(workspace, statistics_);
     return result;
@@ -375,6 +382,7 @@ class ModelRun {
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
   RunPosition position_;
   std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
+  Status verdict_;                         ///< of the model on its state, where that ends the run
   Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again
   bool memory_is_whole_ = false;           ///< that of good_, as it stands in the checkpoint
   std::optional<MemoryLayout> layout_;     ///< of the method's memory, where vectors are distributed

@@ -75,6 +75,8 @@ class ModelStepping {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       position.next_look = position.cursor.sample + samples_between_looks();
       double limit = 0;
+      // Between `reserve`, with which steps are chosen, and 1, where they are unstable: a step is not halved for the
+      // few per cent by which the frequency of a motion comes and goes, and not kept until it is at its limit.
       constexpr double less_reserve = 0.9;
       if (!rattle_limit(state, less_reserve, limit)) return;  // the step itself will meet the failure and report it
       const double before = position.step;

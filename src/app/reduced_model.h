@@ -1,6 +1,10 @@
 #pragma once
 /// The pseudo-rigid body of a scene, in one of its forms, as ModelRun wants it.
 
+#include <fmt/format.h>
+
+#include <Eigen/SVD>
+
 #include "app/reduced_scene.h"
 #include "app/run_context.h"
 #include "app/tension_watch.h"
@@ -57,6 +61,22 @@ class ReducedModel {
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     io::reduced_row(time, observables_, context_.units, context_.needs.quantities, row);
     return {};
+  }
+
+  /// Looked at after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
+  /// and Young): where the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
+  /// A body that keeps its volume has no collapse.
+  mechanics::Status judge(const State& state) const requires mechanics::unconstrained<System> {
+    const Eigen::Matrix3d Q = configuration(state);
+    const double tolerance = context_.scene.time.tolerance;
+    // det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 spare most steps the singular values.
+    if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
+    const double least = Q.jacobiSvd().singularValues()(2);
+    if (least > tolerance) return {};
+    return mechanics::Status::failure(fmt::format(
+        "the body collapses: its least stretch {:.2g} is within the error {:.2g} that Time/Tolerance allows to "
+        "Q, which cannot tell what comes after; give a smaller tolerance to follow it further",
+        least, tolerance));
   }
 
   /// Goes on with what the rows of an interrupted run say of the past.

@@ -212,6 +212,20 @@ class PseudoRigid(StoppedRunTest):
         # An independent integration of (5.120) with nine unknowns.
         self.assertAlmostEqual(self.table("output/scene/reduced.csv").column("Q12")[-1], 0.358777, delta=1e-6)
 
+    def test_a_collapse_within_the_tolerance_ends_the_run(self):
+        """With a loose tolerance the steps go past the collapse at t = 0.45, where det Q is 4e-7, and see an expansion."""
+        self.scene({"Models": "reduced", "Body/Incompressible": "false", "Material/Lame lambda": 25.108550896201596,
+                    "Gravity/Constant": 11.960639826050404, "Time/End": 2, "Time/Tolerance": 0.027864818174222844,
+                    "Time/Method": "explicit-8", "Initial state/Velocity": "-0.160,1.506,0.937;0.043,0.496,3.516;-0.003,0.009,0.660",
+                    "Output/Samples": 200})
+        result = self.run_program("run", "scene.prm")
+        self.assert_exit(result, STOPPED)
+        self.assertIn("the body collapses", result.stderr)
+        self.assertLess(self.table("output/scene/reduced.csv").column("time")[-1], 0.46)
+        accurate = self.run_program("run", "scene.prm", "--set", "Time/Tolerance=1e-10", "--output", "accurate")
+        self.assert_exit(accurate, STOPPED)
+        self.assertAlmostEqual(self.table("accurate/reduced.csv").column("time")[-1], 0.45, delta=0.02)
+
     def test_units_of_a_gravitating_body(self):
         """Length, mass and time scaled by 1e±6: the same dimensionless motion."""
         def scene(length, mass, time):
