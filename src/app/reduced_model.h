@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/SVD>
+#include <algorithm>
+#include <limits>
 
 #include "app/reduced_scene.h"
 #include "app/run_context.h"
@@ -59,6 +61,9 @@ class ReducedModel {
         return status;
     if (auto status = add_center_of_mass(state.t); !status) return status;
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
+    const Eigen::Matrix3d Q = configuration(state);
+    motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
+    size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
     io::reduced_row(time, observables_, context_.units, context_.needs.quantities, row);
     return {};
   }
@@ -115,9 +120,27 @@ class ReducedModel {
   template <class MethodWorkspace>
   void report(const MethodWorkspace&, io::Manifest::Model& statistics) const {
     tension_.report(statistics);
+    warn_of_resolution(statistics);
   }
 
  private:
+  /// A motion about rest that is hardly larger than the errors of Q has energies without a right digit.
+  void warn_of_resolution(const io::Manifest::Model& statistics) const {
+    constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
+    const auto estimate = statistics.counters.find("estimated_time_error");
+    const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
+    // A body at rest in equilibrium moves by round-off alone, and nobody expects more of it.
+    const double round_off = 16 * epsilon * size_;
+    const bool rests = start_.v.isZero(0) && motion_ <= round_off;
+    if (rests || motion_ > well_above * error) return;
+    context_.log->warn(
+        "reduced: Q moves by no more than {:.2g}, and its error is about {:.2g}: velocities and energies of this "
+        "motion are "
+        "not resolved{}",
+        motion_, error,
+        motion_ > well_above * round_off ? "; give a smaller Time/Tolerance" : ", it is lost in round-off");
+  }
+
   /// As for the initial state, scene/validate.cpp.
   static mechanics::Status check_size(const State& state) {
     constexpr double largest_stretch = 1e12;
@@ -149,6 +172,7 @@ class ReducedModel {
   const RunContext& context_;
   mechanics::ObservableRequest request_;
   TensionWatch tension_;
+  double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
   std::optional<io::CubedSphere> sphere_;

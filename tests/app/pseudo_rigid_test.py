@@ -1,6 +1,7 @@
 """The reduced body whole: its scenes of params/ with the numbers that their heads promise, equilibria, sweeps, loads."""
 import math
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -211,6 +212,20 @@ class PseudoRigid(StoppedRunTest):
                         "Initial state/Velocity": "0.1, 0, 0; 0, -0.1, 0; 0, 0, 0", "Time/End": 10, "Output/Samples": 10})
         # An independent integration of (5.120) with nine unknowns.
         self.assertAlmostEqual(self.table("output/scene/reduced.csv").column("Q12")[-1], 0.358777, delta=1e-6)
+
+    def test_a_motion_below_its_errors_is_called_so(self):
+        def warning(speed, **entries):
+            self.scene({"Models": "reduced", "Initial state/Velocity": f"{speed}, 0, 0; 0, -{speed}, 0; 0, 0, 0", "Time/End": 20,
+                        "Output/Samples": 100, **entries})
+            text = self.run_done("run", "scene.prm", "--output", "small").stderr
+            shutil.rmtree(self.scratch / "small")
+            return text
+        for speed in "3e-151", "1e-17", "1e-16":
+            self.assertIn("lost in round-off", warning(speed))
+        self.assertIn("give a smaller Time/Tolerance", warning("1e-8", **{"Time/Tolerance": 1e-6}))
+        self.assertNotIn("not resolved", warning("1e-8", **{"Time/Tolerance": 1e-12}))
+        self.assertNotIn("not resolved", warning("0.1"))
+        self.assertNotIn("not resolved", warning("0"))
 
     def test_a_collapse_within_the_tolerance_ends_the_run(self):
         """With a loose tolerance the steps go past the collapse at t = 0.45, where det Q is 4e-7, and see an expansion."""
