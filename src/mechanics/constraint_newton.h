@@ -22,7 +22,7 @@ namespace pseudorigid::mechanics::detail {
 inline constexpr int max_constraint_iterations = 30;
 
 /// The noise is the largest of a few changes, and errors may add up to more. Of 4.3·10⁷ residuals that had stopped
-/// falling, of bodies with semi-axes 10⁻⁶ … 10⁶, 99.97 % were below 3 times the noise, and three above 16 times, the
+/// falling, of bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16 times, the
 /// largest 18.7; these are iterated once more.
 inline constexpr double noise_reserve = 16;
 

@@ -89,7 +89,7 @@ struct MultiplierHistory {
   /// Equidistant times have Σ|ℓ_i| = 2ⁿ − 1: 1, 3, 7, 15. The limits admit these, and so much more for fewer values as
   /// the unequal substeps of compositions may ask for. Measured for lines on SL(3), h = 0.2, 0.05, 0.01: limits of 5, 7
   /// and 9 take the same iterations; 3 takes up to 2.5 % more, and 1 (no line) up to 5 % more in compositions and 16 %
-  /// more in RATTLE itself, but with h = 0.2 each takes up to 3 % fewer in some. Those of 12 and 16 have not been
+  /// more in RATTLE itself, but with h = 0.2 each takes up to 4 % fewer in some. Those of 12 and 16 have not been
   /// varied.
   bool lagrange(double t, int n, std::array<double, n_values>& weights) const {
     constexpr double most[] = {1, 9, 12, 16};
