@@ -23,11 +23,20 @@ SCENES = {
                      "Loads/Tidal matrix": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1",
                      "Initial state/Velocity": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1"},
 }
+# Scenes that nothing of the search was fitted to: other laws, other sectors, motions that turn or begin at rest.
+OTHER_SCENES = {
+    "mooney": {"Material/Law": "mooney-rivlin", "Material/Mooney fraction": 0.7,
+               "Initial state/Deformation": "1.08, 0, 0; 0, 0.96, 0; 0, 0, $(1/(1.08*0.96))"},
+    "turning": {"Initial state/Velocity": "0.1, -0.6, 0; 0.2, 0.15, 0; 0, 0, -0.25"},
+    "pulled": {"Body/Incompressible": "false", "Material/Law": "neo-hookean", "Material/Lame lambda": 3,
+               "Loads/Nominal traction": "0.3, 0, 0; 0, 0, 0; 0, 0, -0.1"},
+}
+ALL_SCENES = {**SCENES, **OTHER_SCENES}
 COMMON = {"Models": "continuum", "Time/End": 2, "Output/Samples": 10, "Output/Quantities": "state"}
 AUTO = {"Continuum/Degree": "auto", "Continuum/Refinements": "auto"}
 TOLERANCE_OF_TIME = 1 / 20  # over that of the discretisation, whose error is then what is seen
 # Finer than anything that the tolerances ask for.
-FINEST = {"release": (6, 1), "velocity": (6, 1), "compressible": (6, 1)}
+FINEST = (6, 1)
 
 
 class AutoDegree(ProgramTest):
@@ -47,7 +56,7 @@ class AutoDegree(ProgramTest):
         return max(abs(x - y) for row, other in zip(a, b) for x, y in zip(row, other))
 
     def at_tolerance(self, scene, tolerance):
-        return {**SCENES[scene], "Time/Tolerance": tolerance * TOLERANCE_OF_TIME}
+        return {**ALL_SCENES[scene], "Time/Tolerance": tolerance * TOLERANCE_OF_TIME}
 
     def check_tolerance(self, scene, tolerance):
         counters = self.run_scene({**self.at_tolerance(scene, tolerance), **AUTO, "Continuum/Tolerance": tolerance})
@@ -56,7 +65,7 @@ class AutoDegree(ProgramTest):
               f"estimated {counters['estimated_space_error']:.1e}, error {error:.1e}, "
               f"search/run {counters['search_work'] / counters['work']:.2f}")
         self.assertLessEqual(counters["estimated_space_error"], tolerance)
-        self.assertLessEqual(error, 2 * tolerance)
+        self.assertLessEqual(error, tolerance)
         return counters
 
     def check_cost(self, scene, tolerance, best):
@@ -81,6 +90,12 @@ class AutoDegree(ProgramTest):
         self.check_cost("compressible", 1e-3, (3, 0))
         self.check_cost("compressible", 1e-4, (3, 0))
         self.check_cost("compressible", 1e-5, (4, 0))
+
+    def test_other_scenes(self):
+        for scene in OTHER_SCENES:
+            for tolerance in (1e-3, 1e-4):
+                with self.subTest(scene, tolerance=tolerance):
+                    self.check_tolerance(scene, tolerance)
 
     def test_fixed_refinements_are_honoured(self):
         counters = self.run_scene({**self.at_tolerance("velocity", 1e-3), "Continuum/Degree": "auto",
@@ -144,9 +159,9 @@ def make_references(scenes):
     run = AutoDegree()
     run.setUp()
     references = json.loads(REFERENCES.read_text())
-    for scene in scenes or FINEST:
-        k, r = FINEST[scene]
-        run.run_scene({**SCENES[scene], "Time/Tolerance": 1e-6, "Continuum/Degree": k, "Continuum/Refinements": r})
+    for scene in scenes or ALL_SCENES:
+        k, r = FINEST
+        run.run_scene({**ALL_SCENES[scene], "Time/Tolerance": 1e-6, "Continuum/Degree": k, "Continuum/Refinements": r})
         references[scene] = run.deformation()
         print(scene, f"{run.cpu:.0f} s", flush=True)
     REFERENCES.write_text(json.dumps(references).replace("], [", "],\n["))

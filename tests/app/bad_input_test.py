@@ -4,7 +4,7 @@ import re
 import shutil
 import unittest
 
-from program_test import SOURCE, WRONG_INPUT, overrides
+from program_test import SOURCE, WRONG_INPUT, overrides, words
 from refused_input import BASE, RefusedInputTest
 
 DIAGONAL = "Initial state/Deformation"
@@ -57,10 +57,10 @@ class BadInput(RefusedInputTest):
         self.refused("run", "scene.prm", fragments=("scene.prm:8:", "closes no subsection"))
 
     def test_unknown_word_of_a_choice(self):
-        message = self.refused_entries({"Time/Method": "ratle-4"}, "Time/Method", 'did you mean "rattle-4"?')
-        for method in ("auto", "rattle-6", "rattle-8"):
-            self.assertIn(method, message)
-        self.refused_entries({"Material/Law": "rubber"}, "Material/Law", "neo-hookean, mooney-rivlin", '"rubber"')
+        self.refused_entries({"Time/Method": "ratle-4"}, "Time/Method", "one of " + ", ".join(words("Time/Method")),
+                             'did you mean "rattle-4"?')
+        self.refused_entries({"Material/Law": "rubber"}, "Material/Law", "one of " + ", ".join(words("Material/Law")),
+                             '"rubber"')
 
     def test_unknown_model(self):
         self.refused_entries({"Models": "reduced, continum"}, "Models", 'did you mean "continuum"?')

@@ -3,7 +3,7 @@ import math
 import re
 import unittest
 
-from program_test import SOURCE, largest_difference, overrides
+from program_test import SOURCE, largest_difference, overrides, words
 from stopped_run import StoppedRunTest
 
 BOTH = {"Models": "reduced, continuum", "Continuum/Degree": 2, "Time/End": 2, "Output/Samples": 20, "Time/Tolerance": 1e-5}
@@ -63,8 +63,8 @@ class ContinuumLoads(StoppedRunTest):
         self.assertIn("pressure space: the body is compressible", (self.scratch / "output/compressible/log.txt").read_text())
 
     def test_every_law_of_the_compressible_body(self):
-        for law in ("neo-hookean", "mooney-rivlin", "ciarlet-geymonat", "saint-venant-kirchhoff",
-                    "ciarlet-geymonat (as printed)"):
+        others = {"none", "saint-venant-kirchhoff (as printed)"}  # refused; stressed at rest, below
+        for law in sorted(set(words("Material/Law")) - others):
             with self.subTest(law):
                 tables = self.run_scene({**BOTH, "Body/Incompressible": "false", "Material/Law": law, "Time/End": 0.5,
                                          "Initial state/Deformation": "1.05, 0, 0; 0, 1, 0; 0, 0, 0.98"})

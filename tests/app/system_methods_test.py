@@ -3,12 +3,11 @@ units change nothing."""
 import math
 import unittest
 
-from program_test import DONE, WRONG_INPUT, overrides
+from program_test import DONE, WRONG_INPUT, overrides, words
 from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
                          PENDULUM, POINTS, ROTATION, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, distance)
 
-METHODS = ("auto", "rattle", "rattle-4", "rattle-6", "rattle-8", "symmetric-8", "symmetric-12", "energy-momentum",
-           "explicit-8")
+METHODS = words("Time/Method")  # auto and all others
 
 
 class SystemMethods(SystemTest):

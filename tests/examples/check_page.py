@@ -3,7 +3,7 @@
 The comment <!-- file: path --> above a block of C++ says that all blocks so marked for a path, in order and with an empty
 line between them, are that file. <!-- from: path --> says that the block stands in the file somewhere. Every block of
 C++ has such a mark. <!-- changes: path --> above a block of diff, with an empty line between places that are apart, says
-that the file has the lines that are changed and those around them.
+that the file has the lines that are changed and those around them, before the change or after it.
 """
 import collections
 import difflib
@@ -34,8 +34,9 @@ def problems(page):
             yield "".join(difflib.unified_diff(there.splitlines(True), here.splitlines(True), path, "the page"))
     for path, changes in CHANGES.findall(page):
         for place in changes.split("\n\n"):
-            before = "\n".join(line[1:] for line in place.splitlines() if not line.startswith("+"))
-            if before + "\n" not in (SOURCE / path).read_text():
+            before, after = ("\n".join(line[1:] for line in place.splitlines() if not line.startswith(other)) + "\n"
+                             for other in "+-")
+            if not any(lines in (SOURCE / path).read_text() for lines in (before, after)):
                 yield f"{path} has not the lines\n{before}"
 
 

@@ -3,6 +3,7 @@
 #include "support/order_test.h"
 
 #include "reduced/bodies.h"
+#include "support/method_lists.h"
 
 namespace pseudorigid::testing {
 
@@ -23,15 +24,13 @@ struct BodyFactory {
   long n_reference_steps() const { return 240; }
 };
 
-using mechanics::Rattle;
-using mechanics::Rattle4;
-using mechanics::Rattle6;
-using mechanics::Rattle8;
-
-template <class Body>
-using AllOrders = ::testing::Types<OrderCase<BodyFactory<Body>, Rattle>, OrderCase<BodyFactory<Body>, Rattle4>,
-                                   OrderCase<BodyFactory<Body>, Rattle6>, OrderCase<BodyFactory<Body>, Rattle8>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(Sl3, MethodOrder, AllOrders<Sl3>);
-INSTANTIATE_TYPED_TEST_SUITE_P(Gl3, MethodOrder, AllOrders<Gl3>);
+template <class Method>
+using Sl3Case = OrderCase<BodyFactory<Sl3>, Method>;
+template <class Method>
+using Gl3Case = OrderCase<BodyFactory<Gl3>, Method>;
+using Sl3Cases = CasesOf<Sl3Case, Symplectic>;
+using Gl3Cases = CasesOf<Gl3Case, Symplectic>;
+INSTANTIATE_TYPED_TEST_SUITE_P(Sl3, MethodOrder, Sl3Cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(Gl3, MethodOrder, Gl3Cases);
 
 }  // namespace pseudorigid::testing

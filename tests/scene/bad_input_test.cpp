@@ -1,5 +1,6 @@
 /// Every promise about an error of one entry: the input that provokes it, and the message.
 
+#include "scene/choices.h"
 #include "scene_files.h"
 
 namespace pseudorigid::scene {
@@ -92,9 +93,12 @@ INSTANTIATE_TEST_SUITE_P(
                  {},
                  "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
 
-const std::string at_law =
-    "scene.prm:2: Material/Law: expected one of neo-hookean, mooney-rivlin, ciarlet-geymonat, ciarlet-geymonat (as "
-    "printed), saint-venant-kirchhoff, saint-venant-kirchhoff (as printed), none, got ";
+/// With the words of the table, in its order.
+const std::string at_law = [] {
+  std::string names;
+  for (const auto& [name, law] : law_kind.table) names.append(names.empty() ? "" : ", ").append(name);
+  return "scene.prm:2: Material/Law: expected one of " + names + ", got ";
+}();
 
 INSTANTIATE_TEST_SUITE_P(
     Words, BadInputTest,

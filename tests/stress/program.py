@@ -19,8 +19,8 @@ import textwrap
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from program_test import (DONE, PATIENCE, STOPPED, Table, WRONG_INPUT, largest_difference, overrides,  # noqa: E402, F401
-                          scene_text)
+from program_test import (DONE, PATIENCE, STOPPED, Table, WRONG_INPUT, largest_difference, methods,  # noqa: E402, F401
+                          overrides, scene_text, words)
 
 SECONDS_TO_OBEY = 30 * PATIENCE
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",

@@ -4,6 +4,7 @@ The executable's path is in the environment variable PSEUDORIGID; ctest sets it.
     PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/bad_input_test.py -v
 """
 import csv
+import functools
 import json
 import math
 import os
@@ -40,6 +41,19 @@ def scene_text(entries):
         *section, name = path.split("/")
         lines += [f"subsection {s}" for s in section] + [f"set {name} = {value}"] + ["end" for _ in section]
     return "\n".join(lines) + "\n"
+
+
+@functools.cache
+def words(entry):
+    """The words that an entry takes, by the program's own list of parameters: words("Material/Law")."""
+    page = subprocess.run([os.environ["PSEUDORIGID"], "parameters", "--format", "json"], check=True, capture_output=True)
+    (found,) = [about["words"] for about in json.loads(page.stdout) if about["entry"] == entry]
+    return tuple(found)
+
+
+def methods():
+    """All methods, by the table of the program."""
+    return tuple(name for name in words("Time/Method") if name != "auto")
 
 
 def overrides(entries):

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/field_of.h"
 #include "mechanics/methods.h"
 #include "mechanics/time_loop.h"
 
@@ -42,13 +43,14 @@ struct Recorder {
   }
 };
 
-/// N samples with n steps between them.
+/// N samples with n steps between them; adaptive methods make steps of their own, at a tolerance of 1e-12.
 template <class Method, class S>
 RecordedRun<S> run(const S& system, mechanics::State<S> state, double end, long n_samples, long n_steps) {
-  typename Method::template Workspace<S> workspace(system);
+  const auto& form = mechanics::form_for<Method>(system);
+  typename Method::template Workspace<mechanics::FormFor<Method, S>> workspace(form);
   mechanics::Cursor cursor;
   Recorder<S> recorder{n_steps};
-  auto result = mechanics::run_time_loop<Method>(system, {end, n_samples}, state, cursor, workspace, recorder);
+  auto result = mechanics::run_time_loop<Method>(form, {end, n_samples}, state, cursor, workspace, recorder);
   return {std::move(result), std::move(recorder.states), workspace.counters};
 }
 
