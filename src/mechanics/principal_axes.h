@@ -89,14 +89,14 @@ inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
   return {cosine, cosine * (std::copysign(2.0, delta) * gamma / (h + size))};
 }
 
-/// cos(⅓ arccos q), 0 ≤ q ≤ 1, to 1e-9: Halley's step for 4c³ − 3c = q from the parabola that is exact at 0 and 1
+/// cos(⅓ arccos q), 0 ≤ q ≤ 1, to 1e-8: Halley's step for 4c³ − 3c = q from the parabola that is exact at 0 and 1
 inline double cosine_of_third(double q) {
   const double c = 0.8660254037844386 + q * (0.1666666666666667 - 0.0326920704511053 * q);
   const double f = (4 * c * c - 3) * c - q, slope = 12 * c * c - 3, curvature = 24 * c;
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Eigenvectors of C in closed form, to about 1e-9; orthonormal to round-off
+/// Eigenvectors of C in closed form, to about 1e-8; orthonormal to round-off
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};

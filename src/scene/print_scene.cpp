@@ -54,7 +54,6 @@ class PrmWriter {
 
   void close_section() {
     if (!section_.empty()) text_ += muted_ ? "# end\n" : "end\n";
-    section_ = {};
   }
 
   std::string text_;

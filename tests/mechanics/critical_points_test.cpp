@@ -166,6 +166,19 @@ TEST(CriticalPoints, WithoutDampingMinimaAreCentres) {
   EXPECT_EQ(found.points[0].n_unstable + found.points[0].n_stable, 0);
   EXPECT_FALSE(found.points[0].hyperbolic());
   EXPECT_EQ(found.points[1].n_unstable, 2);
+  EXPECT_EQ(found.points[1].n_stable, 2);
+  // z² = −g/R at the bottom and g/R at the top, each with both roots for both directions.
+  const SphereParticle particle;
+  const double rate = std::sqrt(particle.gravity / particle.R);
+  for (const std::size_t k : {0u, 1u}) {
+    const auto& rates = found.points[k].rates;
+    ASSERT_EQ(rates.size(), 4);
+    EXPECT_LT(std::abs(rates.sum()), 1e-10);
+    for (const auto& z : rates) {
+      EXPECT_NEAR(std::abs(k == 0 ? z.imag() : z.real()), rate, 1e-10);
+      EXPECT_EQ(k == 0 ? z.real() : z.imag(), 0);
+    }
+  }
 }
 
 /// A heavy rigid body with a fixed point: hanging and standing, each an orbit of the turns about the vertical.

@@ -258,6 +258,16 @@ TEST(SymmetricMultistep, RefusesForcesThatAreNotConservative) {
   EXPECT_NE(status.reason().find("conservative"), std::string::npos);
 }
 
+/// Also where every step is a sample, and its velocity is projected; the force of the last state is not made twice.
+TEST(SymmetricMultistep, MakesOneForceAStep) {
+  for (const long n_steps : {1, 10}) {
+    const auto r = run<Symmetric8>(SphericalPendulum{}, SphericalPendulum::swinging(), 20, 1000 / n_steps, n_steps);
+    ASSERT_TRUE(r.finished());
+    EXPECT_EQ(r.counters.n_steps, 1000);
+    EXPECT_LE(r.counters.n_force, r.counters.n_steps + 1);
+  }
+}
+
 TEST(SymmetricMultistep, ForceThatBreaksOffIsReported) {
   for (const auto trouble : {SphericalPendulum::Trouble::failure, SphericalPendulum::Trouble::nan})
     for (const double from : {0.0, 0.15, 3.0}) {  // at the start, within it, after it

@@ -193,6 +193,10 @@ TEST(RiemannPlanar, BranchesOffTypeS) {
   const auto s = continuation.follow(start.points[0].motion, 1, options);
   const auto branch = special_points(s, SpecialKind::branch_point);
   ASSERT_EQ(branch.size(), 1u);
+  const auto narrow = continuation.follow(start.points[0].motion, 1, {.n_steps = 20, .parameter_most = 5.52});
+  EXPECT_EQ(narrow.end, "");
+  EXPECT_LT(narrow.points.size(), s.points.size());
+  for (const auto& p : narrow.points) EXPECT_LE(p.parameter, 5.52);
   const Vector3d a = branch[0].semi_axes;
   const double Omega = branch[0].motion.omega[2], Lambda = branch[0].motion.Lambda[2];
   EXPECT_NEAR((square(Omega) + square(Lambda)) / (2 * Omega * Lambda),

@@ -87,6 +87,16 @@ TEST(ExactMotion, TriaxialEllipsoidOfTypeS) {
   for (const auto& s : r.states) EXPECT_LT((s.q - exact(s.t)).norm(), 1e-9);
 }
 
+/// The reaction to det Q = 1 is a pressure, λ m̄/Vol in the reference state, m̄/Vol = 1/5 for the ball.
+TEST(ExactMotion, StressHasThePressureOfTheConstraint) {
+  const Matrix3d Q = matrix({1.2, 0.3, 0, -0.1, 0.9, 0.2, 0, 0.1, 1}), F = Q / std::cbrt(Q.determinant());
+  const Sl3 body = neo_hookean_sl3();
+  for (const double lambda : {-2.0, 0.7}) {
+    const Matrix3d expected = F * F.transpose() - (1 + lambda / 5) * Matrix3d::Identity();  // σ = FFᵀ − Id − p Id
+    EXPECT_LT((body.cauchy_stress(F, lambda) - expected).norm(), 1e-14);
+  }
+}
+
 TEST(ExactMotion, StressOfTheBallAtRestVanishes) {
   const Sl3 body = neo_hookean_sl3();
   const auto o = observed(body, stretched(1));

@@ -143,6 +143,24 @@ TEST(Needs, ContinuumAloneIsNotCompared) {
   EXPECT_TRUE(mentions(result.skipped, "only one model"));
 }
 
+TEST(Needs, ModesHaveNeitherTimeLoopNorObservables) {
+  Scene scene;
+  scene.analysis = Analysis::modes;
+  scene.models = {.reduced = false, .continuum = true};
+  EXPECT_TRUE(mentions(needs(scene).skipped, "time loop, initial state and observables"));
+  EXPECT_FALSE(mentions(needs(scene).needed, "quantities: "));
+  scene.analysis = Analysis::motion;
+  EXPECT_FALSE(mentions(needs(scene).skipped, "time loop"));
+  EXPECT_TRUE(mentions(needs(scene).needed, "quantities: "));
+}
+
+TEST(Needs, SweepsAreCounted) {
+  Scene scene;
+  EXPECT_FALSE(mentions(needs(scene).needed, "sweep"));
+  scene.sweep = {{"x", {0, 1}, 3}, {"y", {2, 4, 7, 8}, {}}};
+  EXPECT_TRUE(mentions(needs(scene).needed, "sweep: 12 runs"));
+}
+
 TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
   Scene scene;
   scene.output.quantities = {

@@ -166,6 +166,15 @@ TEST_F(PrintScene, JsonHoldsEveryEntry) {
   EXPECT_EQ(i, json.size());
 }
 
+TEST_F(PrintScene, JsonSaysTheTypeOfTheEntriesOfSystemsToo) {
+  for (const auto& about : nlohmann::json::parse(parameters(Format::json, test::test_catalogue()))) {
+    EXPECT_NE(about["type"], "") << about["entry"];
+    if (about["entry"] == "Top/Spin") {
+      EXPECT_EQ(about["type"], Number::type);
+    }
+  }
+}
+
 TEST_F(PrintScene, MarkdownTablesAreWellFormed) {
   std::istringstream lines(parameters(Format::markdown, test::test_catalogue()));
   int bars_of_table = 0;

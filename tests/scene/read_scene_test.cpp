@@ -121,6 +121,17 @@ TEST_F(ReadSceneTest, SwitchesOfQuantitiesAndModels) {
   EXPECT_TRUE(read("set Models = reduced", {"Models=continuum,reduced"}).scene.models.continuum);
 }
 
+TEST_F(ReadSceneTest, ExpressionsWaitForTheParametersOfTheSweep) {
+  const ReadScene waiting =
+      read("subsection Body\nset Radius = $(2*a)\nend\nsubsection Sweep\nset Parameters = a: 1, 2\nend");
+  ASSERT_TRUE(waiting.scene.expressions.contains("Body/Radius"));
+  EXPECT_EQ(waiting.scene.expressions.at("Body/Radius"), "$(2*a)");
+  EXPECT_EQ(waiting.scene.body.radius, 2) << "that of the first run";
+  EXPECT_EQ(read("set Title = $(x)").scene.title, "$(x)") << "a text is not computed";
+  EXPECT_FALSE(
+      read("subsection Body\nset Radius = $(2*a)\nend", {"Body/Radius=3"}).scene.expressions.contains("Body/Radius"));
+}
+
 TEST_F(ReadSceneTest, StepMayReturnToAuto) {
   EXPECT_EQ(read("subsection Time\nset Step = 0.1\nend", {"Time/Step=auto"}).scene.time.step, std::nullopt);
 }

@@ -45,6 +45,8 @@ std::string compressible(const Matrix3& deformation) {
   return "set Models = reduced\nsubsection Body\nset Incompressible = false\nend\n" + initial_state(deformation);
 }
 
+std::string equilibrium(const std::string& text) { return "set Models = reduced\nset Analysis = equilibrium\n" + text; }
+
 INSTANTIATE_TEST_SUITE_P(
     All, RefusedScenes,
     ::testing::Values(
@@ -88,6 +90,29 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"modes_of_an_automatic_degree",
                 "set Analysis = modes\nset Models = continuum\nsubsection Continuum\nset Degree = auto\nend",
                 {"scene.prm:4: Continuum/Degree: auto is offered for motions"}},
+        Refused{
+            "modes_of_another_sector",
+            "set Analysis = modes\nset Models = continuum\nsubsection Continuum\nset Degree = 3\nset Refinements = 0\n"
+            "set Symmetry = xy\nend",
+            {"scene.prm:6: Continuum/Symmetry: modes are computed on one octant"}},
+        Refused{"equilibrium_of_an_ellipsoid",
+                equilibrium("subsection Body\nset Semi-axes = 1, 1, 2\nend"),
+                {"scene.prm:4: Body/Semi-axes: relative equilibria are known for a ball"}},
+        Refused{"equilibrium_in_a_tide",
+                equilibrium("subsection Loads\nset Tidal matrix = 1, 0, 0; 0, 0, 0; 0, 0, 0\nend"),
+                {"scene.prm:4: Loads/Tidal matrix: relative equilibria"}},
+        Refused{"equilibrium_under_traction",
+                equilibrium("subsection Loads\nset Nominal traction = 0, 0, 0; 0, 0, 0; 0, 0, 1\nend"),
+                {"scene.prm:4: Loads/Nominal traction: relative equilibria"}},
+        Refused{"equilibrium_with_drag",
+                equilibrium("subsection Material\nset Drag = 0.1\nend"),
+                {"scene.prm:4: Material/Drag: drag leaves no relative equilibrium"}},
+        Refused{"equilibrium_of_a_fluid_without_gravity",
+                equilibrium("subsection Material\nset Law = none\nend"),
+                {"Gravity/Constant: a fluid without gravity"}},
+        Refused{"subnormal_stiffness",
+                "set Models = reduced\nsubsection Material\nset Shear modulus = 1.5e-308\nend",
+                {"Body/Radius: with radius 1", "not a representable number"}},
         Refused{"absurd_units", "subsection Body\nset Radius = 1e200\nend", {"scene.prm:2: Body/Radius: ", "1e+200"}},
         Refused{"step_beyond_end",
                 "subsection Time\nset End = 1\nset Step = 2\nend",
@@ -135,6 +160,17 @@ INSTANTIATE_TEST_SUITE_P(
                 {"the plane with normal y", "entry 2 of Initial state/Center is 3"}}));
 
 TEST_F(ValidateTest, TheDefaultSceneIsValid) { EXPECT_NO_THROW(validate(Scene())); }
+
+TEST_F(ValidateTest, EquilibriaAndModesOfTheBallAreValid) {
+  for (const std::string text :
+       {"set Models = reduced\nset Analysis = equilibrium",
+        "set Models = continuum\nset Analysis = modes\nsubsection Continuum\nset Degree = 3\nset Refinements = 0\nend",
+        "set Models = continuum\nset Analysis = modes\nsubsection Continuum\nset Degree = 3\nset Refinements = 0\n"
+        "set Symmetry = octant\nend"}) {
+    const ReadScene scene = read(text);
+    EXPECT_NO_THROW(validate(scene.scene, scene.origins)) << text;
+  }
+}
 
 TEST_F(ValidateTest, ErrorsCiteOverridesAndDefaults) {
   const auto message = [&](const std::vector<std::string>& overrides) {

@@ -1,0 +1,52 @@
+/// The page of a run: every file stands in its element, as in HTML, and nothing else changes.
+
+#include "io/report.h"
+
+#include <gtest/gtest.h>
+
+#include "scratch.h"
+
+namespace pseudorigid::io::test {
+namespace {
+
+/// What stands in the element of the file.
+std::string element(const std::string& page, const std::string& file) {
+  const std::string head = "data-file=\"" + file + "\">";
+  const auto begin = page.find(head);
+  if (begin == page.npos) return "no element for " + file;
+  const auto text = begin + head.size();
+  return page.substr(text, page.find("</script>", text) - text);
+}
+
+std::string without(std::string page, const std::string& text) {
+  const auto at = page.find(text);
+  return at == page.npos ? "not there: " + text : page.erase(at, text.size());
+}
+
+TEST(Report, HoldsTheFilesOfTheRunInTheirElements) {
+  const ScratchDirectory scratch;
+  put(scratch / "manifest.json", "{\"title\": \"a < b && c </script>\"}");
+  put(scratch / "used.prm", "set Title = x\n");
+  write_report(RunDirectory(scratch.path()), "");
+  const std::string page = contents(scratch / "report.html");
+  const std::string manifest = "{\"title\": \"a &lt; b &amp;&amp; c &lt;/script>\"}";
+  EXPECT_EQ(element(page, "manifest.json"), manifest);
+  EXPECT_EQ(element(page, "used.prm"), "set Title = x\n");
+  EXPECT_EQ(element(page, "comparison.json"), "");
+
+  std::string empty(report_page());
+  const std::string of_system = "{system}";
+  for (auto at = empty.find("data-file=\"" + of_system); at != empty.npos; at = empty.find("data-file=\"" + of_system))
+    empty.erase(empty.find(of_system, at), of_system.size());
+  EXPECT_EQ(without(without(page, manifest), "set Title = x\n"), empty);
+}
+
+TEST(Report, TakesTheTableOfTheSystem) {
+  const ScratchDirectory scratch;
+  put(scratch / "torus.csv", "time,theta\n0,1\n");
+  write_report(RunDirectory(scratch.path()), "torus");
+  EXPECT_EQ(element(contents(scratch / "report.html"), "torus.csv"), "time,theta\n0,1\n");
+}
+
+}  // namespace
+}  // namespace pseudorigid::io::test
