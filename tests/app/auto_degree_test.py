@@ -23,11 +23,12 @@ SCENES = {
                      "Loads/Tidal matrix": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1",
                      "Initial state/Velocity": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1"},
 }
-# Scenes that nothing of the search was fitted to: other laws, other sectors, motions that turn or begin at rest.
+# Scenes that nothing of the search was fitted to: other laws, a traction, motions that begin at rest.
 OTHER_SCENES = {
     "mooney": {"Material/Law": "mooney-rivlin", "Material/Mooney fraction": 0.7,
                "Initial state/Deformation": "1.08, 0, 0; 0, 0.96, 0; 0, 0, $(1/(1.08*0.96))"},
-    "turning": {"Initial state/Velocity": "0.1, -0.6, 0; 0.2, 0.15, 0; 0, 0, -0.25"},
+    "triaxial": {"Body/Incompressible": "false", "Material/Law": "ciarlet-geymonat (as printed)",
+                 "Initial state/Deformation": "1.05, 0, 0; 0, 1.02, 0; 0, 0, 0.94"},
     "pulled": {"Body/Incompressible": "false", "Material/Law": "neo-hookean", "Material/Lame lambda": 3,
                "Loads/Nominal traction": "0.3, 0, 0; 0, 0, 0; 0, 0, -0.1"},
 }
