@@ -202,6 +202,18 @@ TEST(CriticalPoints, OfAHeavyRigidBody) {
 }
 
 /// Without constraints: two points on a spring in a confinement; turns of space leave a sphere of minima.
+/// The step of the differences follows the size of the position: the Hessian of a harmonic trap is exact however far
+/// away.
+TEST(ConstrainedLandscape, HessianFarFromTheOriginKeepsItsDigits) {
+  systems::MassPoints::Parameters p;
+  p.masses = VectorXd::Ones(1);
+  p.confinement = 1.7;
+  const systems::MassPoints points(p);
+  MatrixXd H;
+  ASSERT_TRUE(ConstrainedLandscape(points).hessian(Eigen::Vector3d(1e5, -3e5, 2e5), VectorXd(), H));
+  EXPECT_LT((H - 1.7 * MatrixXd::Identity(3, 3)).norm(), 1e-13);
+}
+
 TEST(CriticalPoints, OfMassPoints) {
   systems::MassPoints::Parameters p;
   p.masses = Eigen::Vector2d(1, 1);

@@ -6,6 +6,7 @@
 
 #include "mechanics/central_difference.h"
 #include "mechanics/conservative_systems.h"
+#include "mechanics/step_size.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
@@ -59,6 +60,18 @@ TEST(MultiplierHistory, SavesIterations) {
   EXPECT_LT(iterations_per_substep<mechanics::Rattle>(400), 2.1);
   EXPECT_LT(iterations_per_substep<mechanics::Rattle>(4000), 1.7);
   EXPECT_LT(iterations_per_substep<mechanics::Rattle8>(400), 1.8);
+}
+
+/// Where the motion itself ends, no step helps: the search sees it from two pilot runs, and does not halve on.
+TEST(StepSearch, GivesUpWhereTheMotionEnds) {
+  const SphericalPendulum pendulum(SphericalPendulum::Trouble::failure, 1.2);
+  const mechanics::StepRequest request{
+      .end = 4, .window = 4, .tolerance = 1e-6, .rattle_limit = 0.02, .method = mechanics::id_of<mechanics::Rattle>};
+  const auto choice = mechanics::choose_step(pendulum, SphericalPendulum::swinging(), request,
+                                             [](const auto& state) { return state.q; });
+  ASSERT_FALSE(choice.status);
+  EXPECT_NE(choice.status.reason().find("the rope is cut"), std::string::npos) << choice.status.reason();
+  EXPECT_LT(choice.n_force, 400);
 }
 
 }  // namespace
