@@ -1,5 +1,8 @@
 #include "io/manifest.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <ctime>
 #include <fstream>
@@ -65,7 +68,31 @@ Json to_json(const Manifest& content) {
   return json;
 }
 
+std::string to_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+
+/// Needs no more room than the file has.
+void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
+  constexpr std::string_view running = "\"state\": \"running\"", failed = "\"state\": \"failed\" ";
+  static_assert(running.size() == failed.size());
+  const std::size_t at = read_file(path).find(running);
+  const int file = at == std::string::npos ? -1 : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) return;
+  [[maybe_unused]] const auto n_written = ::pwrite(file, failed.data(), failed.size(), static_cast<off_t>(at));
+  ::close(file);
+} catch (const std::exception&) {
+}
+
 }  // namespace
+
+void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept try {
+  Json json = Json::parse(read_file(manifest));
+  json["end"] = utc(SystemClock::now());
+  json["state"] = "failed";
+  json["exit_code"] = exit_code;
+  json["message"] = message;
+  write_file_atomically(manifest, {to_text(json)});
+} catch (const std::exception&) {
+}
 
 std::string cpu_model() {
   std::ifstream file("/proc/cpuinfo");
@@ -85,7 +112,7 @@ ManifestFile::~ManifestFile() {
   if (finished_) return;
   try {
     write("failed", nullptr, {});
-  } catch (const WriteError&) {
+  } catch (const std::exception&) {
   }
 }
 
@@ -105,7 +132,12 @@ void ManifestFile::write(const std::string& state, const int* exit_code, const s
   json["state"] = state;
   if (exit_code != nullptr) json["exit_code"] = *exit_code;
   if (!message.empty()) json["message"] = message;
-  write_file_atomically(path_, {json.dump(2, ' ', false, Json::error_handler_t::replace), "\n"});
+  try {
+    write_file_atomically(path_, {to_text(json)});
+  } catch (const WriteError&) {
+    if (state != "running") replace_running_by_failed(path_);
+    throw;
+  }
 }
 
 }  // namespace pseudorigid::io

@@ -37,7 +37,9 @@ class ManifestFile {
   ManifestFile& operator=(const ManifestFile&) = delete;
 
   Manifest& content() { return content_; }
-  /// `state`: done, interrupted, failed; `message` is the sentence the user saw, if any.
+  const Manifest& content() const { return content_; }
+  /// `state`: done, interrupted, failed; `message` is the sentence the user saw, if any. Where the disk has no room for
+  /// a new file the old one says "failed" in place of "running", and the WriteError goes on.
   void finish(const std::string& state, int exit_code, const std::string& message = {});
 
  private:
@@ -47,6 +49,9 @@ class ManifestFile {
   std::chrono::system_clock::time_point start_;
   bool finished_ = false;
 };
+
+/// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
+void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();

@@ -53,8 +53,10 @@ void Progress::draw(double fraction, Clock::time_point now) {
   const double seconds = std::chrono::duration<double>(now - start_).count();
   const double done = fraction - start_fraction_;
   const double seconds_left = done > 0 ? seconds * (1 - fraction) / done : 0;
-  fmt::print(stderr, "\r{}  {}\033[K", label_,
-             progress_text(fraction, static_cast<double>(n_steps_ - 1) / seconds, seconds_left, unit_));
+  const std::string line =
+      fmt::format("\r{}  {}\033[K", label_,
+                  progress_text(fraction, static_cast<double>(n_steps_ - 1) / seconds, seconds_left, unit_));
+  std::fputs(line.c_str(), stderr);  // fmt::print throws when the terminal is gone
   std::fflush(stderr);
   last_draw_ = now;
   drawn_ = true;

@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, 15> owned_names{
     "comparison.csv", "modes.csv",     "sweep.csv", "equilibria.csv", "reduced.pvd",
     "shapes.csv",     "continuum.pvd", "modes.pvd", "report.html",    "comparison.json"};
 
+/// Begins the name of a lock that a run was killed over before it had it.
+constexpr std::string_view abandoned_lock = "run.lock-";
+
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
   return name.size() >= prefix.size() + suffix.size() && name.starts_with(prefix) && name.ends_with(suffix);
 }
@@ -61,7 +64,8 @@ RunDirectory::RunDirectory(const fs::path& output_directory, const fs::path& sce
 
 bool RunDirectory::owns(std::string_view name) {
   name = without_partial_suffix(name);
-  return std::ranges::find(owned_names, name) != owned_names.end() || matches(name, "checkpoint-", ".bin");
+  return std::ranges::find(owned_names, name) != owned_names.end() || matches(name, "checkpoint-", ".bin") ||
+         matches(name, abandoned_lock, "");
 }
 
 bool RunDirectory::owns_graphics(std::string_view name) {
@@ -76,11 +80,12 @@ void RunDirectory::require_writable() const {
   if (::access(path_.c_str(), W_OK | X_OK) != 0) throw cannot("write to", path_, std::strerror(errno));
 }
 
-void RunDirectory::prepare_fresh(std::span<const std::string> other_files) const {
+RunLock RunDirectory::prepare_fresh(std::span<const std::string> other_files) const {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw cannot("create", path_, error.message());
   require_writable();
+  RunLock lock(path_);
   try {
     remove_files(path_, [&](std::string_view name) {
       return owns(name) || std::ranges::find(other_files, without_partial_suffix(name)) != other_files.end();
@@ -93,9 +98,10 @@ void RunDirectory::prepare_fresh(std::span<const std::string> other_files) const
   } catch (const fs::filesystem_error& failure) {
     throw cannot("clear earlier results from", path_, failure.code().message());
   }
+  return lock;
 }
 
-void RunDirectory::prepare_resume() const {
+RunLock RunDirectory::prepare_resume() const {
   std::error_code error;
   const auto is_checkpoint = [](const fs::directory_entry& entry) {
     return matches(entry.path().filename().native(), "checkpoint-", ".bin");
@@ -103,6 +109,7 @@ void RunDirectory::prepare_resume() const {
   if (std::none_of(fs::directory_iterator(path_, error), fs::directory_iterator(), is_checkpoint))
     throw UserError(fmt::format("nothing to resume: '{}' holds no checkpoint", path_.native()));
   require_writable();
+  return RunLock(path_);
 }
 
 void RunDirectory::prepare_graphics() const {

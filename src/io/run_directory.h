@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "io/run_lock.h"
+
 namespace pseudorigid::io {
 
 /// The scene's name: the file's name without `.prm`.
@@ -22,10 +24,11 @@ class RunDirectory {
                const std::optional<std::filesystem::path>& output_option);
 
   /// Creates the folder and removes the results of an earlier run: files that bear one of our names or one of
-  /// `other_files`, nothing else. UserError with path and reason if the folder cannot be created or written.
-  void prepare_fresh(std::span<const std::string> other_files = {}) const;
-  /// UserError if the folder holds no checkpoint or cannot be written.
-  void prepare_resume() const;
+  /// `other_files`, nothing else. UserError with path and reason if the folder cannot be created or written, or if
+  /// another run is at work in it. It is the caller's as long as he keeps the lock.
+  RunLock prepare_fresh(std::span<const std::string> other_files = {}) const;
+  /// Likewise; UserError also if the folder holds no checkpoint.
+  RunLock prepare_resume() const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path used_prm() const { return path_ / "used.prm"; }

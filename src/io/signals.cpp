@@ -12,16 +12,26 @@ static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal hand
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 
+void listen_to(int signal, unsigned int flags) {
+  struct sigaction action = {};
+  action.sa_handler = request_interrupt;
+  action.sa_flags = static_cast<int>(flags | SA_RESTART);
+  sigemptyset(&action.sa_mask);
+  sigaction(signal, &action, nullptr);
+}
+
 }  // namespace
 
 void install_signal_handlers() {
-  struct sigaction action = {};
-  action.sa_handler = request_interrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;  // the second signal finds the default action
-  sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  // Who presses Ctrl-C twice means it: the second signal finds the default action.
+  for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
+  // These come twice without anybody's impatience: from the kernel and from the shell, or every second.
+  struct sigaction hangup = {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) listen_to(SIGHUP, 0);
+  listen_to(SIGXCPU, 0);
   std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupt_requested() noexcept { return requested.load(std::memory_order_relaxed); }

@@ -1,9 +1,11 @@
 #pragma once
-/// Ctrl-C and SIGTERM as a flag that the time loop polls after each step; a second one kills at once.
+/// What asks a run to stop, as a flag that the time loop polls after each step: Ctrl-C and SIGTERM, of which a second
+/// one kills at once, a terminal or connection that is gone (SIGHUP), and a limit of processor time (SIGXCPU).
 
 namespace pseudorigid::io {
 
-/// Also ignores SIGXFSZ, so that a file-size limit becomes a WriteError like a full disk.
+/// SIGHUP stays ignored where nohup has asked for it. Also ignores SIGXFSZ, so that a file-size limit becomes a
+/// WriteError like a full disk, and SIGPIPE: a reader of the terminal output that goes away is no reason to stop.
 void install_signal_handlers();
 
 bool interrupt_requested() noexcept;

@@ -120,6 +120,49 @@ TEST(RunDirectory, ResumeWantsACheckpointAndRemovesNothing) {
   EXPECT_EQ(tree(directory.path()), (std::set<std::string>{"reduced.csv", "checkpoint-reduced.bin"}));
 }
 
+TEST(RunLock, BelongsToOneAtATime) {
+  const ScratchDirectory scratch;
+  const RunDirectory directory(scratch / "out");
+  {
+    const RunLock lock = directory.prepare_fresh();
+    put(directory.csv("reduced"), "ours");
+    const auto message = message_of<UserError>([&] { directory.prepare_fresh(); });
+    EXPECT_NE(message.find("another run is at work in the output directory"), message.npos) << message;
+    put(directory.checkpoint("reduced"), "ours");
+    EXPECT_THROW(directory.prepare_resume(), UserError);
+    EXPECT_EQ(tree(directory.path()), (std::set<std::string>{"reduced.csv", "checkpoint-reduced.bin", "run.lock"}));
+  }
+  EXPECT_EQ(tree(directory.path()), (std::set<std::string>{"reduced.csv", "checkpoint-reduced.bin"}));
+  directory.prepare_resume();
+}
+
+TEST(RunLock, IsNotRemovedWhereItIsAnothers) {
+  const ScratchDirectory scratch;
+  {
+    const RunLock lock(scratch.path());
+    put(scratch / "run.lock", "host: elsewhere\n");  // after the user has removed ours
+  }
+  EXPECT_EQ(contents(scratch / "run.lock"), "host: elsewhere\n");
+  RunLock::remove(scratch.path());
+  EXPECT_TRUE(tree(scratch.path()).empty());
+}
+
+TEST(RunLock, AFullDiskLeavesNothingBehind) {
+  const ScratchDirectory scratch;
+  {
+    const FileSizeLimit full(10);
+    EXPECT_THROW(RunLock(scratch.path()), WriteError);
+  }
+  EXPECT_TRUE(tree(scratch.path()).empty());
+}
+
+TEST(RunLock, OneThatWasNeverTakenIsCleared) {
+  const ScratchDirectory scratch;
+  put(scratch / "run.lock-host-12.partial", "");
+  RunDirectory(scratch.path()).prepare_fresh();
+  EXPECT_TRUE(tree(scratch.path()).empty());
+}
+
 TEST(Files, AtomicReplacementKeepsTheOldFileWhenItFails) {
   const ScratchDirectory scratch;
   write_file_atomically(scratch / "a", {"one ", "two"});

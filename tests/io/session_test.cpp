@@ -150,6 +150,28 @@ TEST(Manifest, AnExceptionLeavesOneThatSaysFailed) {
   EXPECT_EQ(manifest_in(scratch)["exit_code"], 3);
 }
 
+TEST(Manifest, WithoutRoomForANewFileTheOldOneSaysFailed) {
+  const ScratchDirectory scratch;
+  ManifestFile file(scratch / "manifest.json", {.title = "\"state\": \"running\""});
+  std::filesystem::create_directory(scratch / "manifest.json.partial");
+  EXPECT_THROW(file.finish("interrupted", 3), WriteError);
+  EXPECT_EQ(manifest_in(scratch)["state"], "failed");
+  EXPECT_EQ(manifest_in(scratch)["title"], "\"state\": \"running\"");
+}
+
+TEST(Manifest, AnotherProcessCanNoteTheFailure) {
+  const ScratchDirectory scratch;
+  note_failure(scratch / "manifest.json", 3, "no memory");
+  EXPECT_FALSE(std::filesystem::exists(scratch / "manifest.json"));
+  const ManifestFile file(scratch / "manifest.json", {.title = "a"});
+  note_failure(scratch / "manifest.json", 3, "no memory");
+  const auto json = manifest_in(scratch);
+  EXPECT_EQ(json["state"], "failed");
+  EXPECT_EQ(json["exit_code"], 3);
+  EXPECT_EQ(json["message"], "no memory");
+  EXPECT_EQ(json["title"], "a");
+}
+
 TEST(Manifest, BuildInfoIsFilledIn) {
   EXPECT_FALSE(build_info().version.empty());
   EXPECT_FALSE(build_info().compiler.empty());
@@ -167,6 +189,27 @@ void raise_twice(int signal) {
 
 TEST(SignalsDeathTest, TheFirstIsAFlagAndTheSecondKills) {
   for (const int signal : {SIGINT, SIGTERM}) EXPECT_EXIT(raise_twice(signal), ::testing::KilledBySignal(signal), "");
+}
+
+/// Exit code 0 if the signal is a request as often as it comes.
+void raise_often(int signal) {
+  install_signal_handlers();
+  for (int i = 0; i < 3; ++i) std::raise(signal);
+  std::_Exit(interrupt_requested() ? 0 : 11);
+}
+
+TEST(SignalsDeathTest, AConnectionThatIsGoneAndALimitOfTimeAreRequestsToStop) {
+  for (const int signal : {SIGHUP, SIGXCPU}) EXPECT_EXIT(raise_often(signal), ::testing::ExitedWithCode(0), "");
+}
+
+/// Exit code 11 if the signal changes nothing.
+void raise_ignored(int signal) {
+  std::signal(SIGHUP, SIG_IGN);
+  raise_often(signal);
+}
+
+TEST(SignalsDeathTest, NohupAndPipesWithoutReader) {
+  for (const int signal : {SIGHUP, SIGPIPE}) EXPECT_EXIT(raise_ignored(signal), ::testing::ExitedWithCode(11), "");
 }
 
 /// Exit code 0 if a file that may not grow gives a WriteError.

@@ -1,0 +1,207 @@
+#include "io/run_lock.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <ctime>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <utility>
+
+#include "io/files.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Identity = std::map<std::string, std::string>;
+
+/// A process by all that tells it from others: a number is given to processes one after the other, in every container
+/// anew, and begins again with every start of the machine.
+constexpr const char *host = "host", *boot = "boot", *numbering = "numbering", *process = "process",
+                     *process_start = "process start", *since = "since";
+
+std::string host_name() {
+  char name[256] = {};
+  return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+std::string first_line(const fs::path& path) {
+  std::string line;
+  std::ifstream file(path);
+  std::getline(file, line);
+  return line;
+}
+
+struct ProcessState {
+  char state = 0;  ///< 0: unknown
+  std::string start;
+};
+
+/// From /proc/<process>/stat: the name of the program in parentheses, which may hold anything, then the state as the
+/// third and the start, in ticks since that of the machine, as the 22nd field.
+ProcessState state_of(const std::string& process) {
+  const std::string line = first_line("/proc/" + process + "/stat");
+  const std::size_t name_end = line.rfind(')');
+  if (name_end == line.npos) return {};
+  std::istringstream fields(line.substr(name_end + 1));
+  ProcessState result;
+  fields >> result.state;
+  for (int field = 4; field <= 22; ++field) fields >> result.start;
+  return result;
+}
+
+Identity own_identity() {
+  const std::string number = std::to_string(::getpid());
+  std::error_code ignored;
+  return {{host, host_name()},
+          {boot, first_line("/proc/sys/kernel/random/boot_id")},
+          {numbering, fs::read_symlink("/proc/self/ns/pid", ignored).native()},
+          {process, number},
+          {process_start, state_of("self").start},
+          {since, fmt::format("{:%Y-%m-%d %H:%M:%S} UTC", fmt::gmtime(std::time(nullptr)))}};
+}
+
+std::string to_text(const Identity& identity) {
+  std::string text;
+  for (const auto& [name, value] : identity) text += fmt::format("{}: {}\n", name, value);
+  return text;
+}
+
+Identity from_text(const std::string& text) {
+  Identity identity;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t colon = line.find(": "); colon != line.npos)
+      identity[line.substr(0, colon)] = line.substr(colon + 2);
+  return identity;
+}
+
+enum class Judgement { at_work, ended, unknown };
+
+Judgement judge(Identity holder) {
+  Identity own = own_identity();
+  if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
+  if (holder[boot] != own[boot]) return Judgement::ended;  // this host has been started anew
+  if (holder[numbering] != own[numbering]) return Judgement::unknown;
+  const long number = std::strtol(holder[process].c_str(), nullptr, 10);
+  if (number <= 0) return Judgement::unknown;
+  if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
+  const ProcessState found = state_of(holder[process]);
+  if (found.state == 0) return Judgement::at_work;  // it is there, though this user may not look at it
+  const bool is_zombie = found.state == 'Z' || found.state == 'X';
+  return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
+}
+
+UserError in_use(const fs::path& lock, Identity holder, Judgement judgement) {
+  const std::string directory = lock.parent_path().native();
+  if (judgement == Judgement::at_work)
+    return UserError(fmt::format("another run is at work in the output directory '{}' (process {}, since {})",
+                                 directory, holder[process], holder[since]));
+  const std::string who = holder[host].empty() ? "by whom cannot be read"
+                                               : fmt::format(
+                                                     "process {} on host {}, since {}, which cannot be seen "
+                                                     "from here",
+                                                     holder[process], holder[host], holder[since]);
+  return UserError(
+      fmt::format("the output directory '{}' is locked by another run ({}); if that run has ended, remove '{}'",
+                  directory, who, lock.native()));
+}
+
+/// A file that is closed at the end of its scope.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int value() const { return value_; }
+  explicit operator bool() const { return value_ >= 0; }
+
+ private:
+  int value_;
+};
+
+bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
+
+}  // namespace
+
+RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
+  // A lock that is found may be gone before it is looked at, and another be there before the next attempt.
+  constexpr int n_attempts = 100;
+  for (int i = 0; i < n_attempts; ++i) {
+    if (create()) return;
+    remove_if_stale();
+  }
+  throw in_use(path_, {}, Judgement::unknown);
+}
+
+RunLock::RunLock(RunLock&& other) noexcept
+    : path_(std::move(other.path_)), identity_(std::exchange(other.identity_, {})) {}
+
+RunLock::~RunLock() {
+  if (identity_.empty()) return;
+  try {
+    // The user may have removed it, and another run have begun.
+    if (read_file(path_) == identity_) ::unlink(path_.c_str());
+  } catch (const std::exception&) {
+  }
+}
+
+void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
+
+/// False if there is a lock already. The file is written under another name and linked, so that it is whole when it
+/// appears, and on network disks as well there is one winner.
+bool RunLock::create() const {
+  const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
+  struct Removal {
+    const fs::path& path;
+    ~Removal() { ::unlink(path.c_str()); }
+  } const removal{own};
+  {
+    const Descriptor file(own, O_WRONLY | O_CREAT | O_TRUNC);
+    if (!file) throw WriteError(path_, errno);
+    write_fully(file.value(), identity_, path_);
+  }
+  if (::link(own.c_str(), path_.c_str()) == 0) return true;
+  const int reason = errno;
+  struct stat status;
+  // A network disk may have done it and have lost the answer.
+  if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
+  if (reason == EEXIST || reason == ENOENT) return false;
+  // A disk without links.
+  const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
+  if (!file && errno == EEXIST) return false;
+  if (!file) throw WriteError(path_, errno);
+  write_fully(file.value(), identity_, path_);
+  return true;
+}
+
+/// UserError if it is not. Of several processes that find the same stale lock one removes it: they take turns, and each
+/// looks first whether the file that it has opened still bears the name.
+void RunLock::remove_if_stale() const {
+  const Descriptor file(path_, O_RDONLY);
+  if (!file && errno == ENOENT) return;
+  if (!file) throw in_use(path_, {}, Judgement::unknown);
+  ::flock(file.value(), LOCK_EX);
+  struct stat opened, named;
+  if (::fstat(file.value(), &opened) != 0 || ::stat(path_.c_str(), &named) != 0 || !same_file(opened, named)) return;
+  const Identity holder = from_text(read_file(path_));
+  const Judgement judgement = judge(holder);
+  if (judgement != Judgement::ended) throw in_use(path_, holder, judgement);
+  ::unlink(path_.c_str());
+}
+
+}  // namespace pseudorigid::io

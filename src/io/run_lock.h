@@ -1,0 +1,35 @@
+#pragma once
+/// A results directory belongs to one run at a time. The file `run.lock` in it says to whom: host, process and when
+/// that began. It is there while the run is at work and is removed at its end, however it ends. A killed run leaves it
+/// behind; the next run on that host sees that the process is gone, or that its number has passed to another, and takes
+/// the lock over. What runs on another host cannot be seen from here: the refusal names the file, for the user to
+/// judge.
+
+#include <filesystem>
+#include <string>
+
+namespace pseudorigid::io {
+
+class RunLock {
+ public:
+  static constexpr const char* file_name = "run.lock";
+
+  /// UserError if another run has the directory; nothing in it has changed then. WriteError if the lock cannot be
+  /// written.
+  explicit RunLock(const std::filesystem::path& directory);
+  ~RunLock();
+  RunLock(RunLock&& other) noexcept;
+  RunLock& operator=(RunLock&&) = delete;
+
+  /// For who ends a run by force and does not hold its lock: another rank.
+  static void remove(const std::filesystem::path& directory) noexcept;
+
+ private:
+  bool create() const;
+  void remove_if_stale() const;
+
+  std::filesystem::path path_;
+  std::string identity_;  ///< what the file says; empty when the lock has been handed on
+};
+
+}  // namespace pseudorigid::io
