@@ -5,6 +5,7 @@
 
 #include "app/mesh_file.h"
 #include "app/model_run.h"
+#include "app/on_all_ranks.h"
 #include "app/scene_to_model.h"
 #include "app/wrinkling_watch.h"
 #include "continuum/material_faces.h"
@@ -91,7 +92,7 @@ class ContinuumModel {
     // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
     for (std::size_t i = 0; i < grid.points.size(); ++i)
       grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
-    write_pieces(path, grid);
+    on_all_ranks(*context_.ranks, [&] { write_pieces(path, grid); });
     return {};
   }
 

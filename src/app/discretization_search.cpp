@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/model_checkpoint.h"
+#include "app/on_all_ranks.h"
 #include "io/checkpoint.h"
 
 namespace pseudorigid::app {
@@ -111,12 +112,19 @@ bool DiscretizationSearch::settles() const {
 
 /// What has been written is of a run that is not the one.
 void DiscretizationSearch::start_afresh() const {
-  if (context_.writes()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
+  on_all_ranks(*context_.ranks, [this] {
+    if (context_.writes()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
+  });
   save();
 }
 
 void DiscretizationSearch::save() const {
-  if (!context_.writes()) return;
+  on_all_ranks(*context_.ranks, [this] {
+    if (context_.writes()) write_checkpoint();
+  });
+}
+
+void DiscretizationSearch::write_checkpoint() const {
   std::vector<double> errors, trace;
   for (std::size_t i = 0; i < errors_.n_runs(); ++i)
     errors.insert(errors.end(), {errors_.resolution_of(i), errors_.difference_of(i)});
@@ -139,8 +147,13 @@ void DiscretizationSearch::save() const {
 
 void DiscretizationSearch::load() {
   const auto path = context_.directory.checkpoint(checkpoint_name);
-  if (!std::filesystem::exists(path)) return;
-  const io::Checkpoint c = io::Checkpoint::load(path);
+  bool exists = false;
+  on_all_ranks(*context_.ranks, [&] { exists = std::filesystem::exists(path); });
+  // The first rank decides: the others may look at the disk a moment later, or at another one.
+  if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
+}
+
+void DiscretizationSearch::take(const io::Checkpoint& c) {
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;
   n_failures_ = static_cast<int>(c.get_integer("failures"));

@@ -21,6 +21,7 @@
 
 #include "analysis/space_error.h"
 #include "app/silent_run.h"
+#include "io/checkpoint.h"
 
 namespace pseudorigid::app {
 
@@ -40,9 +41,13 @@ class DiscretizationSearch {
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   bool settles() const;
   void report(ModelOutcome& outcome) const;
+  // Collective.
   void start_afresh() const;
   void load();
   void save() const;
+  // Of one rank.
+  void take(const io::Checkpoint& c);
+  void write_checkpoint() const;
 
   const RunContext& context_;
   ContinuumRun run_;

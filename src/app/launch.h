@@ -1,13 +1,20 @@
 #pragma once
 /// Rank and number of processes under mpirun or srun, from what the launchers leave in the environment: a process that
 /// needs no MPI does not start it.
+///
+/// Open MPI's mpirun sets OMPI_*, that of MPICH and `srun --mpi=pmi2` PMI_*. PMIx alone (`srun --mpi=pmix`) tells the
+/// rank and not the number, which MPI itself must say. SLURM_PROCID is no rank: it is set in batch scripts and for
+/// `srun --mpi=none` too, whose processes do not know of each other. Each of those is a run of its own, and the lock of
+/// the results directory keeps them apart.
 
 #include <cstdlib>
 
 namespace pseudorigid::app {
 
 struct Launch {
-  int rank = 0, n_ranks = 1;
+  static constexpr int unknown = 0;
+  int rank = 0;
+  int n_ranks = 1;  ///< or unknown
 
   Launch() {
     constexpr const char* variables[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}};
@@ -18,6 +25,10 @@ struct Launch {
           n_ranks = std::atoi(n);
           return;
         }
+    if (const char* r = std::getenv("PMIX_RANK")) {
+      rank = std::atoi(r);
+      n_ranks = unknown;
+    }
   }
 };
 

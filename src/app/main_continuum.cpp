@@ -1,20 +1,24 @@
 #include <cholmod.h>
 #include <deal.II/base/config.h>
+#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/multithread_info.h>
 #include <fmt/format.h>
 #include <mpi.h>
 
 #include <cstdio>
-#include <exception>
+#include <new>
 #include <optional>
+#include <string>
 
 #include "app/launch.h"
 #include "app/libraries.h"
+#include "app/on_all_ranks.h"
 #include "app/program.h"
 #include "app/run_models.h"
-#include "io/files.h"
-#include "scene/user_error.h"
+#include "io/manifest.h"
+#include "io/run_lock.h"
+#include "io/standard_streams.h"
 
 namespace {
 
@@ -26,41 +30,52 @@ class MpiRanks final : public Ranks {
   int rank() const override { return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)); }
   int size() const override { return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)); }
   bool any(bool mine) const override { return dealii::Utilities::MPI::max(mine ? 1 : 0, MPI_COMM_WORLD) != 0; }
-  bool of_first(bool mine) const override {
-    int value = mine;
-    MPI_Bcast(&value, 1, MPI_INT, 0, MPI_COMM_WORLD);
-    return value != 0;
+  int first_where(bool mine) const override {
+    return dealii::Utilities::MPI::min(mine ? rank() : size(), MPI_COMM_WORLD);
   }
+  int number_of(int rank, int mine) const override {
+    MPI_Bcast(&mine, 1, MPI_INT, rank, MPI_COMM_WORLD);
+    return mine;
+  }
+  std::string text_of(int rank, std::string mine) const override {
+    mine.resize(static_cast<std::size_t>(number_of(rank, static_cast<int>(mine.size()))));
+    MPI_Bcast(mine.data(), static_cast<int>(mine.size()), MPI_CHAR, rank, MPI_COMM_WORLD);
+    return mine;
+  }
+  void abort(int exit_code) const override { MPI_Abort(MPI_COMM_WORLD, exit_code); }
 };
 
-/// A defect on one rank must not leave the others waiting for it.
-ModelOutcome run_continuum_or_abort(const RunContext& context) {
-  if (context.ranks->size() == 1) return run_continuum(context);
-  try {
-    return run_continuum(context);
-  } catch (const pseudorigid::UserError&) {
-    throw;
-  } catch (const pseudorigid::io::WriteError&) {
-    throw;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: a defect of pseudorigid on rank %d, please report it: %s\n", context.ranks->rank(),
-                 error.what());
-    MPI_Abort(MPI_COMM_WORLD, 1);
-    throw;
-  }
+/// deal.II has an exception of its own for memory that cannot be had.
+ModelOutcome run_within_memory(const RunContext& context) try {
+  return run_continuum(context);
+} catch (const dealii::StandardExceptions::ExcOutOfMemory&) {
+  throw std::bad_alloc();
+}
+
+/// The ranks enter it together. When one of them ends all, the first has no time left for its manifest and its lock.
+ModelOutcome run_on_all_ranks(const RunContext& context) {
+  return together_or_not_at_all(
+      *context.ranks, [&] { return run_within_memory(context); },
+      [&](const Failure& failure) {
+        std::fprintf(stderr, "error: %s (on rank %d, which ends the run)\n", failure.message.c_str(),
+                     context.ranks->rank());
+        pseudorigid::io::note_failure(context.directory.manifest(), failure.exit_code, failure.message);
+        pseudorigid::io::RunLock::remove(context.directory.path());
+      });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  pseudorigid::io::open_standard_descriptors();
   // The kernels are SIMD within one process; threads in the library's vectors would only make sums irreproducible.
   dealii::MultithreadInfo::set_thread_limit(1);
   auto libraries = common_libraries();
   libraries["deal.II"] = DEAL_II_PACKAGE_VERSION;
   libraries["CHOLMOD"] = fmt::format("{}.{}.{}", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
-  // One process starts MPI only if something needs it, which takes 0.3 s.
+  // One process starts MPI only if something needs it, which takes 0.3 s; so does one that may be one of several.
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   const MpiRanks several;
-  if (Launch().n_ranks > 1) mpi.emplace(argc, argv, 1);
-  return run_program(argc, argv, {run_continuum_or_abort, std::move(libraries), mpi ? &several : &one_rank()});
+  if (Launch().n_ranks != 1) mpi.emplace(argc, argv, 1);
+  return run_program(argc, argv, {run_on_all_ranks, std::move(libraries), mpi ? &several : &one_rank()});
 }

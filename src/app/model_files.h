@@ -2,7 +2,6 @@
 /// The files that one model's run writes as it goes: rows, pictures and their list. Of several ranks the first writes
 /// them, and each its piece of a picture.
 
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -10,9 +9,9 @@
 #include <vector>
 
 #include "app/frame_schedule.h"
+#include "app/on_all_ranks.h"
 #include "app/run_context.h"
 #include "io/csv.h"
-#include "io/files.h"
 #include "io/pvd.h"
 
 namespace pseudorigid::app {
@@ -31,6 +30,15 @@ class ModelFiles {
       csv_.emplace(io::CsvWriter::create(csv(), columns));
       if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(model_));
     });
+  }
+
+  /// Whether there is a checkpoint to go on from. The first rank decides: the others may look at the disk a moment
+  /// later, or at another one.
+  bool exists_to_resume(const std::filesystem::path& checkpoint) {
+    if (context_.rows || !context_.resume) return false;
+    bool exists = false;
+    together([&] { exists = std::filesystem::exists(checkpoint); });
+    return context_.ranks->of_first(exists);
   }
 
   /// Goes on after that many samples.
@@ -83,15 +91,13 @@ class ModelFiles {
 
   bool wants_frame(long sample) const { return context_.needs.graphics && !context_.rows && frames_.has(sample); }
 
-  /// `draw(path)` returns a Status. A picture that cannot be drawn (a node turned inside out while the quadrature
-  /// points are sound) is left out: the run is the same with and without pictures.
+  /// `draw(path)` returns a Status and is collective. A picture that cannot be drawn (a node turned inside out while
+  /// the quadrature points are sound) is left out: the run is the same with and without pictures.
   template <class Draw>
   void draw_frame(long sample, Draw&& draw) {
     const long j = frames_.n_before(sample);
     const double time = time_of_sample(sample);
-    mechanics::Status status;
-    together([&] { status = draw(shown(j, false)); });
-    if (!status)
+    if (const mechanics::Status status = draw(shown(j, false)); !status)
       context_.log->warn("{}: no picture at t = {:.6g}: {}", model_, time, status.reason());
     else
       together([&] {
@@ -106,14 +112,7 @@ class ModelFiles {
   /// Does what may fail for want of disk space. If it fails on one rank, it fails on all.
   template <class Work>
   void together(Work&& work) {
-    std::optional<io::WriteError> failure;
-    try {
-      work();
-    } catch (const io::WriteError& error) {
-      failure = error;
-    }
-    if (context_.ranks->any(failure.has_value()))
-      throw failure ? *failure : io::WriteError(context_.directory.path(), EIO);  // of another rank
+    on_all_ranks(*context_.ranks, work);
   }
 
  private:

@@ -168,8 +168,10 @@ class ModelRun {
       layout_.emplace(model_.rank_order());
       workspace.visit_memory(*layout_);
     }
-    take_own_memory();
-    if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
+    files_.together([&] {
+      take_own_memory();
+      if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
+    });
     workspace.counters = good_.counters;
     if constexpr (Method::adaptive) {
       workspace.tolerance = position_.local_tolerance;
@@ -210,7 +212,7 @@ class ModelRun {
   Status begin() {
     const std::vector<std::string> columns = model_.columns(context_.needs.quantities);
     if (context_.rows) *context_.rows = {columns, {}};
-    if (!context_.rows && context_.resume && std::filesystem::exists(checkpoint_path_)) {
+    if (files_.exists_to_resume(checkpoint_path_)) {
       if (Status status = restore(); !status) return status;
       // A run that stands at the very start takes sample 0 again.
       const mechanics::Cursor& at = position_.cursor;
@@ -219,18 +221,19 @@ class ModelRun {
       if constexpr (has_shapes)
         if (files_.has_shapes()) files_.resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
-        if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
+        files_.together([&] {
+          if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
+        });
       context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
     } else {
       const Status status = stepping_.choose(state_, position_, statistics_);
-      if (!status && context_.interrupted()) return status;
       files_.create(columns);
       if constexpr (has_shapes)
         if (files_.has_shapes()) files_.create_shapes(model_.shape_columns());
-      if (!status) {
-        save(good_);  // the start, to be taken up with a step that the user gives
-        return status;
-      }
+      // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
+      // gives where none was found.
+      save(good_);
+      if (!status) return status;
     }
     last_save_ = Clock::now();
     return {};
@@ -279,9 +282,12 @@ class ModelRun {
   }
 
   Status restore() {
-    const io::Checkpoint file = io::Checkpoint::load(checkpoint_path_);
-    from_checkpoint(file, good_);
-    take_vectors(file);
+    io::Checkpoint file;
+    files_.together([&] {
+      file = io::Checkpoint::load(checkpoint_path_);
+      from_checkpoint(file, good_);
+      take_vectors(file);
+    });
     state_ = good_.state;
     counters_ = good_.counters;
     position_ = good_.position;

@@ -1,5 +1,6 @@
 #include "app/program.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,13 +11,15 @@
 
 #include "app/catalogue.h"
 #include "app/command_line.h"
+#include "app/failure.h"
 #include "app/launch.h"
 #include "app/mesh_file.h"
+#include "app/on_all_ranks.h"
 #include "app/run_command.h"
 #include "app/scene_to_run.h"
 #include "app/sweep.h"
 #include "io/build_info.h"
-#include "io/files.h"
+#include "io/standard_streams.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
@@ -25,8 +28,6 @@
 
 namespace pseudorigid::app {
 namespace {
-
-constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
 
 /// Becomes pseudorigid-continuum, which stands beside this executable, with the same arguments.
 [[noreturn]] void become_continuum_executable(char** argv) {
@@ -52,8 +53,20 @@ Input read_and_validate(const Options& options) {
   return input;
 }
 
+/// Processes that were started together compute together only if MPI knows of all of them.
+void require_mpi_of(const Launch& launch, const Ranks& ranks) {
+  if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
+  throw UserError(
+      fmt::format("the process of rank {} finds {} rank{} of MPI; the launcher must be that of the MPI which "
+                  "pseudorigid is linked with (its mpirun, or srun --mpi=pmix)",
+                  launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
+}
+
 int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
-  const Input input = read_and_validate(options);
+  const Ranks& ranks = *executable.ranks;
+  if (executable.run_continuum) require_mpi_of(launch, ranks);
+  Input input;
+  on_all_ranks(ranks, [&] { input = read_and_validate(options); });
   const scene::ReadScene& read = input.read;
   if (!read.scene.models.continuum)
     return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
@@ -63,7 +76,7 @@ int run(const Options& options, int argc, char** argv, const Executable& executa
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
-  } const dismissal{*executable.ranks};
+  } const dismissal{ranks};
   return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
 }
 
@@ -73,19 +86,19 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
       return run(options, argc, argv, executable, launch);
     case Command::check: {
       const scene::ReadScene read = read_and_validate(options).read;
-      std::fputs(scene::describe(read.scene, scene::needs(read.scene)).c_str(), stdout);
+      io::print(scene::describe(read.scene, scene::needs(read.scene)));
       return exit_done;
     }
     case Command::parameters:
-      std::fputs(scene::parameters(options.format, program_catalogue()).c_str(), stdout);
+      io::print(scene::parameters(options.format, program_catalogue()));
       return exit_done;
     case Command::version: {
       const io::BuildInfo build = io::build_info();
-      std::printf("pseudorigid %s (%s)\n", std::string(build.version).c_str(), std::string(build.git_hash).c_str());
+      io::print(fmt::format("pseudorigid {} ({})\n", build.version, build.git_hash));
       return exit_done;
     }
     case Command::help:
-      std::fputs(options.help.c_str(), stdout);
+      io::print(options.help);
       return exit_done;
   }
   return exit_defect;
@@ -97,15 +110,16 @@ int run_program(int argc, char** argv, const Executable& executable) {
   const Launch launch;
   try {
     return dispatch(parse_command_line(argc, argv), argc, argv, executable, launch);
-  } catch (const UserError& error) {
-    if (launch.rank == 0) std::fprintf(stderr, "error: %s\n", error.what());
-    return exit_wrong_input;
-  } catch (const io::WriteError& error) {  // before there was a log to tell it
-    std::fprintf(stderr, "error: %s\n", error.what());
-    return exit_stopped;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: a defect of pseudorigid, please report it: %s\n", error.what());
-    return exit_defect;
+    const Failure failure = failure_of(error);
+    const Ranks& ranks = *executable.ranks;
+    // What all ranks have the first says; what another has alone would leave the first waiting.
+    const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
+    const bool unconnected = executable.run_continuum && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
+    const bool is_first = ranks.rank() == 0 && launch.rank == 0;
+    if (is_first || unconnected || alone) std::fprintf(stderr, "error: %s\n", failure.message.c_str());
+    if (alone) ranks.abort(failure.exit_code);
+    return failure.exit_code;
   }
 }
 

@@ -2,6 +2,8 @@
 /// The processes of a run. `pseudorigid` is one process; `pseudorigid-continuum` started by mpirun is several, which
 /// compute together: the first reads, writes and speaks for all.
 
+#include <string>
+
 namespace pseudorigid::app {
 
 /// One process. Collective functions are called by all ranks in the same order.
@@ -12,9 +14,15 @@ class Ranks {
   virtual int size() const { return 1; }
   /// Whether it is true on any rank. Collective.
   virtual bool any(bool mine) const { return mine; }
-  /// What it is on the first rank. Collective.
-  virtual bool of_first(bool mine) const { return mine; }
+  /// The first rank on which it is true, size() if there is none. Collective.
+  virtual int first_where(bool mine) const { return mine ? 0 : 1; }
+  /// What it is on that rank. Collective.
+  virtual int number_of(int /*rank*/, int mine) const { return mine; }
+  virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
+  /// Ends all ranks at once, wherever they are; a single process goes on, to end by itself.
+  virtual void abort(int /*exit_code*/) const {}
 
+  bool of_first(bool mine) const { return number_of(0, mine) != 0; }
   bool is_first() const { return rank() == 0; }
 };
 

@@ -1,12 +1,15 @@
 #include "app/run_command.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "analysis/comparison_report.h"
 #include "app/ball_equilibria.h"
 #include "app/discretization_search.h"
+#include "app/failure.h"
 #include "app/model_checkpoint.h"
+#include "app/on_all_ranks.h"
 #include "app/run_models.h"
 #include "app/scene_to_model.h"
 #include "app/sweep.h"
@@ -16,6 +19,7 @@
 #include "io/progress.h"
 #include "io/report.h"
 #include "io/signals.h"
+#include "io/standard_streams.h"
 #include "scene/needs.h"
 #include "scene/print_scene.h"
 #include "scene/scales.h"
@@ -23,8 +27,6 @@
 
 namespace pseudorigid::app {
 namespace {
-
-constexpr int exit_done = 0, exit_wrong_input = 2, exit_stopped = 3;
 
 /// The samples that both models reached; a model that stopped early has fewer.
 void shorten_to_common(io::Table& a, io::Table& b) {
@@ -45,11 +47,12 @@ void take_errors(const std::map<std::string, io::Manifest::Model>& models, analy
   }
 }
 
-void compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
+/// Returns why the table could not be printed, if it could not. It is in comparison.json as well.
+std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
   io::Table reduced = io::read_csv(context.directory.csv("reduced"));
   io::Table continuum = io::read_csv(context.directory.csv("continuum"));
   shorten_to_common(reduced, continuum);
-  if (reduced.n_rows() < 2) return;
+  if (reduced.n_rows() < 2) return {};
   analysis::ComparisonOptions options;
   options.resolution = context.scene.time.tolerance;
   if (context.scene.body.incompressible && scene::is_free(context.scene) && !scene::has_mesh_file(context.scene))
@@ -59,9 +62,12 @@ void compare_models(const RunContext& context, const io::Manifest& manifest, boo
   analysis::write_comparison(context.directory.path(), comparison);
   context.log->debug("{}", analysis::summary_sentence(comparison));
   if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
-  if (quiet) return;
-  std::fputs(analysis::terminal_table(comparison).c_str(), stdout);
-  std::fflush(stdout);  // in order with what goes to stderr
+  try {
+    if (!quiet) io::print(analysis::terminal_table(comparison));
+  } catch (const io::WriteError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 /// Runs one model and notes it in the manifest. False: the run ends here.
@@ -75,6 +81,13 @@ bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const R
   interrupted = outcome.state == ModelOutcome::State::interrupted;
   message = std::move(outcome.message);
   return outcome.state == ModelOutcome::State::finished;
+}
+
+bool is_resumable(const RunContext& context) {
+  std::vector<std::string> models{"reduced", "continuum", SweepRows::name, DiscretizationSearch::checkpoint_name};
+  if (const auto* system = context.needs.system) models.emplace_back(system->file);
+  return std::any_of(models.begin(), models.end(),
+                     [&](const std::string& model) { return exists(context.directory.checkpoint(model)); });
 }
 
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
@@ -95,20 +108,22 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
     complete = run_model("continuum", executable.run_continuum, of_all, manifest, message, interrupted);
   }
   const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
-  if (needs.comparison && both_exist && !interrupted) compare_models(context, manifest.content(), quiet);
+  std::string not_printed;
+  if (needs.comparison && both_exist && !interrupted) not_printed = compare_models(context, manifest.content(), quiet);
   if (complete) {
     context.log->info("results are in {}", context.directory.path().string());
+    if (!not_printed.empty()) {
+      context.log->error("{}; the results are complete", not_printed);
+      manifest.finish("failed", exit_stopped, not_printed);
+      return exit_stopped;
+    }
     manifest.finish("done", exit_done);
     return exit_done;
   }
-  const auto has_checkpoint = [&](const char* model) { return exists(context.directory.checkpoint(model)); };
-  const bool resumable = needs.system ? has_checkpoint(system.c_str())
-                                      : has_checkpoint("reduced") || has_checkpoint("continuum") ||
-                                            has_checkpoint(DiscretizationSearch::checkpoint_name);
   context.log->error("{}{}", message,
-                     !resumable    ? ""
-                     : interrupted ? " (--resume goes on from there)"
-                                   : " (--resume goes on from there, with a smaller Time/Step perhaps)");
+                     !is_resumable(context) ? ""
+                     : interrupted          ? " (--resume goes on from there)"
+                                            : " (--resume goes on from there, with a smaller Time/Step perhaps)");
   manifest.finish(interrupted ? "interrupted" : "failed", exit_stopped, message);
   return exit_stopped;
 }
@@ -147,12 +162,21 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
 }
 
 /// The last file of a run, which shows the others.
-void add_report(const RunContext& context, io::ManifestFile& manifest) try {
+void add_report(const RunContext& context, const io::ManifestFile& manifest) {
   io::write_report(context.directory, manifest.content().system);
   context.log->info("the report is {}", context.directory.report().string());
-} catch (const io::WriteError& error) {
-  manifest.finish("failed", exit_stopped, error.what());
-  throw;
+}
+
+/// What was thrown on the way ends the run, which says so wherever it can.
+int stop(const Failure& failure, const RunContext& context, std::optional<io::ManifestFile>& manifest) {
+  const bool goes_on = failure.exit_code == exit_stopped && is_resumable(context);
+  context.log->error("{}{}", failure.message,
+                     goes_on ? "; what was written before is kept, and --resume goes on from the last checkpoint" : "");
+  try {
+    if (manifest) manifest->finish("failed", failure.exit_code, failure.message);
+  } catch (const io::WriteError&) {  // has been said
+  }
+  return failure.exit_code;
 }
 
 /// Every checkpoint in the directory can be read and belongs to this scene.
@@ -169,19 +193,15 @@ void require_same_scene(const io::RunDirectory& directory, const scene::Scene& s
 }
 
 /// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
-void prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
+io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
   constexpr const char* entry = "Output/Directory";
   try {
-    if (options.resume) {
-      directory.prepare_resume();
-      require_same_scene(directory, read.scene);
-    } else {
-      std::vector<std::string> system_files;
-      for (const auto& system : read.scene.catalogue->systems)
-        system_files.push_back(std::string(system.file) + ".csv");
-      directory.prepare_fresh(system_files);
-    }
+    std::vector<std::string> system_files;
+    for (const auto& system : read.scene.catalogue->systems) system_files.push_back(std::string(system.file) + ".csv");
+    io::RunLock lock = options.resume ? directory.prepare_resume() : directory.prepare_fresh(system_files);
+    if (options.resume) require_same_scene(directory, read.scene);
     if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
+    return lock;
   } catch (const UserError& error) {
     const std::string origin = options.resume   ? "--resume"
                                : options.output ? "--output"
@@ -197,26 +217,25 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   const scene::Scene& scene = read.scene;
   const scene::Needs needs = scene::needs(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
-  prepare(directory, read, options);
-
   io::install_signal_handlers();
+  const io::RunLock lock = prepare(directory, read, options);
   const bool quiet = options.verbosity == io::Verbosity::quiet;
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
+  const RunContext context{
+      scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
+  std::optional<io::ManifestFile> manifest;
   try {
     io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
-    io::ManifestFile manifest(directory.manifest(), manifest_of(scene, needs, command, executable));
+    manifest.emplace(directory.manifest(), manifest_of(scene, needs, command, executable));
     log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
-    const RunContext context{
-        scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
-    const int code = scene.sweep.empty() ? run_models(context, executable, manifest, quiet)
-                                         : run_whole_sweep(raw, context, manifest);
-    if (needs.report) add_report(context, manifest);
+    const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
+                                         : run_whole_sweep(raw, context, *manifest);
+    if (needs.report) add_report(context, *manifest);
     return code;
-  } catch (const io::WriteError& error) {
-    log->error("{}; what was written before is kept, and --resume goes on from the last checkpoint", error.what());
-    return exit_stopped;
+  } catch (const std::exception& error) {
+    return stop(failure_of(error), context, manifest);
   }
 }
 
@@ -232,10 +251,8 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
   int code = exit_done;
   while (executable.ranks->of_first(false)) try {
       if (executable.run_continuum(context).state != ModelOutcome::State::finished) code = exit_stopped;
-    } catch (const io::WriteError&) {
-      code = exit_stopped;
-    } catch (const UserError&) {
-      code = exit_wrong_input;
+    } catch (const FailureOnAllRanks& error) {
+      code = error.failure().exit_code;
     }
   return code;
 }

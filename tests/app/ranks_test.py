@@ -1,18 +1,13 @@
 """Runs under mpirun: the same results on any number of ranks, checkpoints that any number of ranks reads."""
-import os
 import shutil
 import signal
 import subprocess
 import time
 import unittest
 
-from program_test import DONE, ProgramTest, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
+from program_test import DONE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
+from ranks import ENVIRONMENT, RanksTest
 
-# Two cores must do for four ranks, and tests run as root in containers.
-MPIRUN = ["mpirun", "--oversubscribe", "--bind-to", "none", "--quiet"]
-ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
-               "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "OMPI_MCA_mpi_yield_when_idle": "1"}
 # What is asked for; the constraint is met to 1e-13 on every number of ranks, and sums round differently.
 SAME = 1e-12
 
@@ -24,16 +19,7 @@ SCENE = {
 
 
 @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
-class Ranks(ProgramTest):
-    def command_on(self, n_ranks, *arguments):
-        return [*MPIRUN, "-np", str(n_ranks), *self.command(arguments)]
-
-    def run_on(self, n_ranks, *arguments, code=DONE):
-        result = subprocess.run(self.command_on(n_ranks, *arguments), stdin=subprocess.DEVNULL, capture_output=True,
-                                text=True, timeout=TIME_LIMIT, cwd=self.scratch, env=ENVIRONMENT)
-        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
-        return result
-
+class Ranks(RanksTest):
     def assert_same(self, a, b):
         difference = largest_difference(self.table(a), self.table(b))
         print(f"{a} and {b}: largest difference {difference:.1e}")

@@ -35,11 +35,11 @@ class StoppedRunTest(ProgramTest):
                     self.assertLess(difference, 100 * tolerance if name == "comparison.csv" else tolerance)
         self.assertEqual(self.json(folder, "manifest.json")["state"], "done")
 
-    def start(self, folder, *arguments):
+    def start(self, folder, *arguments, **options):
         """A process that has opened its log, and so listens to signals."""
         log = self.scratch / folder / "log.txt"
         size_before = log.stat().st_size if log.exists() else 0
-        process = self.start_program("run", "scene.prm", "--output", folder, *arguments)
+        process = self.start_program("run", "scene.prm", "--output", folder, *arguments, **options)
         self.wait_until(lambda: process.poll() is not None or (log.exists() and log.stat().st_size not in (0, size_before)),
                         "the log grows")
         return process
