@@ -65,10 +65,15 @@ Json model_json(const ModelSummary& m, bool has_state) {
   return json;
 }
 
+/// A number of per cent to one digit, or to the whole number.
+std::string roughly(double percent) {
+  return percent < 9.5 ? fmt::format("{:.1g}", percent) : fmt::format("{:.0f}", percent);
+}
+
 /// "18.6" or, where the uncertainty shows in three digits, "18.6 +- 0.4".
 std::string percent(double value, double uncertainty) {
   const double p = 100 * value, u = 100 * uncertainty;
-  return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {:.1g}", p, u) : fmt::format("{:.3g}", p);
+  return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
 }
 
 std::string unknown_frequency(std::string_view ball, const ModelSummary& m) {
@@ -78,11 +83,17 @@ std::string unknown_frequency(std::string_view ball, const ModelSummary& m) {
 std::string compared_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1, uncertainty = c.ratio->uncertainty;
   constexpr double round_off = 1e-12;
-  std::string text = std::abs(excess) <= 3 * uncertainty + round_off
-                         ? fmt::format("The two balls pulsate with the same frequency to within {:.1g} %",
-                                       100 * std::max({std::abs(excess), uncertainty, round_off}))
-                         : fmt::format("The pseudo-rigid ball pulsates {} % {} than the elastic ball",
-                                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower");
+  const double known_to = std::max({std::abs(excess), uncertainty, round_off});
+  constexpr double says_little = 0.05;
+  std::string text;
+  if (std::abs(excess) > 3 * uncertainty + round_off)
+    text = fmt::format("The pseudo-rigid ball pulsates {} % {} than the elastic ball",
+                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower");
+  else if (known_to <= says_little)
+    text = fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));
+  else
+    text = fmt::format("The run is too short to tell the frequencies of the two balls apart: they are known to {} %",
+                       roughly(100 * known_to));
   if (c.exact_ratio) text += fmt::format(" (exact small-amplitude value: {:.2f} %)", 100 * (*c.exact_ratio - 1));
   return text;
 }

@@ -25,7 +25,7 @@ class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)
       : scene_(reduced_scene(scene)),
-        potential_(scene_.law, scene_.body, scene_.gravity_constant),
+        potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
   /// `range` in the family's own parameter, in the user's units of spin if it is one.
@@ -145,7 +145,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
       {"parameter", "",
        "the family's: eccentricity (maclaurin), a3 in radii (spheroids), spin [1/time] (spinning), a2/a1 of the "
        "others"}};
-  const auto vector = [&](const char* name, const char* unit, const char* documentation) {
+  const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
     for (int i = 1; i <= 3; ++i)
       columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "likewise"});
   };

@@ -4,6 +4,7 @@
 #include "app/equilibria.h"
 #include "app/reduced_scene.h"
 #include "app/system_description.h"
+#include "materials/eigen_tensor.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {
@@ -13,6 +14,8 @@ namespace {
 template <bool incompressible>
 std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
   const ReducedScene s = reduced_scene(scene);
+  if (!materials::admits(s.law, materials::to_tensor(s.start.q)))
+    return scene::Refusal{"Initial state/Deformation", materials::beyond_limit(materials::limit_of(s.law))};
   switch (form_of(s)) {
     case ReducedForm::elastic:
     case ReducedForm::general:

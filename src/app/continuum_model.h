@@ -36,7 +36,7 @@ class ContinuumModel {
         ball_(mesh_of(context), context.discretization.degree, law_, ball_loads(context.scene)),
         rank_order_(ball_.space()),
         request_(context.request()),
-        wrinkling_(context) {}
+        wrinkling_(context, law_) {}
 
   const System& system() const { return ball_; }
   using MemoryLayout = continuum::MemoryLayout;
@@ -155,7 +155,11 @@ class ContinuumModel {
   }
   static continuum::BallLoads ball_loads(const scene::Scene& scene) {
     const InternalLoads loads = internal_loads(scene);
-    return {loads.quadratic, loads.acceleration, loads.nominal_traction, loads.viscosity, loads.drag};
+    return {.quadratic = loads.quadratic,
+            .acceleration = loads.acceleration,
+            .nominal_traction = loads.nominal_traction,
+            .viscosity = loads.viscosity,
+            .drag = loads.drag};
   }
   /// One file, or of several ranks a piece each and beside them the file that names the pieces.
   void write_pieces(std::filesystem::path path, const io::UnstructuredGrid& grid) const {

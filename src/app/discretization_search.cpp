@@ -6,6 +6,8 @@
 #include <span>
 #include <utility>
 
+#include "app/effort.h"
+#include "app/mesh_file.h"
 #include "app/model_checkpoint.h"
 #include "app/on_all_ranks.h"
 #include "io/checkpoint.h"
@@ -17,6 +19,20 @@ namespace {
 constexpr double time_part = 0.05;
 /// A run that may miss the tolerance by this factor is written as well: predictions are on the safe side.
 constexpr double benefit_of_doubt = 2;
+
+/// The ladder without what the memory of this machine does not hold; the first is known to fit. Collective.
+std::vector<scene::Discretization> affordable(const RunContext& context) {
+  std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
+  const std::size_t n_coarse_cells =
+      scene::has_mesh_file(context.scene) ? read_mesh_file(context.scene).mesh.cells.size() : 0;
+  for (std::size_t i = 1; i < ladder.size(); ++i) {
+    const auto problem = exceeds_memory(context.scene, ladder[i], n_coarse_cells, context.ranks->size());
+    if (!context.ranks->any(problem.has_value())) continue;
+    if (problem) context.log->info("continuum: the search ends before {}", *problem);
+    ladder.resize(i);
+  }
+  return ladder;
+}
 
 scene::Scene with_time_tolerance(scene::Scene scene, double tolerance) {
   scene.time.tolerance = tolerance;
@@ -31,7 +47,7 @@ DiscretizationSearch::DiscretizationSearch(const RunContext& context, ContinuumR
       written_scene_(with_time_tolerance(
           context.scene, std::min(context.scene.time.tolerance, time_part * context.scene.continuum.tolerance))),
       silent_scene_(with_time_tolerance(context.scene, time_part * context.scene.continuum.tolerance)),
-      ladder_(scene::ladder(context.scene)) {
+      ladder_(affordable(context)) {
   if (context.resume) load();
 }
 

@@ -35,11 +35,11 @@ CenteredMesh read_mesh_file(const scene::Scene& scene) {
   return body;
 }
 
-void require_mesh_file(const scene::Scene& scene, const scene::Origins& origins) {
-  if (!scene.models.continuum || !scene::has_mesh_file(scene)) return;
+std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins) {
+  if (!scene.models.continuum || !scene::has_mesh_file(scene)) return 0;
   constexpr const char* entry = "Continuum/Mesh";
   try {
-    read_mesh_file(scene);
+    return read_mesh_file(scene).mesh.cells.size();
   } catch (const UserError& error) {
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, error.what()));
   }

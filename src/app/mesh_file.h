@@ -18,8 +18,9 @@ struct CenteredMesh {
 /// Throws UserError.
 CenteredMesh read_mesh_file(const scene::Scene& scene);
 
-/// Throws UserError, of the entry, if the scene's continuum has a mesh from a file that cannot be used.
-void require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
+/// How many cells the file of the scene's mesh has, 0 for the builtin mesh. Throws UserError, of the entry, if the mesh
+/// cannot be used.
+std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
 /// What stands for the mesh in the scene of a checkpoint: the bytes of a file count, not its place.
 std::string mesh_identity(const scene::Scene& scene);

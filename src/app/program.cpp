@@ -11,6 +11,7 @@
 
 #include "app/catalogue.h"
 #include "app/command_line.h"
+#include "app/effort.h"
 #include "app/failure.h"
 #include "app/launch.h"
 #include "app/mesh_file.h"
@@ -20,7 +21,6 @@
 #include "app/sweep.h"
 #include "io/build_info.h"
 #include "io/standard_streams.h"
-#include "scene/needs.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
 #include "scene/user_error.h"
@@ -44,13 +44,19 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-Input read_and_validate(const Options& options) {
+Input read_and_validate(const Options& options, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, program_catalogue()), {}};
   input.read = input.raw;
   input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
   check_sweep(input.raw);
-  require_mesh_file(input.read.scene, input.read.origins);
+  const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
+  if (n_ranks != Launch::unknown) require_memory(input.read.scene, input.read.origins, n_coarse_cells, n_ranks);
   return input;
+}
+
+/// pseudorigid itself, which has no MPI, may have to leave the number to pseudorigid-continuum.
+int n_ranks_known(const Executable& executable, const Launch& launch) {
+  return executable.run_continuum ? executable.ranks->size() : launch.n_ranks;
 }
 
 /// Processes that were started together compute together only if MPI knows of all of them.
@@ -66,7 +72,7 @@ int run(const Options& options, int argc, char** argv, const Executable& executa
   const Ranks& ranks = *executable.ranks;
   if (executable.run_continuum) require_mpi_of(launch, ranks);
   Input input;
-  on_all_ranks(ranks, [&] { input = read_and_validate(options); });
+  on_all_ranks(ranks, [&] { input = read_and_validate(options, n_ranks_known(executable, launch)); });
   const scene::ReadScene& read = input.read;
   if (!read.scene.models.continuum)
     return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
@@ -85,8 +91,8 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     case Command::run:
       return run(options, argc, argv, executable, launch);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options).read;
-      io::print(scene::describe(read.scene, scene::needs(read.scene)));
+      const scene::ReadScene read = read_and_validate(options, n_ranks_known(executable, launch)).read;
+      io::print(scene::describe(read.scene, needs_with_effort(read.scene)));
       return exit_done;
     }
     case Command::parameters:

@@ -55,6 +55,7 @@ class ReducedModel {
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = check_size(state); !status) return status;
+    if (auto status = system_.body().admissible(system_.motion(state).q); !status) return status;
     if (auto status = reduced::observe(system_, state, workspace, request_, observables_); !status) return status;
     if (request_.bipolar)
       if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)

@@ -21,11 +21,15 @@ ReducedScene reduced_scene(const scene::Scene& scene) {
   const InternalLoads loads = internal_loads(scene);
   return {.law = internal_law(scene),
           .body = reference_body(scene, units),
-          .gravity_constant = scene.gravity_constant * scene.body.density * units.time * units.time,
-          .quadratic = loads.quadratic,
-          .nominal_traction = loads.nominal_traction,
-          .dissipation = {loads.viscosity, loads.drag},
-          .center = {loads.center, loads.center_velocity, loads.acceleration, loads.quadratic, loads.drag},
+          .loads = {.gravity_constant = scene.gravity_constant * scene.body.density * units.time * units.time,
+                    .quadratic = loads.quadratic,
+                    .nominal_traction = loads.nominal_traction},
+          .dissipation = {.viscosity = loads.viscosity, .drag = loads.drag},
+          .center = {.position = loads.center,
+                     .velocity = loads.center_velocity,
+                     .acceleration = loads.acceleration,
+                     .quadratic = loads.quadratic,
+                     .drag = loads.drag},
           .start = {0, initial_deformation(scene), initial_velocity(scene, units)},
           .keeps_diagonal = scene::keeps_diagonal(scene)};
 }
@@ -33,7 +37,7 @@ ReducedScene reduced_scene(const scene::Scene& scene) {
 ReducedForm form_of(const ReducedScene& s) {
   if (s.dissipation.present()) return ReducedForm::dissipative;
   if (s.keeps_diagonal) return ReducedForm::diagonal;
-  const bool plain = s.gravity_constant == 0 && s.quadratic.isZero(0) && s.nominal_traction.isZero(0);
+  const bool plain = s.loads.gravity_constant == 0 && s.loads.quadratic.isZero(0) && s.loads.nominal_traction.isZero(0);
   return plain && std::holds_alternative<materials::CiarletGeymonat>(s.law) ? ReducedForm::elastic
                                                                             : ReducedForm::general;
 }

@@ -16,8 +16,7 @@ namespace pseudorigid::app {
 struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
-  double gravity_constant;
-  Eigen::Matrix3d quadratic, nominal_traction;
+  reduced::PotentialLoads loads;
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
@@ -39,9 +38,12 @@ using ElasticBody = reduced::PseudoRigidBody<materials::CiarletGeymonat, incompr
 template <bool incompressible>
 using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
 
+/// All that acts on the body of a scene and has a potential.
+inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.loads}; }
+
 template <bool incompressible>
 GeneralBody<incompressible> general_body(const ReducedScene& s) {
-  return {reduced::Potential(s.law, s.body, s.gravity_constant, s.quadratic, s.nominal_traction), s.body};
+  return {potential_of(s), s.body};
 }
 
 ReducedForm form_of(const ReducedScene& scene);

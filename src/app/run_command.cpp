@@ -7,6 +7,7 @@
 #include "analysis/comparison_report.h"
 #include "app/ball_equilibria.h"
 #include "app/discretization_search.h"
+#include "app/effort.h"
 #include "app/failure.h"
 #include "app/model_checkpoint.h"
 #include "app/on_all_ranks.h"
@@ -136,6 +137,11 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, io::
     manifest.finish("done", exit_done);
     return exit_done;
   }
+  if (outcome.state == ModelOutcome::State::failed) {
+    context.log->error("{}", outcome.message);
+    manifest.finish("failed", exit_wrong_input, outcome.message);
+    return exit_wrong_input;
+  }
   context.log->error("{} (--resume goes on from there)", outcome.message);
   manifest.finish("interrupted", exit_stopped, outcome.message);
   return exit_stopped;
@@ -215,7 +221,7 @@ io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& r
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable) {
   const scene::Scene& scene = read.scene;
-  const scene::Needs needs = scene::needs(scene);
+  const scene::Needs needs = needs_with_effort(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   io::install_signal_handlers();
   const io::RunLock lock = prepare(directory, read, options);
@@ -241,7 +247,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
 
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable) {
   const scene::Scene& scene = read.scene;
-  const scene::Needs needs = scene::needs(scene);
+  const scene::Needs needs = needs_with_effort(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   io::install_signal_handlers();
   RunContext context{

@@ -8,6 +8,7 @@
 
 #include "io/units.h"
 #include "materials/law_table.h"
+#include "mechanics/by_name.h"
 #include "mechanics/methods.h"
 #include "scene/entries.h"
 #include "scene/scales.h"
@@ -39,6 +40,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
 
 /// What acts on the body besides its elasticity and its gravity, and how its centre of mass starts.
 struct InternalLoads {
+  ByName by_name{};
   Eigen::Matrix3d quadratic;         ///< T
   Eigen::Vector3d acceleration;      ///< b
   Eigen::Matrix3d nominal_traction;  ///< P̄
@@ -67,7 +69,8 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
                              {.shear_modulus = mu,
                               .lame_lambda = mu * (material.lame_lambda / material.shear_modulus),
                               .incompressible = scene.body.incompressible,
-                              .mooney_fraction = material.mooney_fraction});
+                              .mooney_fraction = material.mooney_fraction,
+                              .gent_limit = material.gent_limit});
 }
 
 /// Empty for `auto`.

@@ -6,13 +6,17 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <optional>
+#include <set>
 #include <thread>
+#include <utility>
 
 #include "app/run_models.h"
 #include "app/scene_to_model.h"
 #include "app/scene_to_run.h"
 #include "app/sweep_rows.h"
 #include "io/signals.h"
+#include "io/trajectory.h"
 #include "scene/entry_kinds.h"
 #include "scene/user_error.h"
 
@@ -28,6 +32,22 @@ std::string describe_values(const scene::ParameterValues& values) {
 
 scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values) {
   return scene_to_run(scene::with_parameters(raw.scene, values, raw.origins), raw.origins);
+}
+
+std::string describe_run(const scene::Sweep& sweep, int k) {
+  return fmt::format("run {} of the sweep, {}", k + 1, describe_values(scene::values_of_run(sweep, k)));
+}
+
+/// The runs in which each parameter has its first or its last value.
+std::set<int> corners(const scene::Sweep& sweep) {
+  std::set<int> runs{0};
+  for (const scene::SweepParameter& parameter : sweep) {
+    std::set<int> with_this_one;
+    for (const int k : runs)
+      for (const int i : {0, parameter.size() - 1}) with_this_one.insert(k * parameter.size() + i);
+    runs = std::move(with_this_one);
+  }
+  return runs;
 }
 
 /// What one run has to say.
@@ -54,13 +74,21 @@ class SweepRun {
     return result;
   }
 
-  /// The columns of sweep.csv, given those of the model.
-  std::vector<std::string> columns(const std::vector<std::string>& of_model) const {
+  /// The columns of sweep.csv.
+  std::vector<std::string> columns() const {
+    const std::vector<std::string> of_model = columns_of_model();
     std::vector<std::string> names{"run"};
     for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
     names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
     for (std::size_t i = 1; i < of_model.size(); ++i)
       for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
+    return names;
+  }
+
+  std::vector<std::string> columns_of_model() const {
+    if (!context_.needs.system) return io::reduced_columns(context_.needs.quantities);
+    std::vector<std::string> names{"time"};
+    for (const scene::Column& column : context_.needs.system->columns_of(context_.scene)) names.push_back(column.name);
     return names;
   }
 
@@ -110,17 +138,24 @@ class Workers {
   }
 
   int n_failed() const { return n_failed_; }
+  /// The first run whose input is wrong, and what is wrong with it.
+  const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
   void work_alone() {
     const int n = scene::n_runs(parameters_);
+    int k = 0;
     try {
-      for (int k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
+      for (k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
         const RunResult result = sweep_.run(k);
         if (result.outcome.state == ModelOutcome::State::interrupted) return;
         if (result.outcome.state == ModelOutcome::State::failed) note_failure(k, result.outcome.message);
         rows_.deliver(k, sweep_.row(k, result));
       }
+    } catch (const UserError& error) {
+      const std::lock_guard lock(mutex_);
+      if (!wrong_input_ || k < wrong_input_->first) wrong_input_ = {k, error.what()};
+      next_ = n;
     } catch (...) {
       const std::lock_guard lock(mutex_);
       if (!error_) error_ = std::current_exception();
@@ -142,6 +177,7 @@ class Workers {
   std::atomic<int> next_;
   std::mutex mutex_;
   std::exception_ptr error_;
+  std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
 };
 
@@ -153,28 +189,29 @@ int n_threads_of(const scene::Scene& scene) {
 }  // namespace
 
 void check_sweep(const scene::ReadScene& raw) {
-  const int n = scene::n_runs(raw.scene.sweep);
-  for (int k = 0; k < n; ++k) {
-    const scene::ParameterValues values = scene::values_of_run(raw.scene.sweep, k);
-    try {
-      scene_of_run(raw, values);
+  if (raw.scene.sweep.empty()) return;
+  for (const int k : corners(raw.scene.sweep)) try {
+      scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
     } catch (const UserError& error) {
-      throw UserError(fmt::format("{} (in run {} of the sweep, {})", error.what(), k + 1, describe_values(values)));
+      throw UserError(fmt::format("{} (in {})", error.what(), describe_run(raw.scene.sweep, k)));
     }
-  }
 }
 
 ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context) {
   const auto start = std::chrono::steady_clock::now();
   const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
   const SweepRun sweep(raw, context);
-  SweepRows rows(context, sweep.columns(sweep.run(0).rows.columns), n);
+  SweepRows rows(context, sweep.columns(), n);
   Workers workers(sweep, raw.scene.sweep, context, rows);
   workers.work(n_threads);
   rows.finish();
 
   ModelOutcome outcome;
-  if (rows.n_written() < n) {
+  if (const auto& wrong = workers.wrong_input()) {
+    outcome.state = ModelOutcome::State::failed;
+    outcome.message = fmt::format("{} (in {}); the {} rows before are kept", wrong->second,
+                                  describe_run(raw.scene.sweep, wrong->first), rows.n_written());
+  } else if (rows.n_written() < n) {
     outcome.state = ModelOutcome::State::interrupted;
     outcome.message = fmt::format("sweep interrupted after {} of {} runs", rows.n_written(), n);
   }

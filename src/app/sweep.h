@@ -14,7 +14,8 @@
 namespace pseudorigid::app {
 
 /// `raw` is the scene as it was read, before validation, which belongs to each run. Throws UserError, before anything
-/// is written, if one of the combinations is not a scene that can run.
+/// is written, if a combination of first and last values is not a scene that can run. Others are judged as their turn
+/// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
 /// `context` is that of the first run.

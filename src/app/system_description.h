@@ -5,6 +5,7 @@
 
 #include "mechanics/field_of.h"
 #include "mechanics/methods.h"
+#include "scene/scales.h"
 #include "systems/sizes.h"
 #include "systems/system_scene.h"
 
@@ -32,7 +33,7 @@ std::optional<scene::Refusal> refuses_scene(const scene::Scene& scene) {
   if (auto refusal = system.refuses()) return refusal;
   if (auto refusal = systems::refuses_sizes(system)) return refusal;
   if (scene.analysis == scene::Analysis::motion)
-    if (auto refusal = systems::refuses_duration(system, scene.time.end)) return refusal;
+    if (auto refusal = scene::refuses_duration(scene.time.end, system.scales().time)) return refusal;
   return systems::in_scales(system, system.scales()).with_model([&](const auto& model) {
     return refuses_method(scene, model.system);
   });
@@ -40,14 +41,16 @@ std::optional<scene::Refusal> refuses_scene(const scene::Scene& scene) {
 
 template <class SystemScene>
 scene::SystemDescription describe_system() {
-  scene::SystemDescription description{.name = SystemScene::name,
-                                       .file = SystemScene::file,
-                                       .section = SystemScene::section,
-                                       .documentation = SystemScene::documentation,
-                                       .entries = {},
-                                       .columns = SystemScene{}.columns(),
-                                       .has_equilibria = SystemScene::has_equilibria,
-                                       .refuses = refuses_scene<SystemScene>};
+  scene::SystemDescription description{
+      .name = SystemScene::name,
+      .file = SystemScene::file,
+      .section = SystemScene::section,
+      .documentation = SystemScene::documentation,
+      .entries = {},
+      .columns = SystemScene{}.columns(),
+      .columns_of = [](const scene::Scene& scene) { return systems::system_scene<SystemScene>(scene).columns(); },
+      .has_equilibria = SystemScene::has_equilibria,
+      .refuses = refuses_scene<SystemScene>};
   const SystemScene defaults;
   SystemScene::visit(defaults, [&]<class Value>(const Value& member, const auto& kind, const scene::About& about) {
     description.entries.push_back({about, scene::AnyKind::of<Value>(kind), kind.print(member)});

@@ -3,12 +3,14 @@
 /// times all methods in one would take minutes.
 
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 
 #include "app/equilibria.h"
 #include "app/model_run.h"
 #include "app/run_models.h"
 #include "app/system_model.h"
+#include "mechanics/declared_dependence.h"
 #include "mechanics/second_order_field.h"
 #include "systems/table.h"
 
@@ -21,6 +23,12 @@ ModelOutcome run_system_scene(const RunContext& of_program) {
   RunContext context = of_program;
   context.units = {scales.length, scales.mass, scales.time};
   return systems::in_scales(in_user_units, scales).with_model([&]<class Model>(Model model) {
+    using System = typename Model::System;
+    static_assert(mechanics::ConstrainedSystem<System> || mechanics::SecondOrderField<System>,
+                  "no method can run this system: a member of ConstrainedSystem (mechanics/constrained_system.h) or of "
+                  "SecondOrderField (mechanics/second_order_field.h) is missing or misspelt");
+    if (const auto status = mechanics::check_declared_dependence(model.system, model.initial); !status)
+      throw std::logic_error(status.reason());
     if constexpr (SystemScene::has_equilibria)
       if (context.scene.analysis == scene::Analysis::equilibrium)
         return run_equilibria(mechanics::AnyLandscape(model.landscape()), mechanics::dissipative(model.system),

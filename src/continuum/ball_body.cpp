@@ -15,6 +15,7 @@ BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const ma
 
 BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads)
     : space_(std::move(mesh), degree, loads.dissipative()),
+      limit_(materials::limit_of(law)),
       kernels_(make_cell_kernels(space_, law)),
       loads_(loads, space_, *kernels_),
       dissipative_(loads.dissipative()),
@@ -22,21 +23,33 @@ BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, cons
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
-std::string in_words(const LeastPlace& jacobian) {
-  char text[120];
-  std::snprintf(text, sizeof text, "det F = %.3g at X/r = (%.3f, %.3f, %.3f)", jacobian.value, jacobian.where[0],
-                jacobian.where[1], jacobian.where[2]);
+namespace {
+
+std::string at(const LeastPlace& place) {
+  char text[80];
+  std::snprintf(text, sizeof text, " at X/r = (%.3f, %.3f, %.3f)", place.where[0], place.where[1], place.where[2]);
   return text;
 }
 
-mechanics::Status BallBody::judge_jacobian(double least, const Vector& x) const {
+}  // namespace
+
+std::string in_words(const LeastPlace& jacobian) {
+  char text[40];
+  std::snprintf(text, sizeof text, "det F = %.3g", jacobian.value);
+  return text + at(jacobian);
+}
+
+mechanics::Status BallBody::judge(double least, const Vector& x) const {
   least = least_over_ranks(least, space_.communicator());
   if (least > 0 && std::isfinite(least)) return {};
-  return mechanics::Status::failure("an element is turned inside out: " + in_words(least_jacobian(x)));
+  const LeastPlace jacobian = least_jacobian(x);
+  if (!limit_.empty() && jacobian.value > 0)
+    return mechanics::Status::failure(materials::beyond_limit(limit_) + at(least_reserve(x)));
+  return mechanics::Status::failure("an element is turned inside out: " + in_words(jacobian));
 }
 
 mechanics::Status BallBody::applied_force(const Vector& x, const Vector& v, Vector& f) const {
-  if (auto status = judge_jacobian(kernels_->force(x, f), x); !status) return status;
+  if (auto status = judge(kernels_->force(x, f), x); !status) return status;
   loads_.add(x, v, f);
   return {};
 }
@@ -88,8 +101,10 @@ Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {
   return whole_ball(sum_over_ranks(sum, space_.communicator()));
 }
 
-LeastPlace BallBody::least_jacobian(const Vector& x) const {
-  LeastPlace least = kernels_->locate_least_jacobian(x);
+LeastPlace BallBody::least_jacobian(const Vector& x) const { return of_all_ranks(kernels_->locate_least_jacobian(x)); }
+LeastPlace BallBody::least_reserve(const Vector& x) const { return of_all_ranks(kernels_->locate_least_reserve(x)); }
+
+LeastPlace BallBody::of_all_ranks(LeastPlace least) const {
   if (n_ranks(space_.communicator()) > 1) least.take_others(space_.communicator());
   return least;
 }

@@ -14,6 +14,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "continuum/ball_loads.h"
 #include "continuum/ball_space.h"
@@ -67,6 +68,8 @@ class BallBody {
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its place.
   LeastPlace least_jacobian(const Vector& x) const;
+  /// Likewise the least reserve of the law (materials/law_limits.h).
+  LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.
@@ -77,10 +80,14 @@ class BallBody {
  protected:
   /// f of all but reactions.
   mechanics::Status applied_force(const Vector& x, const Vector& v, Vector& f) const;
-  mechanics::Status judge_jacobian(double least, const Vector& x) const;
+  /// `least`: of J and the reserve of the law over the points of this rank. Collective.
+  mechanics::Status judge(double least, const Vector& x) const;
 
  private:
+  LeastPlace of_all_ranks(LeastPlace of_this_one) const;
+
   BallSpace space_;
+  std::string_view limit_;  ///< of the law, as materials::limit_of has it
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
   bool dissipative_;

@@ -14,10 +14,12 @@
 #include <optional>
 
 #include "continuum/cell_kernels.h"
+#include "mechanics/by_name.h"
 
 namespace pseudorigid::continuum {
 
 struct BallLoads {
+  ByName by_name{};
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< b
   Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress

@@ -39,9 +39,9 @@ class CellKernels {
  public:
   virtual ~CellKernels() = default;
 
-  /// f = −∫P:∇φ. Returns the least J; where it is not positive, f is not to be used.
+  /// f = −∫P:∇φ. Returns the least of J and of the law's reserve; where it is not positive, f is not to be used.
   virtual double force(const Vector& x, Vector& f) const = 0;
-  /// g; returns the least J as `force` does.
+  /// g; returns the least J; where it is not positive, g is not to be used.
   virtual double constraint(const Vector& x, Vector& g) const = 0;
   virtual void constraint_rate(const Vector& x, const Vector& v, Vector& r) const = 0;
   virtual void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const = 0;
@@ -52,6 +52,8 @@ class CellKernels {
   virtual CellIntegrals integrals(const Vector& x, const Vector& v) const = 0;
   /// Least det F over the quadrature points of this rank, with its reference position.
   virtual LeastPlace locate_least_jacobian(const Vector& x) const = 0;
+  /// Likewise the least reserve of the law (materials/law_limits.h).
+  virtual LeastPlace locate_least_reserve(const Vector& x) const = 0;
   /// λ_h at the nodes of a cell (first direction fastest).
   virtual void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const = 0;
 

@@ -171,20 +171,14 @@ class DegreeKernels final : public CellKernels {
   }
 
   LeastPlace locate_least_jacobian(const Vector& x) const override {
-    const GhostValues of_x(x);
-    LeastPlace result;
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      load_layers(x, b, buffers_->x);
-      for (int q3 = 0; q3 < n; ++q3) {
-        plane_gradient(buffers_->x, q3, buffers_->H);
-        for (int q = 0; q < plane; ++q) {
-          const L J =
-              materials::determinant(batches_.points(b)[q3 * plane + q].deformation_gradient(load(buffers_->H, q)));
-          take_least(J, b, batches_.pressure_points(b)[q3 * plane + q], result);
-        }
-      }
-    }
-    return result;
+    return locate_least(x, [&](const QuadraturePoint* points, L* J) {
+      for (int q = 0; q < plane; ++q)
+        J[q] = materials::determinant(points[q].deformation_gradient(load(buffers_->H, q)));
+    });
+  }
+  LeastPlace locate_least_reserve(const Vector& x) const override {
+    return locate_least(
+        x, [&](const QuadraturePoint* points, L* reserve) { law_->reserve(points, plane, buffers_->H[0], reserve); });
   }
 
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const override {
@@ -342,12 +336,29 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
-  void take_least(const L& J, std::size_t b, const PressurePoint& p, LeastPlace& result) const {
+  /// `evaluate(points, values)` for the points of a plane, of which the buffer has H = ∂x/∂ξ.
+  template <class Evaluate>
+  LeastPlace locate_least(const Vector& x, const Evaluate& evaluate) const {
+    const GhostValues of_x(x);
+    LeastPlace result;
+    L values[plane];
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      load_layers(x, b, buffers_->x);
+      for (int q3 = 0; q3 < n; ++q3) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        evaluate(batches_.points(b) + q3 * plane, values);
+        for (int q = 0; q < plane; ++q) take_least(values[q], b, batches_.pressure_points(b)[q3 * plane + q], result);
+      }
+    }
+    return result;
+  }
+
+  void take_least(const L& value, std::size_t b, const PressurePoint& p, LeastPlace& result) const {
     const auto& batch = batches_.batches[b];
     for (int l = 0; l < batch.n_active; ++l) {
       dealii::Point<3> where;
       for (int c = 0; c < 3; ++c) where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
-      result.take(J[l], where);
+      result.take(value[l], where);
     }
   }
 

@@ -38,9 +38,7 @@ class ElasticBall : public BallBody {
   mechanics::Status force(double, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
     return applied_force(x, v, f);
   }
-  mechanics::Status constraint(const Vector& x, Multiplier& g) const {
-    return judge_jacobian(kernels().constraint(x, g), x);
-  }
+  mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
     kernels().constraint_curvature(x, v, r);

@@ -18,10 +18,13 @@ class PointLaw {
   using L = QuadraturePoint::L;
   virtual ~PointLaw() = default;
 
-  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least_J ← the least of it and det F, lane by lane.
-  virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least_J) const = 0;
+  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least ← the least of it, of det F and of the law's reserve, lane
+  /// by lane.
+  virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least) const = 0;
   /// energy += Σ w W(F)
   virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const = 0;
+  /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
+  virtual void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const = 0;
 };
 
 std::unique_ptr<PointLaw> make_point_law(const materials::AnyLaw& law);

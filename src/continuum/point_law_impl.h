@@ -12,13 +12,14 @@ class LawAtPoints final : public PointLaw {
  public:
   explicit LawAtPoints(const Law& law) : law_(law) {}
 
-  void stress(const QuadraturePoint* points, int n_points, L* H, L& least_J) const override {
-    L least = least_J;
+  void stress(const QuadraturePoint* points, int n_points, L* H, L& least_of_all) const override {
+    L least = least_of_all;
     for (int q = 0; q < n_points; ++q) {
       const QuadraturePoint& p = points[q];
       prefetch(points + n_points + q);
       const Tensor F = p.deformation_gradient(load(H, n_points, q));
       least = min(materials::determinant(F), least);
+      if constexpr (materials::is_limited<Law>) least = min(law_.reserve(F), least);
       const Tensor P = -p.weight * law_.stress(F);
       const L* row = p.inverse_jacobian;
 #pragma GCC unroll 3
@@ -27,12 +28,20 @@ class LawAtPoints final : public PointLaw {
         for (int d = 0; d < 3; ++d)
           H[(3 * i + d) * n_points + q] = P(i, 0) * row[3 * d] + P(i, 1) * row[3 * d + 1] + P(i, 2) * row[3 * d + 2];
     }
-    least_J = least;
+    least_of_all = least;
   }
 
   void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const override {
     for (int q = 0; q < n_points; ++q)
       energy += points[q].weight * law_.energy(points[q].deformation_gradient(load(H, n_points, q)));
+  }
+
+  void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const override {
+    for (int q = 0; q < n_points; ++q)
+      if constexpr (materials::is_limited<Law>)
+        reserve[q] = law_.reserve(points[q].deformation_gradient(load(H, n_points, q)));
+      else
+        reserve[q] = L(HUGE_VAL);
   }
 
  private:

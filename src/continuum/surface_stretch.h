@@ -9,15 +9,13 @@
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///
-/// An incompressible neo-Hookean or Mooney–Rivlin half-space loses its smooth shape where it falls to 0.2956, the root
-/// of x³ + x² + 3x = 1 (Biot 1963): waves of every length then grow, the shorter the faster.
+/// A half-space of a law loses its smooth shape where it falls to the law's surface limit (materials/law_limits.h):
+/// waves of every length then grow, the shorter the faster.
 
 #include "continuum/ball_space.h"
 #include "continuum/least_place.h"
 
 namespace pseudorigid::continuum {
-
-inline constexpr double biot_ratio = 0.29559774252208477;
 
 /// The least λ₁/λ_n over the nodes of the free surface, with X there. Collective.
 LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x);

@@ -40,7 +40,7 @@ Json numbers(const std::map<std::string, double>& values) {
 Json to_json(const std::vector<scene::Column>& columns) {
   Json list = Json::array();
   for (const scene::Column& column : columns)
-    list.push_back({{"name", column.name}, {"unit", column.unit}, {"meaning", column.documentation}});
+    list.push_back({{"name", column.name}, {"unit", std::string_view(column.unit)}, {"meaning", column.documentation}});
   return list;
 }
 

@@ -14,6 +14,7 @@
 /// Energies of small strains are computed from H = F − Id without cancellation, J − 1 = tr H + II(H) + det H = δ:
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
+#include "materials/law_limits.h"
 #include "materials/scalar.h"
 #include "materials/strain.h"
 #include "materials/tensor.h"
@@ -22,6 +23,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
+  static constexpr double surface_limit = biot_ratio;  ///< neo-Hookean where volume is preserved
 
   /// W(F); F must have J > 0.
   template <class T>

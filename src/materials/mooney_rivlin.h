@@ -20,6 +20,7 @@ namespace pseudorigid::materials {
 
 struct MooneyRivlin {
   double mu, lambda, b;
+  static constexpr double surface_limit = biot_ratio;
 
   /// W(F); F must have J > 0.
   template <class T>

@@ -4,7 +4,8 @@
 ///
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
-/// The result is symmetric, symplectic if Φ is, and of the order declared by the coefficients.
+/// The result is symmetric, symplectic if Φ is, and of the order declared by the coefficients. Whether Method = auto
+/// may take it, chosen_by_auto, is for the method to say that is made of it.
 
 #include <array>
 #include <cstddef>
@@ -52,7 +53,7 @@ struct Composition {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true, needs_tangent = Base::needs_tangent;
-  static constexpr bool adaptive = false, chosen_by_auto = Base::chosen_by_auto;
+  static constexpr bool adaptive = false;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
   template <class S>
@@ -84,14 +85,17 @@ struct Composition {
 };
 
 struct Rattle4 : Composition<Rattle, Suzuki4> {
+  static constexpr bool chosen_by_auto = true;
   static constexpr const char* name = "rattle-4";
   static constexpr const char* documentation = "RATTLE composed to order 4, 5 forces a step";
 };
 struct Rattle6 : Composition<Rattle, KahanLi6> {
+  static constexpr bool chosen_by_auto = true;
   static constexpr const char* name = "rattle-6";
   static constexpr const char* documentation = "RATTLE composed to order 6, 9 forces a step";
 };
 struct Rattle8 : Composition<Rattle, KahanLi8> {
+  static constexpr bool chosen_by_auto = true;
   static constexpr const char* name = "rattle-8";
   static constexpr const char* documentation = "RATTLE composed to order 8, 17 forces a step";
 };

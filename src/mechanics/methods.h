@@ -16,6 +16,7 @@
 ///   interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -33,6 +34,21 @@ namespace pseudorigid::mechanics {
 /// By rising order within each family.
 using MethodTable =
     std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
+
+/// What every method says of itself; one that leaves a trait out does not compile.
+template <class M>
+concept DeclaresTraits = requires {
+  { M::name } -> std::convertible_to<std::string_view>;
+  { M::documentation } -> std::convertible_to<std::string_view>;
+  { M::order } -> std::convertible_to<int>;
+  { M::symplectic } -> std::convertible_to<bool>;
+  { M::symmetric } -> std::convertible_to<bool>;
+  { M::adaptive } -> std::convertible_to<bool>;
+  { M::chosen_by_auto } -> std::convertible_to<bool>;
+};
+static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTraits<Methods> && ...); }(
+                  static_cast<MethodTable*>(nullptr)),
+              "a method of the table leaves out a trait");
 
 /// Place of a method in the table.
 enum class MethodId : std::size_t {};

@@ -20,8 +20,9 @@ struct SampleTimes {
   double interval() const { return end / static_cast<double>(n_samples); }
   /// Least whole number of steps, none longer than `step`, that fills an interval.
   long steps_per_interval(double step) const {
-    const double n = interval() / step;
-    return std::max(1L, static_cast<long>(std::ceil(n * (1 - 1e-12))));
+    const double n = std::ceil(interval() / step * (1 - 1e-12));
+    constexpr double most = 9e18;  // below the largest long; run_time_loop refuses steps long before
+    return static_cast<long>(std::clamp(n, 1.0, most));
   }
 };
 
@@ -64,6 +65,8 @@ requires(!Method::adaptive) RunResult
     const double t_start = times[cursor.sample], t_end = times[cursor.sample + 1];
     const long n = hooks.steps_per_interval(cursor.sample, state, w);
     const double h = (t_end - t_start) / static_cast<double>(n);
+    if (!(t_end - h < t_end))
+      return fail(Status::failure("the step is shorter than what double precision can tell apart of times"));
     for (; cursor.step < n;) {
       state.t = t_start + static_cast<double>(cursor.step) * h;
       if (Status status = Method::advance(system, h, state, w); !status) return fail(std::move(status));

@@ -8,9 +8,12 @@
 
 #include <Eigen/Core>
 
+#include "mechanics/by_name.h"
+
 namespace pseudorigid::reduced {
 
 struct CenterOfMass {
+  ByName by_name{};
   Eigen::Vector3d position = Eigen::Vector3d::Zero(), velocity = Eigen::Vector3d::Zero();  ///< at time 0
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T

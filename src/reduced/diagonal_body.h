@@ -15,6 +15,7 @@
 #include <cmath>
 
 #include "mechanics/conservative_system.h"
+#include "mechanics/second_order_field.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::reduced {
@@ -28,6 +29,9 @@ class DiagonalBody {
   static constexpr int n_constraints = Body::n_constraints;
 
   explicit DiagonalBody(Body body) : body_(std::move(body)), e_(body_.E0().diagonal()) {}
+
+  bool time_dependent() const { return mechanics::time_dependent(body_); }
+  bool velocity_dependent() const { return mechanics::velocity_dependent(body_); }
 
   mechanics::Status force(double t, const Vector& a, const Vector& adot, Workspace& w, Vector& f) const {
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();

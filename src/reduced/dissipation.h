@@ -10,11 +10,13 @@
 
 #include <Eigen/Dense>
 
+#include "mechanics/by_name.h"
 #include "reduced/reference_body.h"
 
 namespace pseudorigid::reduced {
 
 struct Dissipation {
+  ByName by_name{};
   double viscosity = 0;  ///< η
   double drag = 0;       ///< c
 

@@ -8,6 +8,7 @@
 /// own order: q = [Q | (s, 0, 0)ᵀ], v = [Q̇ | (D, 0, 0)ᵀ].
 
 #include "mechanics/constrained_system.h"
+#include "mechanics/second_order_field.h"
 #include "reduced/dissipation.h"
 
 namespace pseudorigid::reduced {
@@ -22,6 +23,7 @@ class DissipativeBody {
 
   DissipativeBody(Body body, const Dissipation& dissipation) : body_(std::move(body)), dissipation_(dissipation) {}
 
+  bool time_dependent() const { return mechanics::time_dependent(body_); }
   bool velocity_dependent() const { return true; }
   bool dissipative() const { return true; }
 

@@ -100,6 +100,7 @@ EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const Paramet
     SteadyMotion m;
     EquilibriumPoint point;
     mechanics::Status status = motion(p, m);
+    if (status) status = body.admissible(m.A);
     if (status) status = describe_equilibrium(body, m, p, point);
     if (status) {
       if (previous) detail::locate_special_equilibria(body, motion, family, result.points.back().parameter, p, result);

@@ -14,10 +14,12 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <string_view>
 #include <variant>
 
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
+#include "mechanics/by_name.h"
 #include "reduced/reference_body.h"
 #include "reduced/self_gravity.h"
 
@@ -29,19 +31,29 @@ struct PotentialEnergies {
   double total() const { return elastic + gravitational + external; }
 };
 
+/// What acts on the body beside its stored energy; zero leaves any of them out.
+struct PotentialLoads {
+  ByName by_name{};
+  double gravity_constant = 0;                                 ///< G
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
+  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄
+};
+
 class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// `gravity_constant` is G, `quadratic` the symmetric matrix T, `nominal_traction` P̄; zero leaves any of them out.
-  Potential(const materials::AnyLaw& law, const ReferenceBody& body, double gravity_constant = 0,
-            const Eigen::Matrix3d& quadratic = Eigen::Matrix3d::Zero(),
-            const Eigen::Matrix3d& nominal_traction = Eigen::Matrix3d::Zero())
-      : law_(law), body_(body), spherical_(body.shape.isIdentity(0)) {
-    if (gravity_constant != 0) gravity_ = SelfGravity{0.6 * gravity_constant * body.mass * body.mass};
-    if (!quadratic.isZero(0)) quadratic_ = quadratic;
-    if (!nominal_traction.isZero(0)) nominal_traction_ = nominal_traction;
+  Potential(const materials::AnyLaw& law, const ReferenceBody& body, const PotentialLoads& loads = {})
+      : law_(law), limited_(!materials::limit_of(law).empty()), body_(body), spherical_(body.shape.isIdentity(0)) {
+    const double G = loads.gravity_constant;
+    if (G != 0) gravity_ = SelfGravity{0.6 * G * body.mass * body.mass};
+    if (!loads.quadratic.isZero(0)) quadratic_ = loads.quadratic;
+    if (!loads.nominal_traction.isZero(0)) nominal_traction_ = loads.nominal_traction;
   }
+
+  /// As of a law, materials/law_limits.h.
+  bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
+  std::string_view limit() const { return materials::limit_of(law_); }
 
   /// V and ∂V/∂Q per reference volume.
   double energy(const Tensor& Q) const { return energies(materials::to_matrix(Q)).total() / body_.volume; }
@@ -95,6 +107,7 @@ class Potential {
   }
 
   materials::AnyLaw law_;
+  bool limited_;
   ReferenceBody body_;
   std::optional<SelfGravity> gravity_;
   std::optional<Eigen::Matrix3d> quadratic_, nominal_traction_;

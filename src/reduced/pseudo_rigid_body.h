@@ -10,11 +10,13 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <type_traits>
 #include <utility>
 
 #include "materials/eigen_tensor.h"
+#include "materials/law_limits.h"
 #include "materials/scalar.h"
 #include "mechanics/body_observables.h"
 #include "mechanics/conservative_system.h"
@@ -56,7 +58,7 @@ class PseudoRigidBody {
 
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
-    if (const double J = materials::determinant(q); !admissible(J)) return inadmissible(J);
+    if (const double J = materials::determinant(q); !admissible(q, J)) return inadmissible(J);
     materials::to_matrix(-volume_ * density_.stress(q), f);
     return {};
   }
@@ -70,7 +72,7 @@ class PseudoRigidBody {
 
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const double J = materials::determinant(materials::to_tensor(Q));
-    if (!admissible(J)) return inadmissible(J);
+    if (!has_volume(J)) return without_volume(J);
     if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
@@ -80,7 +82,7 @@ class PseudoRigidBody {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) q(i, j) = static_cast<long double>(Q(i, j)) + Q_rounding(i, j);
     const long double J = materials::determinant(q);
-    if (!admissible(static_cast<double>(J))) return inadmissible(static_cast<double>(J));
+    if (!has_volume(static_cast<double>(J))) return without_volume(static_cast<double>(J));
     g = materials::log_near_one(J);
     return {};
   }
@@ -168,6 +170,13 @@ class PseudoRigidBody {
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
+  /// Whether Q is a deformation of this body, and if not why.
+  mechanics::Status admissible(const Vector& Q) const {
+    const Tensor q = materials::to_tensor(Q);
+    const double J = materials::determinant(q);
+    return admissible(q, J) ? mechanics::Status() : inadmissible(J);
+  }
+
   /// As one of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇) and what
   /// dissipation has taken.
   const PseudoRigidBody& body() const { return *this; }
@@ -195,21 +204,27 @@ class PseudoRigidBody {
       const Tensor B = scaled_by_inertia(1, C);
       const double curvature = materials::trace_of_square(materials::transposed_product(C, materials::to_tensor(Qdot)));
       const double s = (curvature + J * materials::dot(C, A)) * (1 / (J * materials::dot(C, B)));
-      if (!admissible(J)) return inadmissible(J);
+      if (!admissible(q, J)) return inadmissible(J);
       if (!std::isfinite(s)) return not_finite();
       materials::to_matrix(materials::entrywise([&](double x, double y) { return s * y - x; }, A, B), a);
     } else {
-      if (!admissible(J)) return inadmissible(J);
+      if (!admissible(q, J)) return inadmissible(J);
       materials::to_matrix(-1.0 * A, a);
     }
     return {};
   }
 
-  static bool admissible(double J) { return J > 0 && std::isfinite(J); }
+  static bool has_volume(double J) { return J > 0 && std::isfinite(J); }
+  bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
   /// Apart from the steps' path: a message costs more than a right-hand side.
-  [[gnu::cold, gnu::noinline]] static mechanics::Status inadmissible(double J) {
-    return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
-                                      std::to_string(J));
+  [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
+    char text[100];
+    std::snprintf(text, sizeof text, "the body has been turned inside out or is not finite: det Q = %.6g", J);
+    return mechanics::Status::failure(text);
+  }
+  [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(double J) const {
+    if (!has_volume(J)) return without_volume(J);
+    return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(density_)));
   }
   [[gnu::cold, gnu::noinline]] static mechanics::Status not_finite() {
     return mechanics::Status::failure("the acceleration of the body is not finite");

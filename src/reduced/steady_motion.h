@@ -17,7 +17,10 @@
 #include <cmath>
 #include <concepts>
 
+#include "materials/eigen_tensor.h"
+#include "materials/law_limits.h"
 #include "mechanics/body_observables.h"
+#include "mechanics/status.h"
 
 namespace pseudorigid::reduced {
 
@@ -40,6 +43,11 @@ struct IsotropicBody {
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& A) const { return potential.gradient(A) / m_bar; }
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
     return potential.second_derivative(A, H) / m_bar;
+  }
+  /// Whether the law of the material admits A.
+  mechanics::Status admissible(const Eigen::Matrix3d& A) const {
+    if (materials::admits(potential, materials::to_tensor(A))) return {};
+    return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(potential)));
   }
 };
 template <class V>

@@ -11,12 +11,15 @@
 #include <vector>
 
 #include "scene/entry_kinds.h"
+#include "scene/unit.h"
 
 namespace pseudorigid::scene {
 
-/// Path ("Section/Entry"), unit in words ("" for none) and documentation in full sentences.
+/// Path ("Section/Entry"), unit and documentation in full sentences.
 struct About {
-  std::string_view path, unit, documentation;
+  std::string_view path;
+  Unit unit;
+  std::string_view documentation;
 };
 
 /// A kind of values (entry_kinds.h) that a text can have, whatever the type of the value: the text itself, in its
@@ -60,7 +63,8 @@ struct SystemEntry {
 /// A column of a system's CSV file; `time` comes first in every file and is not listed.
 struct Column {
   std::string name;
-  std::string_view unit, documentation;
+  Unit unit;
+  std::string_view documentation;
 };
 
 struct Scene;
@@ -76,7 +80,9 @@ struct SystemDescription {
   std::string_view section;        ///< its subsection
   std::string_view documentation;  ///< a sentence for people
   std::vector<SystemEntry> entries;
-  std::vector<Column> columns;
+  std::vector<Column> columns;  ///< of a scene of defaults
+  /// Those of a scene, whose number may depend on its values.
+  std::function<std::vector<Column>(const Scene&)> columns_of;
   bool has_equilibria = false;  ///< Analysis = equilibrium is offered
   /// What is wrong with a scene of this system, if anything, beyond each entry's own range.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
@@ -90,7 +96,7 @@ struct NamedMethod {
 struct Catalogue {
   std::vector<NamedMethod> methods;
   std::vector<SystemDescription> systems;
-  /// Why a method cannot run the ball of a scene, if it cannot.
+  /// Why a method, or the law of the material, cannot run the ball of a scene, if it cannot.
   std::function<std::optional<Refusal>(const Scene&)> refuses_ball{};
   /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
   std::vector<Column> equilibria{};

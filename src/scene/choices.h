@@ -15,9 +15,10 @@ inline constexpr Choice<Analysis, 3> analysis_kind{{{
     {"equilibrium", Analysis::equilibrium},
 }}};
 /// The names are those of the laws' own table, materials/law_table.h.
-inline constexpr Choice<Law, 7> law_kind{{{
+inline constexpr Choice<Law, 8> law_kind{{{
     {"neo-hookean", Law::neo_hookean},
     {"mooney-rivlin", Law::mooney_rivlin},
+    {"gent", Law::gent},
     {"ciarlet-geymonat", Law::ciarlet_geymonat},
     {"ciarlet-geymonat (as printed)", Law::ciarlet_geymonat_as_printed},
     {"saint-venant-kirchhoff", Law::saint_venant_kirchhoff},

@@ -70,7 +70,7 @@ void visit_body(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_material(S& scene, Visit& visit) {
-  auto& [law, shear_modulus, lame_lambda, mooney_fraction] = scene.material;
+  auto& [law, shear_modulus, lame_lambda, mooney_fraction, gent_limit] = scene.material;
   visit(
       law, law_kind,
       About{
@@ -80,6 +80,7 @@ void visit_material(S& scene, Visit& visit) {
           "a constant where volume is preserved. "
           "neo-hookean and ciarlet-geymonat: (mu/2) (I - 3 - 2 ln J) + B. "
           "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
+          "gent: -(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, with J_m the Gent limit. "
           "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
           "compression. none: W = 0, a fluid, for the reduced model. As Oliva prints them (5.7.9): "
           "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
@@ -89,13 +90,17 @@ void visit_material(S& scene, Visit& visit) {
               "Shear modulus at rest; sqrt(shear modulus/density) is the speed c. The law none does not use it."});
   visit(lame_lambda, positive,
         About{"Material/Lame lambda", "pressure",
-              "First Lame modulus at rest, the resistance to a change of volume (mooney-rivlin has 2 b mu more, "
-              "ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
+              "First Lame modulus at rest, the resistance to a change of volume (mooney-rivlin has 2 b mu more, gent "
+              "2 mu/J_m, ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
               "saint-venant-kirchhoff depend on it."});
   visit(mooney_fraction, Number{0, 1},
         About{"Material/Mooney fraction", "",
               "b of mooney-rivlin, the part of the shear modulus that comes with II; 0 is neo-hookean. Other laws "
               "ignore it."});
+  visit(gent_limit, positive,
+        About{"Material/Gent limit", "",
+              "J_m of gent, the value of I - 3 that no deformation reaches: a motion that does is stopped. The larger, "
+              "the nearer to neo-hookean. Other laws ignore it."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -108,7 +113,7 @@ void visit_loads(S& scene, Visit& visit) {
         About{"Material/Drag", "1/time",
               "c of the force -c (density) (velocity) per volume; it damps every motion, rigid ones as well."});
   visit(scene.gravity_constant, not_negative,
-        About{"Gravity/Constant", "length^3/(mass*time^2)",
+        About{"Gravity/Constant", "length^3/mass/time^2",
               "Newton's constant G: the body attracts itself. 0: it does not."});
   visit(scene.loads.quadratic, Matrix{},
         About{"Loads/Tidal matrix", "1/time^2",

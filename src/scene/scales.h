@@ -6,10 +6,14 @@
 /// that is r/c with c = √(μ/ρ) without self-gravity, and the free-fall time of a fluid. What has neither stiffness nor
 /// gravity takes the rate of its loads, of its motion, or of nothing but the length of the run.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "scene/catalogue.h"
 #include "scene/matrix3.h"
 #include "scene/scene.h"
 
@@ -37,6 +41,16 @@ inline double time_scale(const Scene& scene) {
   if (rate > 0) return 1 / rate;
   const double motion = largest_entry(scene.initial_state.velocity);
   return motion > 0 ? 1 / motion : scene.time.end;
+}
+
+/// A motion so long that the round-off of its time is longer than what happens in it.
+inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
+  const double longest = 1e15 * time_unit;
+  if (end <= longest) return {};
+  return Refusal{"Time/End",
+                 fmt::format("expected at most {:.3g}, 1e15 of the scene's own unit of time, got {}; beyond "
+                             "that double precision cannot tell times apart",
+                             longest, print_number(end))};
 }
 
 }  // namespace pseudorigid::scene

@@ -21,6 +21,7 @@ enum class Analysis { motion, modes, equilibrium };
 enum class Law {
   neo_hookean,
   mooney_rivlin,
+  gent,
   ciarlet_geymonat,
   ciarlet_geymonat_as_printed,
   saint_venant_kirchhoff,
@@ -84,7 +85,7 @@ struct Scene {
   } body;
   struct Material {
     Law law = Law::neo_hookean;
-    double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5;
+    double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5, gent_limit = 10;
   } material;
   struct Dissipation {
     double viscosity = 0, drag = 0;

@@ -25,6 +25,10 @@ constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 constexpr double largest_axis = 1e6;
 constexpr double round_off = 8 * std::numeric_limits<double>::epsilon();
 
+/// The fastest systems take a tenth of a microsecond a step, so that this is a day. Times are told apart up to 2⁵²
+/// steps.
+constexpr double most_steps = 1e12;
+
 constexpr const char* deformation_path = "Initial state/Deformation";
 constexpr const char* mesh_path = "Continuum/Mesh";
 constexpr const char* velocity_path = "Initial state/Velocity";
@@ -55,6 +59,8 @@ class Validator {
 
  private:
   void check_ball() {
+    if (scene_.analysis == Analysis::motion)
+      if (const auto refusal = refuses_duration(scene_.time.end, time_unit())) refuse(refusal->path, refusal->sentence);
     check_problem();
     check_reference_body();
     check_loads();
@@ -67,6 +73,7 @@ class Validator {
       scene_.initial_state.velocity = isochoric_velocity();
     }
     if (scene_.models.continuum) check_symmetry();
+    check_models();
   }
 
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
@@ -131,6 +138,10 @@ class Validator {
           fmt::format("with radius {}, density {} and shear modulus {} the body's inertia, stiffness or time scale is "
                       "not a representable number; choose units nearer to the size of the body",
                       print_number(radius), print_number(density), print_number(scene_.material.shear_modulus)));
+  }
+
+  /// What the models themselves have to say of a scene that is sound.
+  void check_models() const {
     if (const auto& refuses = catalogue_of(scene_).refuses_ball)
       if (const auto refusal = refuses(scene_)) refuse(refusal->path, refusal->sentence);
   }
@@ -246,9 +257,19 @@ class Validator {
 
   void check_time() const {
     const auto& time = scene_.time;
+    if (scene_.analysis != Analysis::motion) return;
+    if (!std::isnormal(time.end / scene_.output.samples))
+      refuse("Time/End", fmt::format("expected an end that Output/Samples = {} can divide, got {}",
+                                     scene_.output.samples, print_number(time.end)));
     if (time.step && *time.step > time.end)
       refuse("Time/Step", fmt::format("expected a step not longer than Time/End = {}, got {}", print_number(time.end),
                                       print_number(*time.step)));
+    if (time.step && time.end / *time.step > most_steps)
+      refuse("Time/Step",
+             fmt::format("a run until Time/End = {} would take {:.3g} steps; expected at most {:.0g} of them, "
+                         "that is a step of at least {:.3g}, got {}",
+                         print_number(time.end), time.end / *time.step, most_steps, time.end / most_steps,
+                         print_number(*time.step)));
   }
 
   void check_output() const {

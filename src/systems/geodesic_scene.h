@@ -87,16 +87,17 @@ struct GeodesicScene {
   std::vector<Column> columns() const {
     const bool lengths = surface == Surface::paraboloid, embedded = surface != Surface::hyperbolic_plane;
     std::vector<Column> columns{
-        {"q1", lengths ? "length" : "", "first coordinate: theta, w or x"},
-        {"q2", lengths ? "length" : "", "second coordinate: phi, u or y; full turns are counted"},
-        {"q1_dot", lengths ? "length/time" : "1/time", "rate of the first coordinate"},
-        {"q2_dot", lengths ? "length/time" : "1/time", "rate of the second coordinate"}};
+        {"q1", lengths ? Unit("length") : Unit(), "first coordinate: theta, w or x"},
+        {"q2", lengths ? Unit("length") : Unit(), "second coordinate: phi, u or y; full turns are counted"},
+        {"q1_dot", lengths ? Unit("length/time") : Unit("1/time"), "rate of the first coordinate"},
+        {"q2_dot", lengths ? Unit("length/time") : Unit("1/time"), "rate of the second coordinate"}};
     if (embedded)
       columns.insert(columns.end(), {{"x", "length", "position in space (not for the hyperbolic plane)"},
                                      {"y", "length", "position in space"},
                                      {"z", "length", "position in space"}});
-    columns.push_back({"speed", embedded ? "length/time" : "1/time", "length of the velocity, constant on geodesics"});
-    columns.push_back({"clairaut", embedded ? "length^2/time" : "1/time",
+    columns.push_back(
+        {"speed", embedded ? Unit("length/time") : Unit("1/time"), "length of the velocity, constant on geodesics"});
+    columns.push_back({"clairaut", embedded ? Unit("length^2/time") : Unit("1/time"),
                        "scalar product of the velocity with the rotation about the axis (hyperbolic plane: with the "
                        "translation along x), constant where that is a symmetry"});
     return columns;

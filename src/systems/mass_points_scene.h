@@ -108,7 +108,7 @@ struct MassPointsScene {
     std::vector<Column> columns;
     add_point_columns(columns, "", "length", "position of point 1; every point i has its xi, yi, zi");
     add_point_columns(columns, "v", "length/time", "velocity of point 1; every point i has its vxi, vyi, vzi");
-    const std::string_view energy = "mass*length^2/time^2", momentum = "mass*length/time";
+    const Unit energy = "mass*length^2/time^2", momentum = "mass*length/time";
     columns.insert(columns.end(), {{"kinetic", energy, "kinetic energy"},
                                    {"potential", energy, "potential energy of all forces that have one"},
                                    {"energy", energy, "their sum"},
@@ -187,13 +187,13 @@ struct MassPointsScene {
   }
   bool at_one_place(int i, int j) const { return points(positions).col(i) == points(positions).col(j); }
 
-  void add_point_columns(std::vector<Column>& columns, const std::string& prefix, std::string_view unit,
+  void add_point_columns(std::vector<Column>& columns, const std::string& prefix, Unit unit,
                          std::string_view of_first) const {
     for (std::size_t i = 1; i <= n(); ++i)
       for (const char* axis : {"x", "y", "z"})
         columns.push_back({fmt::format("{}{}{}", prefix, axis, i), unit, i == 1 ? of_first : "as for point 1"});
   }
-  static void add_components(std::vector<Column>& columns, const std::string& prefix, std::string_view unit,
+  static void add_components(std::vector<Column>& columns, const std::string& prefix, Unit unit,
                              std::string_view documentation) {
     for (int k = 1; k <= 3; ++k) columns.push_back({fmt::format("{}{}", prefix, k), unit, documentation});
   }

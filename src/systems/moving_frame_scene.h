@@ -83,7 +83,7 @@ struct MovingFrameScene {
 
   std::vector<Column> columns() const {
     std::vector<Column> columns;
-    const auto vector = [&](const std::string& prefix, std::string_view unit, std::string_view documentation) {
+    const auto vector = [&](const std::string& prefix, Unit unit, std::string_view documentation) {
       for (const char* axis : {"x", "y", "z"}) columns.push_back({prefix + axis, unit, documentation});
     };
     vector("relative_", "length", "position in the frame");

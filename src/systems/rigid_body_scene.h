@@ -38,10 +38,10 @@ class BodyObserver {
     for (int i = 1; i <= 3; ++i)
       for (int j = 1; j <= 3; ++j)
         columns.push_back({fmt::format("R{}{}", i, j), "", "rotation: the body point X is at R X, plus x if free"});
-    const auto add = [&](const char* letter, std::string_view unit, std::string_view documentation) {
+    const auto add = [&](const char* letter, Unit unit, std::string_view documentation) {
       for (int i = 1; i <= 3; ++i) columns.push_back({fmt::format("{}{}", letter, i), unit, documentation});
     };
-    const std::string_view energy = "mass*length^2/time^2", momentum = "mass*length^2/time";
+    const Unit energy = "mass*length^2/time^2", momentum = "mass*length^2/time";
     add("Omega", "1/time", "angular velocity in the body");
     add("omega", "1/time", "angular velocity in space, R Omega");
     columns.insert(
@@ -60,7 +60,8 @@ class BodyObserver {
   }
 
   void append(const BodyMotion& motion, std::vector<double>& row) const {
-    const auto& [R, Omega, x, velocity] = motion;
+    const Eigen::Matrix3d& R = motion.R;
+    const Eigen::Vector3d &Omega = motion.Omega, &x = motion.x, &velocity = motion.velocity;
     const Eigen::Vector3d P = A_ * Omega, omega = R * Omega;
     Eigen::Vector3d p = R * P;
     double K = 0.5 * Omega.dot(P);

@@ -1,7 +1,7 @@
 #pragma once
 /// The sizes that a scene can have. Products of a few numbers between 10⁻¹⁰⁰ and 10¹⁰⁰ still are numbers, so a scene is
 /// sound if its scales and, in these scales, its entries and its initial state lie there or are zero, and the units of
-/// its columns are finite. A motion may last 10¹⁵ of its units of time.
+/// its columns are finite.
 
 #include <fmt/format.h>
 
@@ -66,17 +66,6 @@ std::optional<Refusal> refuses_sizes(SystemScene system) {
   return Refusal{path, fmt::format("expected numbers whose sizes, in units of the scene itself, are between {:g} and "
                                    "{:g}, got {}",
                                    1 / detail::largest_size, detail::largest_size, scene::print_number(farthest))};
-}
-
-/// A motion so long that the round-off of its time is longer than what happens in it.
-template <class SystemScene>
-std::optional<Refusal> refuses_duration(const SystemScene& system, double end) {
-  const double longest = 1e15 * system.scales().time;
-  if (end <= longest) return {};
-  return Refusal{"Time/End",
-                 fmt::format("expected at most {:.3g}, 1e15 of the scene's own unit of time, got {}; beyond "
-                             "that double precision cannot tell times apart",
-                             longest, scene::print_number(end))};
 }
 
 }  // namespace pseudorigid::systems

@@ -13,8 +13,8 @@
 ///     template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
 ///   };
 ///
-/// Units are words ("mass*length^2/time"). Entries are divided by theirs before a model is made, and columns multiplied
-/// by theirs on the way to the file, so a system never sees the user's units.
+/// Units are words ("mass*length^2/time", scene/unit.h). Entries are divided by theirs before a model is made, and
+/// columns multiplied by theirs on the way to the file, so a system never sees the user's units.
 ///
 ///   struct Model {
 ///     System system;  State<System> initial;
@@ -40,32 +40,29 @@ namespace pseudorigid::systems {
 using scene::About;
 using scene::Column;
 using scene::Refusal;
+using scene::Unit;
 
 /// Units of length, mass and time, in the user's.
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// The unit of a quantity of this dimension: words `length`, `mass`, `time` with whole powers, joined by `*` and `/`.
-  /// Anything else (radians, nothing) is dimensionless.
-  double operator()(std::string_view dimension) const {
-    double unit = 1;
-    bool divide = false;
-    for (std::size_t i = 0; i < dimension.size();) {
-      const std::size_t end = std::min(dimension.find_first_of("*/", i), dimension.size());
-      unit *= std::pow(factor(dimension.substr(i, end - i)), divide ? -1 : 1);
-      divide = end < dimension.size() && dimension[end] == '/';
-      i = end + 1;
-    }
-    return unit;
+  /// What a quantity of this unit is divided by on its way into the scales.
+  double operator()(scene::Unit unit) const {
+    double product = 1;
+    unit.visit([&](std::string_view word, int power) {
+      const double size = std::pow(factor(word), std::abs(power));
+      product *= power < 0 ? 1 / size : size;
+    });
+    return product;
   }
 
  private:
   double factor(std::string_view word) const {
-    const std::size_t caret = word.find('^');
-    const int power = caret == std::string_view::npos ? 1 : std::atoi(std::string(word.substr(caret + 1)).c_str());
-    const std::string_view base = word.substr(0, caret);
-    const double unit = base == "length" ? length : base == "mass" ? mass : base == "time" ? time : 1.0;
-    return std::pow(unit, power);
+    if (word == "length") return length;
+    if (word == "mass") return mass;
+    if (word == "time") return time;
+    if (word == "pressure") return mass / (length * time * time);
+    return 1;  // "radius", of entries that are multiples of the body's own radius, and "1"
   }
 };
 

@@ -41,6 +41,17 @@ TEST(ComparisonReport, SentenceOfEqualMotions) {
             "The two balls pulsate with the same frequency to within 1e-10 %; their deformations are identical.");
 }
 
+/// A frequency that is known to a fifth only says nothing of equality.
+TEST(ComparisonReport, SentenceOfFrequenciesThatAreHardlyKnown) {
+  Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
+  c.ratio->uncertainty = 0.2;
+  EXPECT_TRUE(contains(summary_sentence(c),
+                       "The run is too short to tell the frequencies of the two balls apart: they are known to 20 %"))
+      << summary_sentence(c);
+  c.ratio->value = 1.9;
+  EXPECT_TRUE(contains(summary_sentence(c), "pulsates 90 +- 20 % faster")) << summary_sentence(c);
+}
+
 TEST(ComparisonReport, SentenceWithoutPulsation) {
   const Motion still = pulsation(1, 0);
   EXPECT_EQ(sentence(still, still), "Neither ball moves; their deformations are identical.");

@@ -156,10 +156,10 @@ class PseudoRigid(StoppedRunTest):
         self.refuse({**sweep, "Sweep/Parameters": "2l: 1, 2"}, "Sweep/Parameters")
         self.refuse({**sweep, "Material/Shear modulus": "$(m)"}, "Material/Shear modulus", "cannot be evaluated")
         self.refuse({**sweep, "Material/Shear modulus": "$(1/(l-1))"}, "not a finite number")
-        self.refuse({**sweep, "Material/Shear modulus": "$(1.5-l)"}, "number > 0", "run 2 of the sweep", "l = 1.5")
+        self.refuse({**sweep, "Material/Shear modulus": "$(1.5-l)"}, "number > 0", "run 3 of the sweep", "l = 2")
         self.refuse({**sweep, "Material/Shear modulus": "$(l"}, "no closing parenthesis")
         self.refuse({**sweep, "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0",
-                     "Initial state/Deformation": "$(l), 0, 0; 0, 1, 0; 0, 0, 1"}, "det", "run 2 of the sweep")
+                     "Initial state/Deformation": "$(l), 0, 0; 0, 1, 0; 0, 0, 1"}, "det", "run 3 of the sweep")
 
     def test_expressions_without_a_sweep(self):
         self.run_scene({**BALL, "Initial state/Deformation": "$(5/4), 0, 0; 0, 1, 0; 0, 0, $(4/5)"}, name="expressed")

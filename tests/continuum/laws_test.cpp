@@ -16,7 +16,7 @@ using continuum::Vector;
 
 class LawInTheContinuum : public ::testing::TestWithParam<materials::NamedLaw> {
  protected:
-  const materials::AnyLaw law = GetParam().make({1.3, 0.8, true, 0.3});
+  const materials::AnyLaw law = GetParam().make({.shear_modulus = 1.3, .lame_lambda = 0.8, .mooney_fraction = 0.3});
   const ElasticBall ball{whole, 3, 0, law};
   std::mt19937 generator{11};
 

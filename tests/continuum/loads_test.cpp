@@ -25,8 +25,9 @@ auto twin_of(const Ball& ball, const materials::AnyLaw& law, const BallLoads& lo
   const reduced::ReferenceBody reference{ball.E0(), ball.volume(), ball.mass()};
   using Body = reduced::PseudoRigidBody<reduced::Potential, incompressible<Ball>>;
   return reduced::DissipativeBody<Body>(
-      {reduced::Potential(law, reference, 0, loads.quadratic, loads.nominal_traction), reference},
-      {loads.viscosity, loads.drag});
+      {reduced::Potential(law, reference, {.quadratic = loads.quadratic, .nominal_traction = loads.nominal_traction}),
+       reference},
+      {.viscosity = loads.viscosity, .drag = loads.drag});
 }
 
 template <class Ball>
@@ -65,7 +66,11 @@ class LoadedTwin : public ::testing::Test {
     const auto o = observed(ball, state, {.multiplier = false});
     mechanics::ReducedObservables of_twin;
     ASSERT_TRUE(reduced::observe(twin, twin_state, twin_workspace, {.multiplier = false}, of_twin));
-    const reduced::CenterOfMass at_center{center, velocity, loads.acceleration, loads.quadratic, loads.drag};
+    const reduced::CenterOfMass at_center{.position = center,
+                                          .velocity = velocity,
+                                          .acceleration = loads.acceleration,
+                                          .quadratic = loads.quadratic,
+                                          .drag = loads.drag};
     EXPECT_NEAR(o.elastic, of_twin.elastic, tolerance * (1 + std::abs(of_twin.elastic)));
     EXPECT_NEAR(o.external, of_twin.external + ball.mass() * at_center.potential({center, velocity}), tolerance * 10);
     EXPECT_NEAR(o.kinetic, of_twin.kinetic + 0.5 * ball.mass() * velocity.squaredNorm(), tolerance * 10);
@@ -91,7 +96,10 @@ TYPED_TEST(LoadedTwin, EveryLawUnderEachLoadAndAllOfThem) {
                              all};
   for (const auto& law : materials::law_table) {
     if (law.name == "none") continue;
-    const materials::AnyLaw made = law.make({1.3, 0.8, incompressible<TypeParam>, 0.3});
+    const materials::AnyLaw made = law.make({.shear_modulus = 1.3,
+                                             .lame_lambda = 0.8,
+                                             .incompressible = incompressible<TypeParam>,
+                                             .mooney_fraction = 0.3});
     for (const BallLoads& loads : cases) {
       SCOPED_TRACE(law.name);
       const TypeParam ball(whole, 2, 0, made, loads);

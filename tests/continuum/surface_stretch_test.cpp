@@ -65,7 +65,7 @@ TEST(LeastPlace, OfSymmetricPlacesIsTheGreatest) {
 }
 
 TEST(SurfaceStretch, TheLimitIsTheRootOfBiotsEquation) {
-  const double x = continuum::biot_ratio;
+  const double x = materials::biot_ratio;
   EXPECT_NEAR(x * x * x + x * x + 3 * x - 1, 0, 1e-15);
 }
 

@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 using Real = Tensor<double>;
 __extension__ typedef __float128 Quad;
 
-constexpr double mu = 1.3, lambda = 0.8, b = 0.3;
+constexpr double mu = 1.3, lambda = 0.8, b = 0.3, J_m = 20;
 
 /// ln x = 2 artanh((x − 1)/(x + 1)), brought near 1 by factors of two.
 Quad log_of(Quad x) {
@@ -39,6 +39,10 @@ Quad definition(std::string_view name, bool incompressible, Quad I, Quad II, Qua
   if (name == "mooney-rivlin")
     return mu / 2 * ((1 - Quad(b)) * (I - 3) + b * (II - 3)) - mu * (1 + Quad(b)) * log_of(III) / 2 +
            own_bulk / 4 * bulk;
+  if (name == "gent") {
+    const Quad rest = 1 - (I - 3) / Quad(J_m);
+    return -mu / 2 * Quad(J_m) * log_of(rest) - mu * log_of(III) / 2 + own_bulk / 4 * bulk;
+  }
   if (name == "saint-venant-kirchhoff")
     return Quad(lambda) / 8 * (I - 3) * (I - 3) + Quad(mu) / 4 * (I * I - 2 * II - 2 * I + 3);
   if (name == "saint-venant-kirchhoff (as printed)") return Quad(lambda) / 2 * (I - 3) * (I - 3) + mu * (I - 3);
@@ -57,7 +61,13 @@ Quad definition(std::string_view name, bool incompressible, const Real& F) {
 struct Case {
   NamedLaw entry;
   bool incompressible;
-  AnyLaw law() const { return entry.make({mu, lambda, incompressible, b}); }
+  AnyLaw law() const {
+    return entry.make({.shear_modulus = mu,
+                       .lame_lambda = lambda,
+                       .incompressible = incompressible,
+                       .mooney_fraction = b,
+                       .gent_limit = J_m});
+  }
 };
 class EveryLaw : public ::testing::TestWithParam<Case> {
  protected:

@@ -35,6 +35,32 @@ TEST(SampleTimes, StepIsAnUpperBoundAndNotCutWithoutNeed) {
   }
 }
 
+/// Steps beyond the range of whole numbers are not cut down to one, and steps that time does not resolve are refused.
+TEST(TimeLoop, StepsBelowTheResolutionOfTimeAreRefused) {
+  EXPECT_GT((SampleTimes{10, 10}.steps_per_interval(1e-300)), 1'000'000'000'000'000'000);
+  mechanics::State<SphericalPendulum> state = SphericalPendulum::swinging();
+  Cursor cursor;
+  RattleWorkspace<SphericalPendulum> workspace{SphericalPendulum{}};
+  struct Hooks {
+    mechanics::Status sample(long, const mechanics::State<SphericalPendulum>&,
+                             const RattleWorkspace<SphericalPendulum>&) {
+      return {};
+    }
+    long steps_per_interval(long, const mechanics::State<SphericalPendulum>&,
+                            const RattleWorkspace<SphericalPendulum>&) const {
+      return SampleTimes{10, 10}.steps_per_interval(1e-18);
+    }
+    bool step_done(Cursor, const mechanics::State<SphericalPendulum>&,
+                   const RattleWorkspace<SphericalPendulum>&) const {
+      return true;
+    }
+  } hooks;
+  const auto result =
+      mechanics::run_time_loop<mechanics::Rattle>(SphericalPendulum{}, {10, 10}, state, cursor, workspace, hooks);
+  EXPECT_EQ(result.outcome, Outcome::failed);
+  EXPECT_EQ(result.reason, "the step is shorter than what double precision can tell apart of times");
+}
+
 TEST(TimeLoop, SamplesAreAtTheirTimesExactly) {
   const auto r = run<mechanics::Rattle4>(SphericalPendulum{}, SphericalPendulum::swinging(), 10.0 / 3, 7, 3);
   ASSERT_EQ(r.states.size(), 8u);

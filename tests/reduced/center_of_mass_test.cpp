@@ -25,15 +25,15 @@ void expect_motion(const CenterOfMass::Motion& m, const Vector3d& x, const Vecto
 }
 
 TEST(CenterOfMass, FallsFreely) {
-  const CenterOfMass c{x0, v0, b};
+  const CenterOfMass c{.position = x0, .velocity = v0, .acceleration = b};
   for (const double t : times) expect_motion(c.at(t), x0 + t * v0 + t * t / 2 * b, v0 + t * b, 1e-15);
-  expect_motion(CenterOfMass{x0, v0}.at(1e6), x0 + 1e6 * v0, v0, 1e-15);
+  expect_motion(CenterOfMass{.position = x0, .velocity = v0}.at(1e6), x0 + 1e6 * v0, v0, 1e-15);
 }
 
 /// T = ω² Id: x = x_e + (x₀ − x_e) cos ωt + v₀ sin ωt/ω about x_e = b/ω²; long times too.
 TEST(CenterOfMass, OscillatesInATrap) {
   const double w = 1.3;
-  const CenterOfMass c{x0, v0, b, w * w * Matrix3d::Identity()};
+  const CenterOfMass c{.position = x0, .velocity = v0, .acceleration = b, .quadratic = w * w * Matrix3d::Identity()};
   const Vector3d x_e = b / (w * w);
   for (const double t : {0.0, 0.1, 1.0, 3.7, -2.0, 100.0}) {
     const double cosine = std::cos(w * t), sine = std::sin(w * t);
@@ -44,7 +44,7 @@ TEST(CenterOfMass, OscillatesInATrap) {
 /// T = −σ² Id: cosh and sinh.
 TEST(CenterOfMass, LeavesAnUnstableEquilibriumExponentially) {
   const double s = 0.9;
-  const CenterOfMass c{x0, v0, Vector3d::Zero(), -s * s * Matrix3d::Identity()};
+  const CenterOfMass c{.position = x0, .velocity = v0, .quadratic = -s * s * Matrix3d::Identity()};
   for (const double t : {0.0, 0.1, 1.0, 3.7, -2.0, 20.0}) {
     const double C = std::cosh(s * t), S = std::sinh(s * t);
     expect_motion(c.at(t), x0 * C + v0 * S / s, v0 * C + s * x0 * S, 1e-12);
@@ -55,7 +55,7 @@ TEST(CenterOfMass, LeavesAnUnstableEquilibriumExponentially) {
 /// Drag alone: x = x₀ + b t/c + (v₀ − b/c)(1 − e^{−ct})/c.
 TEST(CenterOfMass, IsStoppedByDrag) {
   const double drag = 0.4;
-  const CenterOfMass c{x0, v0, b, Matrix3d::Zero(), drag};
+  const CenterOfMass c{.position = x0, .velocity = v0, .acceleration = b, .drag = drag};
   for (const double t : times) {
     const double decay = std::exp(-drag * t);
     const Vector3d v_end = b / drag, lost = v0 - v_end;
@@ -67,7 +67,7 @@ TEST(CenterOfMass, IsStoppedByDrag) {
 TEST(CenterOfMass, DampedOscillation) {
   const double drag = 2;
   const Vector3d w_squared(4, 1, 0.25);
-  const CenterOfMass c{x0, v0, Vector3d::Zero(), w_squared.asDiagonal(), drag};
+  const CenterOfMass c{.position = x0, .velocity = v0, .quadratic = w_squared.asDiagonal(), .drag = drag};
   for (const double t : times) {
     const double d = drag / 2, decay = std::exp(-d * t), under = std::sqrt(3.0), over = std::sqrt(0.75);
     const Vector3d C(std::cos(under * t), 1, std::cosh(over * t));
@@ -97,7 +97,7 @@ TEST(CenterOfMass, IsTheIntegralOfItsLaw) {
   Matrix3d T;
   T << 1.2, 0.3, -0.1, 0.3, -0.2, 0.2, -0.1, 0.2, 0.7;
   ASSERT_LT(T.determinant(), 0);
-  const CenterOfMass c{x0, v0, b, T, 0.3};
+  const CenterOfMass c{.position = x0, .velocity = v0, .acceleration = b, .quadratic = T, .drag = 0.3};
   const mechanics::VectorState<Vector3d> start{0, x0, v0};
   for (const auto& s : integrate_samples(Field{c}, start, 10, 40)) expect_motion(c.at(s.t), s.q, s.v, 1e-11);
 }
@@ -110,7 +110,9 @@ TEST(CenterOfMass, Energies) {
     const auto m = c.at(t);
     return CenterOfMass::kinetic(m) + c.potential(m);
   };
-  const CenterOfMass free{x0, v0, b}, trapped{x0, v0, b, T}, dragged{x0, v0, b, T, 0.3};
+  const CenterOfMass free{.position = x0, .velocity = v0, .acceleration = b},
+      trapped{.position = x0, .velocity = v0, .acceleration = b, .quadratic = T},
+      dragged{.position = x0, .velocity = v0, .acceleration = b, .quadratic = T, .drag = 0.3};
   for (const double t : times) {
     EXPECT_NEAR(energy(free, t), energy(free, 0), 1e-11);
     EXPECT_NEAR(energy(trapped, t), energy(trapped, 0), 1e-11);

@@ -31,7 +31,9 @@ void for_each_potential(const Check& check) {
   for (const auto& reference : reference_bodies())
     for (const auto& [name, law] : laws(false)) {
       SCOPED_TRACE(name);
-      check(Potential(law, reference, G, generic_quadratic(), generic_traction()));
+      check(
+          Potential(law, reference,
+                    {.gravity_constant = G, .quadratic = generic_quadratic(), .nominal_traction = generic_traction()}));
     }
 }
 
@@ -98,10 +100,10 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
   std::mt19937 generator(5);
   for (const auto& reference : reference_bodies()) {
     const Matrix3d Q = random_deformation(generator), T = generic_quadratic();
-    const auto all = Potential(Law{1, 3}, reference, G, T).energies(Q);
+    const auto all = Potential(Law{1, 3}, reference, {.gravity_constant = G, .quadratic = T}).energies(Q);
     const auto elastic = Potential(Law{1, 3}, reference).energies(Q);
-    const auto gravity = Potential(materials::Fluid{}, reference, G).energies(Q);
-    const auto external = Potential(materials::Fluid{}, reference, 0, T).energies(Q);
+    const auto gravity = Potential(materials::Fluid{}, reference, {.gravity_constant = G}).energies(Q);
+    const auto external = Potential(materials::Fluid{}, reference, {.quadratic = T}).energies(Q);
     EXPECT_EQ(all.elastic, elastic.elastic);
     EXPECT_EQ(all.gravitational, gravity.gravitational);
     EXPECT_EQ(all.external, external.external);
@@ -110,8 +112,8 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
                               external.elastic, external.gravitational})
       EXPECT_EQ(part, 0);
     EXPECT_DOUBLE_EQ(all.total(), all.elastic + all.gravitational + all.external);
-    EXPECT_TRUE(Potential(Law{1, 3}, reference, G, T).has_external());
-    EXPECT_FALSE(Potential(Law{1, 3}, reference, G).has_external());
+    EXPECT_TRUE(Potential(Law{1, 3}, reference, {.gravity_constant = G, .quadratic = T}).has_external());
+    EXPECT_FALSE(Potential(Law{1, 3}, reference, {.gravity_constant = G}).has_external());
   }
 }
 
@@ -119,7 +121,7 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
 TEST(Potential, GravityOfASphere) {
   const double R = 1.7, volume = 4 * std::numbers::pi / 3;
   const auto energy = [](const ReferenceBody& reference, const Matrix3d& Q) {
-    return Potential(materials::Fluid{}, reference, G).energies(Q).gravitational;
+    return Potential(materials::Fluid{}, reference, {.gravity_constant = G}).energies(Q).gravitational;
   };
   const Matrix3d turn = rotation_z(0.3);
   const double of_ball = -0.6 * G * std::pow(volume * R * R * R, 2) / R;
@@ -139,7 +141,7 @@ TEST(Potential, GravityOfAReferenceEllipsoid) {
   for (const auto& reference : reference_bodies()) {
     const Matrix3d Q = random_deformation(generator), F = Q * reference.shape;
     const double factor = 0.6 * reference.mass * reference.mass / (4 * std::numbers::pi);  // k/(4πG)
-    const Potential V(materials::Fluid{}, reference, G);
+    const Potential V(materials::Fluid{}, reference, {.gravity_constant = G});
     const double energy = factor * self_gravity(F, G);
     const Matrix3d gradient = factor * self_gravity_gradient(F, G) * reference.shape.transpose();
     EXPECT_NEAR(V.energies(Q).gravitational, energy, 1e-14 * std::abs(energy));
@@ -155,7 +157,7 @@ TEST(Potential, QuadraticPotentialIsTheIntegralOverTheBody) {
   const Matrix3d Q = random_deformation(generator), F = Q * reference.shape, T = generic_quadratic();
   const double integral = reference.shape.determinant() *
                           integral_over_ball(1, [&](const Vector3d& Y) { return 0.5 * (F * Y).dot(T * F * Y); });
-  EXPECT_NEAR(Potential(Law{1, 3}, reference, 0, T).energies(Q).external, integral, 1e-14);
+  EXPECT_NEAR(Potential(Law{1, 3}, reference, {.quadratic = T}).energies(Q).external, integral, 1e-14);
 }
 
 /// PHYSICS section 0: λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹∂V E₀⁻¹)]/tr(Q⁻¹Q⁻ᵀE₀⁻¹) with physical V, and Q̈E₀ = −∂V + λQ⁻ᵀ.

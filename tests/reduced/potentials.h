@@ -25,7 +25,7 @@ struct Loads {
 };
 template <class Body>
 Body loaded_body(const materials::AnyLaw& law, const Loads& loads) {
-  return {{law, loads.reference, loads.G, loads.quadratic}, loads.reference};
+  return {{law, loads.reference, {.gravity_constant = loads.G, .quadratic = loads.quadratic}}, loads.reference};
 }
 inline LoadedSl3 elastic_sl3(const Loads& loads) { return loaded_body<LoadedSl3>(Law{1, 0}, loads); }
 inline LoadedSl3 fluid_sl3(const Loads& loads) { return loaded_body<LoadedSl3>(materials::Fluid{}, loads); }

@@ -22,7 +22,7 @@ struct SteadyBody {
   /// of a law and πGρ
   SteadyBody(std::string_view law, double pi_G_rho, bool incompressible = true)
       : potential(materials::make_law(law, {.incompressible = incompressible}), reduced::ReferenceBody::unit_ball(),
-                  pi_G_rho / std::numbers::pi) {}
+                  {.gravity_constant = pi_G_rho / std::numbers::pi}) {}
 
   reduced::IsotropicBody<reduced::Potential> isotropic(bool incompressible = true) const {
     return {potential, m_bar, incompressible};

@@ -159,7 +159,7 @@ TEST_F(PrintScene, JsonHoldsEveryEntry) {
     EXPECT_EQ(json[i]["default"], kind.print(member));
     EXPECT_EQ(json[i]["expected"], kind.expected());
     EXPECT_EQ(json[i]["words"].size(), kind.words().size());
-    EXPECT_EQ(json[i]["unit"], about.unit);
+    EXPECT_EQ(json[i]["unit"], std::string_view(about.unit));
     EXPECT_EQ(json[i]["documentation"], about.documentation);
     ++i;
   });

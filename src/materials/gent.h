@@ -1,0 +1,59 @@
+#pragma once
+/// Gent's law (Rubber Chem. Technol. 69 (1996) 59), whose chains cannot be stretched without end, per unit reference
+/// volume; I = |F|², III = J², d = I − 3 < J_m:
+///
+///   W = −(μ/2) J_m ln(1 − d/J_m) − μ ln J + (λ/4)(III − 1 − ln III)
+///
+/// With y = d/J_m and −ln(1 − y) = y + [−y − ln(1 − y)] this is Ciarlet–Geymonat's law and a term of second order in
+/// the strain:
+///
+///   W = W_CG(μ, λ) + (μ/2) J_m [−y − ln(1 − y)]
+///   P = ∂W/∂F = P_CG + μ d/(J_m − d) F
+///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
+///
+/// Stress-free at Id. The shear modulus there is μ, and the first Lamé modulus λ + 2μ/J_m. J_m → ∞ is the neo-Hookean
+/// law. Where d reaches J_m, W is infinite: beyond, no deformation of this body exists.
+
+#include <string_view>
+
+#include "materials/ciarlet_geymonat.h"
+
+namespace pseudorigid::materials {
+
+struct Gent {
+  double mu, lambda, J_m;
+
+  /// W(F); F must have J > 0 and a positive reserve.
+  template <class T>
+  T energy(const Tensor<T>& F) const {
+    return first_part().energy(F) + 0.5 * mu * J_m * x_minus_log1p(-1.0 / J_m * trace_of_strain(F));
+  }
+
+  /// First Piola–Kirchhoff stress P = ∂W/∂F.
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
+    const T d = trace_of_strain(F), stiffening = mu * d / (J_m - d);
+    return entrywise([&](const T& p, const T& f) { return p + stiffening * f; }, first_part().stress(F), F);
+  }
+
+  /// DP(F)[H].
+  template <class T>
+  [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
+    const T d = trace_of_strain(F), d_rate = 2.0 * dot(F, H), rest = J_m - d;
+    const T stiffening = mu * d / rest, stiffening_rate = mu * J_m * d_rate / (rest * rest);
+    return entrywise([&](const T& p, const T& f, const T& h) { return p + (stiffening_rate * f + stiffening * h); },
+                     first_part().tangent(F, H), F, H);
+  }
+
+  /// J_m − d; the law admits F where this is positive.
+  template <class T>
+  [[gnu::always_inline]] T reserve(const Tensor<T>& F) const {
+    return J_m - trace_of_strain(F);
+  }
+  static constexpr std::string_view limit = "I - 3 has reached Material/Gent limit";
+
+ private:
+  CiarletGeymonat first_part() const { return {mu, lambda}; }
+};
+
+}  // namespace pseudorigid::materials

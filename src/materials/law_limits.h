@@ -1,0 +1,57 @@
+#pragma once
+/// What a law may declare of its limits, beside energy, stress and tangent.
+///
+/// Deformations that it does not admit (beside those with J ≤ 0, which no law admits):
+///   template <class T> T reserve(const Tensor<T>& F) const;   positive where F is admitted
+///   static constexpr std::string_view limit;                  what has happened where it is not: one clause
+///
+/// The surface of an incompressible body that wrinkles (continuum/surface_stretch.h):
+///   static constexpr double surface_limit;   the ratio λ₁/λ_n of stretches at which a half-space loses its smooth
+///   shape
+
+#include <string>
+#include <string_view>
+
+#include "materials/tensor.h"
+
+namespace pseudorigid::materials {
+
+/// Biot's limit of neo-Hookean and Mooney–Rivlin half-spaces, the root of x³ + x² + 3x = 1 (Biot 1963).
+inline constexpr double biot_ratio = 0.29559774252208477;
+
+template <class Law>
+inline constexpr bool is_limited = [] {
+  constexpr bool has_reserve = requires(const Law law, Tensor<double> F) { law.reserve(F); };
+  constexpr bool has_limit = requires { Law::limit; };
+  static_assert(has_reserve == has_limit, "a law with limits declares both reserve(F) and limit");
+  return has_reserve;
+}();
+
+/// Whether a law, or a sum that has one and offers admits(F) and limit() itself, admits F; J > 0 is supposed.
+template <class Law>
+[[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
+  if constexpr (is_limited<Law>)
+    return law.reserve(F) > 0;
+  else if constexpr (requires { law.admits(F); })
+    return law.admits(F);
+  else
+    return true;
+}
+
+/// What has happened where F is not admitted; empty if all are.
+template <class Law>
+constexpr std::string_view limit_of(const Law& law) {
+  if constexpr (is_limited<Law>)
+    return Law::limit;
+  else if constexpr (requires { law.limit(); })
+    return law.limit();
+  else
+    return {};
+}
+
+/// The same as a sentence for the user.
+inline std::string beyond_limit(std::string_view limit) {
+  return "the law of the material admits no such deformation: " + std::string(limit);
+}
+
+}  // namespace pseudorigid::materials

@@ -1,0 +1,70 @@
+#pragma once
+/// The unit of an entry or of a column in words: factors `length`, `mass`, `time`, `pressure`, `radius` or `1` with
+/// whole powers, joined by `*` and `/` from left to right ("mass*length^2/time"); "" is a pure number. A word that is
+/// none of these does not compile.
+
+#include <string_view>
+
+namespace pseudorigid::scene {
+
+namespace detail {
+
+/// 0 where it is none.
+constexpr int whole_number(std::string_view digits) {
+  int number = 0;
+  for (const char digit : digits) {
+    if (digit < '0' || digit > '9') return 0;
+    number = 10 * number + (digit - '0');
+  }
+  return number;
+}
+
+/// Calls visitor(word, power) for each factor; the power of a divisor is negative.
+template <class Visitor>
+constexpr void visit_factors(std::string_view words, Visitor&& visitor) {
+  bool divide = false;
+  for (std::size_t i = 0; i < words.size();) {
+    const std::size_t found = words.find_first_of("*/", i), end = found < words.size() ? found : words.size();
+    const std::string_view factor = words.substr(i, end - i);
+    const std::size_t caret = factor.find('^');
+    const int power = caret < factor.size() ? whole_number(factor.substr(caret + 1)) : 1;
+    visitor(factor.substr(0, caret), divide ? -power : power);
+    divide = end < words.size() && words[end] == '/';
+    i = end + 1;
+  }
+}
+
+}  // namespace detail
+
+class Unit {
+ public:
+  constexpr Unit() = default;
+  consteval Unit(const char* words) : words_(words) {
+    if (!is_unit(words_)) throw "a unit has the factors length, mass, time, pressure, radius and 1, with whole powers";
+  }
+
+  static constexpr bool is_unit(std::string_view words) {
+    bool sound = true;
+    detail::visit_factors(words, [&](std::string_view word, int power) {
+      bool known = false;
+      for (const std::string_view factor : {"length", "mass", "time", "pressure", "radius", "1"})
+        known = known || word == factor;
+      sound = sound && known && power != 0;
+    });
+    return sound;
+  }
+
+  constexpr operator std::string_view() const { return words_; }
+  constexpr bool empty() const { return words_.empty(); }
+
+  /// Calls visitor(word, power) for each factor; the power of a divisor is negative.
+  template <class Visitor>
+  constexpr void visit(Visitor&& visitor) const {
+    detail::visit_factors(words_, visitor);
+  }
+
+ private:
+  std::string_view words_;
+};
+
+}  // namespace pseudorigid::scene
