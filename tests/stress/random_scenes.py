@@ -81,8 +81,9 @@ def ball(rng, with_continuum):
     entries = {"Models": models, "Body/Radius": repr(radius), "Body/Density": repr(density),
                "Body/Incompressible": str(incompressible).lower(), "Material/Law": law,
                "Material/Shear modulus": repr(modulus), "Material/Lame lambda": repr(modulus * 10 ** rng.uniform(-1, 1)),
-               "Material/Mooney fraction": repr(rng.random()), "Initial state/Deformation": text(Q),
-               "Initial state/Velocity": text(Qdot), "Time/End": repr(end / rate), "Output/Samples": rng.randint(2, 30)}
+               "Material/Mooney fraction": repr(rng.random()), "Material/Gent limit": repr(10 ** rng.uniform(-1, 2)),
+               "Initial state/Deformation": text(Q), "Initial state/Velocity": text(Qdot), "Time/End": repr(end / rate),
+               "Output/Samples": rng.randint(2, 30)}
     if rng.random() < 0.2:
         entries["Material/Viscosity"] = repr(modulus / rate * 10 ** rng.uniform(-3, 0))
     if rng.random() < 0.15:
