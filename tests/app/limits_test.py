@@ -39,7 +39,7 @@ class Limits(RefusedInputTest):
     def test_check_tells_the_effort(self):
         self.scene({**CONTINUUM, "Continuum/Degree": 4, "Time/Step": 0.01})
         text = self.run_done("check", "scene.prm").stdout
-        self.assertIn("effort of the continuum: 1.11e+03 unknowns and 80 multipliers, about 0.0026 GB; at least 100 steps, "
+        self.assertIn("effort of the continuum: 1.11e+03 unknowns and 80 multipliers, about 0.00076 GB; at least 100 steps, "
                       "the largest stable one at rest is about 0.0216", text)
         self.assertNotIn("stability limit", text)
 
