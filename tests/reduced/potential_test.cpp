@@ -69,10 +69,10 @@ TEST(Potential, SecondDerivativeIsSymmetric) {
 /// A dead traction P̄N pulls a body of any law to rest where P(Q) = P̄; it does the work Vol P̄:Q, on the ball
 /// (4/3)πr³ P̄:Q, and is no part of the material's own stress.
 TEST(Potential, DeadTractionIsAConstantStress) {
-  const Matrix3d traction = generic_traction(), none = Matrix3d::Zero();
+  const Matrix3d traction = generic_traction();
   std::mt19937 generator(9);
   for (const auto& reference : reference_bodies()) {
-    const Potential V(Law{1, 3}, reference, 0, none, traction), free(Law{1, 3}, reference);
+    const Potential V(Law{1, 3}, reference, {.nominal_traction = traction}), free(Law{1, 3}, reference);
     const Matrix3d Q = random_deformation(generator);
     EXPECT_NEAR(V.energies(Q).external, -reference.volume * mechanics::dot(traction, Q), 1e-13);
     EXPECT_LT((V.gradient(Q) - free.gradient(Q) + reference.volume * traction).norm(), 1e-12);
