@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <algorithm>
 #include <limits>
 
@@ -12,6 +11,7 @@
 #include "app/tension_watch.h"
 #include "io/ellipsoid_surface.h"
 #include "io/trajectory.h"
+#include "mechanics/principal_axes.h"
 #include "mechanics/step_size.h"
 #include "reduced/observe.h"
 #include "scene/scales.h"
@@ -77,7 +77,7 @@ class ReducedModel {
     const double tolerance = context_.scene.time.tolerance;
     // det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 spare most steps the singular values.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
-    const double least = Q.jacobiSvd().singularValues()(2);
+    const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
     return mechanics::Status::failure(fmt::format(
         "the body collapses: its least stretch {:.2g} is within the error {:.2g} that Time/Tolerance allows to "
