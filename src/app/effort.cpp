@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -36,9 +37,14 @@ std::pair<double, double> lame_moduli(const materials::AnyLaw& law) {
   return {(b(Eigen::Matrix3d::Identity()) - 6 * mu) / 9, mu};
 }
 
+std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
+
 std::string in_words(const Effort& e) {
-  return fmt::format("{:.3g} unknowns{}, about {:.2g} GB", e.n_unknowns,
-                     e.n_multipliers > 0 ? fmt::format(" and {:.3g} multipliers", e.n_multipliers) : "", e.bytes / 1e9);
+  const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
+  const double megabytes = e.bytes / 1e6;
+  return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers,
+                     megabytes < 1000 ? fmt::format("{:.0f} MB", std::max(1.0, megabytes))
+                                      : fmt::format("{:.0f} GB", megabytes / 1000));
 }
 
 Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std::size_t n_coarse_cells) {
@@ -89,9 +95,11 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
   if (scene.analysis != scene::Analysis::motion) return needs;
   const double limit = stable_step(scene, *fixed), step = scene.time.step.value_or(limit);
-  needs.needed.back() += fmt::format("; {} {:.3g} steps, the largest stable one at rest is about {:.3g}",
-                                     scene.time.step ? "at least" : "at least about",
-                                     std::ceil(scene.time.end / std::min(step, scene.time.end)), limit);
+  const auto method = method_of(scene);
+  needs.needed.back() += fmt::format("; the largest stable step of {} at rest is about {:.3g}, {} {} steps",
+                                     mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>)),
+                                     limit, scene.time.step ? "the one given makes" : "which makes",
+                                     count(std::ceil(scene.time.end / step * (1 - 1e-12))));
   if (step > limit)
     needs.warnings.push_back(
         fmt::format("Time/Step: {} is above the stability limit of the continuum, about {:.3g} for small motions at "
@@ -108,7 +116,7 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
     return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
   const double available = available_memory();
   if (needed.bytes / n_ranks <= available) return std::nullopt;
-  return fmt::format("{}, and {:.2g} GB are available here", takes, available / 1e9) +
+  return fmt::format("{}, and {:.0f} GB are available here", takes, available / 1e9) +
          (n_ranks > 1 ? fmt::format(" to each of {} ranks", n_ranks) : "");
 }
 

@@ -34,13 +34,13 @@ class Limits(RefusedInputTest):
         """67 million nodes; before anything is built."""
         huge = {"Continuum/Degree": 8, "Continuum/Refinements": 4, "Continuum/Symmetry": "none"}
         self.refused_entries(huge, "Continuum/Refinements: degree 8, refined 4 times takes 2.04e+08 unknowns and "
-                             "1.57e+07 multipliers, about 2.4e+02 GB, and ", " GB are available here", base=CONTINUUM)
+                             "1.57e+07 multipliers, about 236 GB, and ", " GB are available here", base=CONTINUUM)
 
     def test_check_tells_the_effort(self):
         self.scene({**CONTINUUM, "Continuum/Degree": 4, "Time/Step": 0.01})
         text = self.run_done("check", "scene.prm").stdout
-        self.assertIn("effort of the continuum: 1.11e+03 unknowns and 80 multipliers, about 0.00076 GB; at least 100 steps, "
-                      "the largest stable one at rest is about 0.0216", text)
+        self.assertIn("effort of the continuum: 1107 unknowns and 80 multipliers, about 1 MB; the largest stable step of "
+                      "rattle at rest is about 0.0216, the one given makes 100 steps", text)
         self.assertNotIn("stability limit", text)
 
     # Stability.
