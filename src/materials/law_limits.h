@@ -50,8 +50,10 @@ constexpr std::string_view limit_of(const Law& law) {
 }
 
 /// The same as a sentence for the user.
-inline std::string beyond_limit(std::string_view limit) {
-  return "the law of the material admits no such deformation: " + std::string(limit);
+[[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
+  std::string sentence = "the law of the material admits no such deformation: ";
+  sentence += limit;
+  return sentence;
 }
 
 }  // namespace pseudorigid::materials

@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -103,6 +104,14 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
+/// Apart from the steps' path: a message costs more than a step.
+[[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
+  std::string sentence = "the ";
+  sentence += what;
+  sentence += " iteration of the constraint does not converge; use a smaller step";
+  return Status::failure(std::move(sentence));
+}
+
 /// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
@@ -115,8 +124,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
     const auto verdict = monitor.judge(norm, noise);
     if (verdict == ConvergenceMonitor::Verdict::done) return {};
     if (verdict == ConvergenceMonitor::Verdict::stuck)
-      return Status::failure(std::string("the ") + what +
-                             " iteration of the constraint does not converge; use a smaller step");
+      return without_convergence(what);
     if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
     apply();
   }
