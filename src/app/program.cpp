@@ -39,7 +39,8 @@ namespace {
                   std::strerror(errno) + "); build the preset release, or set Models = reduced");
 }
 
-/// The scene as it was read and as it can be run; of a sweep, the first run, after the ends of its ranges have been checked.
+/// The scene as it was read and as it can be run; of a sweep, the first run, after the ends of its ranges have been
+/// checked.
 struct Input {
   scene::ReadScene raw, read;
 };

@@ -123,8 +123,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
     const double norm = max_norm(w.residual);
     const auto verdict = monitor.judge(norm, noise);
     if (verdict == ConvergenceMonitor::Verdict::done) return {};
-    if (verdict == ConvergenceMonitor::Verdict::stuck)
-      return without_convergence(what);
+    if (verdict == ConvergenceMonitor::Verdict::stuck) return without_convergence(what);
     if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
     apply();
   }
