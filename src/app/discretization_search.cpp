@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/effort.h"
+#include "app/launch.h"
 #include "app/mesh_file.h"
 #include "app/model_checkpoint.h"
 #include "app/on_all_ranks.h"
@@ -25,8 +26,9 @@ std::vector<scene::Discretization> affordable(const RunContext& context) {
   std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
   const std::size_t n_coarse_cells =
       scene::has_mesh_file(context.scene) ? read_mesh_file(context.scene).mesh.cells.size() : 0;
+  const double share = static_cast<double>(Launch().n_ranks_here) / context.ranks->size();
   for (std::size_t i = 1; i < ladder.size(); ++i) {
-    const auto problem = exceeds_memory(context.scene, ladder[i], n_coarse_cells, context.ranks->size());
+    const auto problem = exceeds_memory(context.scene, ladder[i], n_coarse_cells, share);
     if (!context.ranks->any(problem.has_value())) continue;
     if (problem) context.log->info("continuum: the search ends before {}", *problem);
     ladder.resize(i);
@@ -47,7 +49,7 @@ DiscretizationSearch::DiscretizationSearch(const RunContext& context, ContinuumR
       written_scene_(with_time_tolerance(
           context.scene, std::min(context.scene.time.tolerance, time_part * context.scene.continuum.tolerance))),
       silent_scene_(with_time_tolerance(context.scene, time_part * context.scene.continuum.tolerance)),
-      ladder_(affordable(context)) {
+      ladder_(context.resume ? scene::ladder(context.scene) : affordable(context)) {
   if (context.resume) load();
 }
 
@@ -151,6 +153,7 @@ void DiscretizationSearch::write_checkpoint() const {
   io::Checkpoint c;
   c.set("scene", run_identity(context_.scene).frozen_scene);
   c.set("position", position_);
+  c.set("rungs", ladder_.size());
   c.set("settled", static_cast<int>(settled_));
   c.set("failures", n_failures_);
   c.set("errors", std::span<const double>(errors));
@@ -170,6 +173,8 @@ void DiscretizationSearch::load() {
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
+  // What fitted into the memory at the start, not what fits now, decides on the way of the search.
+  ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;
   n_failures_ = static_cast<int>(c.get_integer("failures"));

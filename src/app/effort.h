@@ -18,12 +18,10 @@
 
 namespace pseudorigid::app {
 
+/// Estimates; bytes are within a third of what was measured.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
 };
-
-/// For a mesh of `n_coarse_cells` before its refinement; within a third of what was measured.
-Effort effort(const scene::Discretization& discretization, double n_coarse_cells, bool incompressible);
 
 /// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time; methods that the
 /// program chooses are counted as RATTLE.
@@ -35,9 +33,9 @@ scene::Needs needs_with_effort(const scene::Scene& scene);
 /// Why a discretisation cannot be built here: it takes more memory than there is for each of the ranks, or more
 /// unknowns than have numbers. `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
-                                          std::size_t n_coarse_cells, int n_ranks);
+                                          std::size_t n_coarse_cells, double share);
 
 /// Throws UserError where the scene's discretisation, or the coarsest of a search, cannot be built.
-void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, int n_ranks);
+void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

@@ -14,9 +14,12 @@ namespace pseudorigid::app {
 struct Launch {
   static constexpr int unknown = 0;
   int rank = 0;
-  int n_ranks = 1;  ///< or unknown
+  int n_ranks = 1;       ///< or unknown
+  int n_ranks_here = 1;  ///< of them on this machine; 1 where the launcher does not tell
 
   Launch() {
+    for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})
+      if (const char* n = std::getenv(name)) n_ranks_here = std::atoi(n);
     constexpr const char* variables[][2] = {{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"}, {"PMI_RANK", "PMI_SIZE"}};
     for (const auto& [rank_name, size_name] : variables)
       if (const char* r = std::getenv(rank_name))

@@ -51,13 +51,16 @@ Input read_and_validate(const Options& options, int n_ranks) {
   input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
   check_sweep(input.raw);
   const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
-  if (n_ranks != Launch::unknown) require_memory(input.read.scene, input.read.origins, n_coarse_cells, n_ranks);
+  if (n_ranks != Launch::unknown)
+    require_memory(input.read.scene, input.read.origins, n_coarse_cells,
+                   static_cast<double>(Launch().n_ranks_here) / n_ranks);
   return input;
 }
 
-/// pseudorigid itself, which has no MPI, may have to leave the number to pseudorigid-continuum.
+/// Of several processes pseudorigid, which has no MPI, leaves it to pseudorigid-continuum to say how many they are.
 int n_ranks_known(const Executable& executable, const Launch& launch) {
-  return executable.run_continuum ? executable.ranks->size() : launch.n_ranks;
+  if (executable.run_continuum) return executable.ranks->size();
+  return launch.n_ranks == 1 ? 1 : Launch::unknown;
 }
 
 /// Processes that were started together compute together only if MPI knows of all of them.

@@ -62,9 +62,7 @@ class ReducedModel {
         return status;
     if (auto status = add_center_of_mass(state.t); !status) return status;
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
-    const Eigen::Matrix3d Q = configuration(state);
-    motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
-    size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
+    note_motion(configuration(state));
     io::reduced_row(time, observables_, context_.units, context_.needs.quantities, row);
     return {};
   }
@@ -97,6 +95,10 @@ class ReducedModel {
           bipolar_->S(i, j) = row[rows.column_index("S" + place)];
         }
     }
+    knows_motion_ = rows.has_column("Q11");
+    if (knows_motion_)
+      for (std::size_t n = 0; n < rows.n_rows(); ++n)
+        note_motion(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + rows.column_index("Q11")));
     if (tension_.watches() && rows.has_column("multiplier"))
       tension_.take_up(rows.column("time"), rows.column("multiplier"));
   }
@@ -125,8 +127,14 @@ class ReducedModel {
   }
 
  private:
+  void note_motion(const Eigen::Matrix3d& Q) {
+    motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
+    size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
+  }
+
   /// A motion about rest that is hardly larger than the errors of Q has energies without a right digit.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
+    if (!knows_motion_ || size_ == 0) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
     const auto estimate = statistics.counters.find("estimated_time_error");
     const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
@@ -136,10 +144,9 @@ class ReducedModel {
     if (rests || motion_ > well_above * error) return;
     context_.log->warn(
         "reduced: Q moves by no more than {:.2g}, and its error is about {:.2g}: velocities and energies of this "
-        "motion are "
-        "not resolved{}",
+        "motion are not resolved; {}",
         motion_, error,
-        motion_ > well_above * round_off ? "; give a smaller Time/Tolerance" : ", it is lost in round-off");
+        motion_ > well_above * round_off ? "give a smaller Time/Tolerance" : "they are lost in round-off");
   }
 
   /// As for the initial state, scene/validate.cpp.
@@ -174,6 +181,7 @@ class ReducedModel {
   mechanics::ObservableRequest request_;
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
+  bool knows_motion_ = true;      ///< false where a resumed run has rows without Q
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
   std::optional<io::CubedSphere> sphere_;

@@ -185,17 +185,21 @@ bool RunLock::create() const {
   const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!file && errno == EEXIST) return false;
   if (!file) throw WriteError(path_, errno);
-  write_fully(file.value(), identity_, path_);
+  try {
+    write_fully(file.value(), identity_, path_);
+  } catch (...) {
+    ::unlink(path_.c_str());
+    throw;
+  }
   return true;
 }
 
 /// UserError if it is not. Of several processes that find the same stale lock one removes it: they take turns, and each
 /// looks first whether the file that it has opened still bears the name.
 void RunLock::remove_if_stale() const {
-  const Descriptor file(path_, O_RDONLY);
+  const Descriptor file(path_, O_RDWR);  // network disks want a file that is open for writing to take turns
   if (!file && errno == ENOENT) return;
-  if (!file) throw in_use(path_, {}, Judgement::unknown);
-  ::flock(file.value(), LOCK_EX);
+  if (!file || ::flock(file.value(), LOCK_EX) != 0) throw in_use(path_, {}, Judgement::unknown);
   struct stat opened, named;
   if (::fstat(file.value(), &opened) != 0 || ::stat(path_.c_str(), &named) != 0 || !same_file(opened, named)) return;
   const Identity holder = from_text(read_file(path_));
