@@ -162,10 +162,11 @@ void expect_to_arrive(const System& system, const State<System>& start, double r
     }
   });
 }
+
 TEST(FastAndSlowBodies, ArriveByEveryMethod) {
   const auto body = elastic_sl3({});
   const reduced::DiagonalBody<LoadedSl3> three(body);
-  const reduced::DissipativeBody<LoadedSl3> damped(body, {0.1, 0.1});
+  const reduced::DissipativeBody<LoadedSl3> damped(body, {.viscosity = 0.1, .drag = 0.1});
   const Matrix3d generic = matrix({0.3, 0.7, -0.2, 0.5, -0.1, 0.9, 0.4, 0.2, -0.2});
   for (double exponent = -6; exponent <= 6; exponent += 0.25) {
     const double rate = std::pow(10, exponent);
