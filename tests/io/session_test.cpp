@@ -112,6 +112,12 @@ nlohmann::json manifest_in(const ScratchDirectory& scratch) {
   return nlohmann::json::parse(contents(scratch / "manifest.json"));
 }
 
+Manifest titled(const std::string& title) {
+  Manifest manifest;
+  manifest.title = title;
+  return manifest;
+}
+
 TEST(Manifest, TellsWhatRanAndHowItEnded) {
   const ScratchDirectory scratch;
   Manifest content;
@@ -152,7 +158,7 @@ TEST(Manifest, AnExceptionLeavesOneThatSaysFailed) {
 
 TEST(Manifest, WithoutRoomForANewFileTheOldOneSaysFailed) {
   const ScratchDirectory scratch;
-  ManifestFile file(scratch / "manifest.json", {.title = "\"state\": \"running\""});
+  ManifestFile file(scratch / "manifest.json", titled("\"state\": \"running\""));
   std::filesystem::create_directory(scratch / "manifest.json.partial");
   EXPECT_THROW(file.finish("interrupted", 3), WriteError);
   EXPECT_EQ(manifest_in(scratch)["state"], "failed");
@@ -163,7 +169,7 @@ TEST(Manifest, AnotherProcessCanNoteTheFailure) {
   const ScratchDirectory scratch;
   note_failure(scratch / "manifest.json", 3, "no memory");
   EXPECT_FALSE(std::filesystem::exists(scratch / "manifest.json"));
-  const ManifestFile file(scratch / "manifest.json", {.title = "a"});
+  const ManifestFile file(scratch / "manifest.json", titled("a"));
   note_failure(scratch / "manifest.json", 3, "no memory");
   const auto json = manifest_in(scratch);
   EXPECT_EQ(json["state"], "failed");

@@ -26,6 +26,7 @@ inline const Catalogue& test_catalogue() {
            .entries = {{{"Top/Spin", "1/time", "Its spin."}, AnyKind::of<double>(positive), "2"},
                        {{"Top/Axis", "", "Its axis."}, AnyKind::of<std::vector<double>>(Numbers{3}), "0, 0, 1"}},
            .columns = {{"phi", "", "Angle."}},
+           .columns_of = {},
            .has_equilibria = false,
            .refuses = [](const Scene& scene) -> std::optional<Refusal> {
              const auto spin = scene.system_values.find("Top/Spin");
