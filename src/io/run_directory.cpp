@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 15> owned_names{
     "comparison.csv", "modes.csv",     "sweep.csv", "equilibria.csv", "reduced.pvd",
     "shapes.csv",     "continuum.pvd", "modes.pvd", "report.html",    "comparison.json"};
 
-/// Begins the name of a lock that a run was killed over before it had it.
+/// Begins the name of a lock that was being written when its run was killed.
 constexpr std::string_view abandoned_lock = "run.lock-";
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
@@ -109,7 +109,13 @@ RunLock RunDirectory::prepare_resume() const {
   if (std::none_of(fs::directory_iterator(path_, error), fs::directory_iterator(), is_checkpoint))
     throw UserError(fmt::format("nothing to resume: '{}' holds no checkpoint", path_.native()));
   require_writable();
-  return RunLock(path_);
+  RunLock lock(path_);
+  try {
+    remove_files(path_, [](std::string_view name) { return matches(name, abandoned_lock, partial_suffix); });
+  } catch (const fs::filesystem_error& failure) {
+    throw cannot("clear abandoned locks from", path_, failure.code().message());
+  }
+  return lock;
 }
 
 void RunDirectory::prepare_graphics() const {

@@ -28,8 +28,8 @@ inline constexpr int max_constraint_iterations = 30;
 inline constexpr double noise_reserve = 16;
 
 /// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
-/// counts as zero if it is at most `round_off` or, asked only then, a few times
-/// `noise()`.
+/// counts as zero if it is at most `round_off`, or within `noise()` and its reserve. The noise is asked for there only,
+/// as it costs several evaluations.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -39,7 +39,8 @@ struct ConvergenceMonitor {
   Verdict judge(double residual, Noise&& noise) {
     if (residual <= tolerance) return Verdict::done;
     const bool falling = residual < 0.5 * previous;
-    if (!falling && (residual <= round_off || residual <= noise_reserve * noise())) return Verdict::done;
+    if (!falling && std::isfinite(residual) && (residual <= round_off || residual <= noise_reserve * noise()))
+      return Verdict::done;
     // A residual may rise at first, where Newton's iteration starts from far away. A NaN compares false everywhere and
     // is stuck at once.
     if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;

@@ -4,6 +4,7 @@
 /// smaller.
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
@@ -12,7 +13,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// x_i ← x_i + a unit |size_i|, a between −2 and 2 as if at random; `pattern` 1, 2, … chooses how.
+/// x_i ← x_i + a unit size_i, a between −2 and 2 as if at random; `pattern` 1, 2, … chooses how.
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
@@ -34,7 +35,7 @@ double largest_change(const S& system, Evaluate&& evaluate) {
   for (int pattern = 1; pattern <= n_patterns; ++pattern) {
     if (!evaluate(pattern, after)) continue;
     axpy(-1.0, before, after);
-    largest = std::max(largest, max_norm(after));
+    if (const double change = max_norm(after); std::isfinite(change)) largest = std::max(largest, change);
   }
   return largest;
 }

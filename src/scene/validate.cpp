@@ -59,9 +59,9 @@ class Validator {
 
  private:
   void check_ball() {
+    check_problem();
     if (scene_.analysis == Analysis::motion)
       if (const auto refusal = refuses_duration(scene_.time.end, time_unit())) refuse(refusal->path, refusal->sentence);
-    check_problem();
     check_reference_body();
     check_loads();
     if (scene_.models.continuum) check_continuum_offers();

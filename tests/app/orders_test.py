@@ -61,7 +61,7 @@ class DeclaredOrders(ProgramTest):
         return Table(self.scratch / "output" / "scene" / f"{model}.csv"), models[model]["counters"]
 
     def declared_order(self, entries, method):
-        _, counters = self.run_method(entries, method=method, tolerance=1e-4)
+        _, counters = self.run_method(entries, method=method, tolerance=1e-4, step=self.END / 400)
         return counters["order"]
 
     def order_by_steps(self, entries, method, order, reference):

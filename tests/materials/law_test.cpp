@@ -149,6 +149,8 @@ TEST_P(EveryLaw, TangentAtRestHasTheModuliOfTheLaw) {
   if (name() == "neo-hookean") at_rest = {mu, GetParam().incompressible ? 0 : lambda};
   // The term in II resists changes of volume as well as of shape.
   if (name() == "mooney-rivlin") at_rest = {mu, (GetParam().incompressible ? 0 : lambda) + 2 * b * mu};
+  // So does the stiffening, of second order in I − 3.
+  if (name() == "gent") at_rest = {mu, (GetParam().incompressible ? 0 : lambda) + 2 * mu / J_m};
   // Correction 9: the printed λ/2 doubles λ.
   if (name() == "ciarlet-geymonat (as printed)") at_rest = {mu, 2 * lambda};
   if (without_energy()) at_rest = {0, 0};
