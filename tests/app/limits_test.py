@@ -32,6 +32,10 @@ class Limits(RefusedInputTest):
 
     def test_a_mesh_beyond_the_memory(self):
         """67 million nodes; before anything is built."""
+        with open("/proc/meminfo") as file:
+            kilobytes = next(int(line.split()[1]) for line in file if line.startswith("MemAvailable"))
+        if kilobytes > 230e6:
+            self.skipTest("this machine has the memory")
         huge = {"Continuum/Degree": 8, "Continuum/Refinements": 4, "Continuum/Symmetry": "none"}
         self.refused_entries(huge, "Continuum/Refinements: degree 8, refined 4 times takes 2.02e+08 unknowns and "
                              "1.57e+07 multipliers, about 234 GB, and ", " are available here", base=CONTINUUM)
