@@ -25,10 +25,11 @@
 ///   or the two of a body about one common axis; θP is then O(h|P|). Near a steady motion with two different axes θP
 ///   stays O(h²), and the iteration may need smaller steps.
 ///
-/// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
-/// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
-/// up. On relative equilibria H is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right
-/// to round-off without θ, which is left out. What round-off takes of the momenta is given back too
+/// Round-off. V is known to within ν, θP to within ν/|P|. ν is measured at every step, because it changes along a
+/// motion: the terms of V cancel in another way where the body has turned. An energy error within ν is not corrected,
+/// one beyond it is by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν
+/// and does not add up. On relative equilibria H is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX|
+/// the energy is right to round-off without θ, which is left out. What round-off takes of the momenta is given back too
 /// (momentum_keeper.h).
 ///
 /// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
@@ -102,7 +103,7 @@ struct EnergyMomentumWorkspace {
   double V_start = 0, theta = 0;  // V(q₀), θ
   int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
   double energy_gained = 0;       // by round-off, since the first step
-  double potential_noise = -1;    // round-off of V about the first state; negative: not known yet
+  double potential_noise = 0;     // largest round-off of V about the states so far
   Counters counters;
 
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
@@ -162,7 +163,7 @@ struct EnergyMomentum {
     using Verdict = detail::ConvergenceMonitor::Verdict;
     w.V_start = system.potential_energy(state.q);
     w.momenta.begin(system, state);
-    if (w.potential_noise < 0) w.potential_noise = noise_of_potential(system, state.q);
+    w.potential_noise = std::max(w.potential_noise, noise_of_potential(system, state.q));
     predict(h, state, w);
     detail::FixedPointMonitor monitor;
     for (Verdict verdict = Verdict::go_on; verdict != Verdict::done;) {

@@ -1,11 +1,19 @@
 #pragma once
 /// Failure as a value: what a force, a constraint or a step returns instead of throwing or passing on a NaN.
 
+#include <cstdio>
 #include <memory>
 #include <string>
 #include <utility>
 
 namespace pseudorigid::mechanics {
+
+/// x with six digits, for sentences: fixed notation writes hundreds for a large number, and 0.000000 for a small one.
+[[gnu::cold, gnu::noinline]] inline std::string six_digits(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
 
 /// Success, or one sentence for the user ("det F = -0.03 at X = (…)"). Success costs one null pointer.
 class [[nodiscard]] Status {

@@ -93,8 +93,8 @@ mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   const double round_off = 1e-14 * (std::abs(sum) + std::abs(product));
   if (!(plus >= -round_off && minus >= -round_off))
     return mechanics::Status::failure(
-        "no figure with these axes turns steadily about the third: (omega + Lambda)^2 = " + std::to_string(plus) +
-        ", (omega - Lambda)^2 = " + std::to_string(minus));
+        "no figure with these axes turns steadily about the third: (omega + Lambda)^2 = " +
+        mechanics::six_digits(plus) + ", (omega - Lambda)^2 = " + mechanics::six_digits(minus));
   const double p = std::sqrt(std::max(plus, 0.0)), q = std::sqrt(std::max(minus, 0.0));
   m.omega = (p + q) / 2 * Eigen::Vector3d::UnitZ();
   m.Lambda = product / (p + q > 0 ? p + q : 1) * Eigen::Vector3d::UnitZ();  // p² − q² = 2 · 2ωΛ
@@ -110,7 +110,7 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
   const double square = (a1 - a3) * (a1 + a3) / (a1 * a1) * stiffness;
   if (!(square >= 0))
     return mechanics::Status::failure("this spheroid does not turn steadily about its axis: Omega^2 = " +
-                                      std::to_string(square));
+                                      mechanics::six_digits(square));
   m.omega = std::sqrt(square) * Eigen::Vector3d::UnitZ();
   m.Lambda.setZero();
   return {};
@@ -138,7 +138,8 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   const double round_off = 1e-14 * (std::abs(squares[0]) + std::abs(squares[1]));
   if (!(squares[0] >= -round_off && squares[1] >= -round_off))
     return mechanics::Status::failure("no figure with these axes turns in the plane of axes 2 and 3: omega_2^2 = " +
-                                      std::to_string(squares[0]) + ", omega_3^2 = " + std::to_string(squares[1]));
+                                      mechanics::six_digits(squares[0]) +
+                                      ", omega_3^2 = " + mechanics::six_digits(squares[1]));
   const double w2 = std::sqrt(std::max(squares[0], 0.0)), w3 = std::sqrt(std::max(squares[1], 0.0));
   m.omega = {0, w2, w3};
   m.Lambda = {0, beta * w2, gamma * w3};

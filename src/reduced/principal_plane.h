@@ -122,7 +122,7 @@ mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVe
   u = best_u;
   if (best <= accepted * scale) return {};
   return mechanics::Status::failure("Newton's iteration finds no steady motion here; it ends with a residual of " +
-                                    std::to_string(best / scale) + " of the terms");
+                                    mechanics::six_digits(best / scale) + " of the terms");
 }
 
 /// Size of the terms of F.

@@ -10,7 +10,6 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -218,9 +217,8 @@ class PseudoRigidBody {
   bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
   /// Apart from the steps' path: a message costs more than a right-hand side.
   [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
-    char text[100];
-    std::snprintf(text, sizeof text, "the body has been turned inside out or is not finite: det Q = %.6g", J);
-    return mechanics::Status::failure(text);
+    return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
+                                      mechanics::six_digits(J));
   }
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(double J) const {
     if (!has_volume(J)) return without_volume(J);

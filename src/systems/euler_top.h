@@ -69,7 +69,7 @@ class EulerTop {
     const double norm = q.norm();
     if (!(norm > 0.5 && norm < 2))
       return mechanics::Status::failure("the quaternion of the rotation has lost its unit length: |q| = " +
-                                        std::to_string(norm));
+                                        mechanics::six_digits(norm));
     q /= norm;
     v -= q.dot(v) * q;
     return {};

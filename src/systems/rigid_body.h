@@ -45,7 +45,7 @@ class RigidBody {
     const Eigen::Vector3d& e = solver.eigenvalues();
     if (!(e.minCoeff() > 1e-12 * e.cwiseAbs().maxCoeff()))
       return mechanics::Status::failure(
-          "the second moment E0 has the eigenvalue " + std::to_string(e.minCoeff()) +
+          "the second moment E0 has the eigenvalue " + mechanics::six_digits(e.minCoeff()) +
           ": a flat or linear body has no constrained form in GL+(3); use Euler's equation, or moments of inertia of "
           "which each is less than the sum of the two others");
     if (!(p.loads.mass > 0)) return mechanics::Status::failure("the mass of a rigid body must be positive");
@@ -83,7 +83,7 @@ class RigidBody {
     const Eigen::Matrix3d R = rotation(q);
     if (const double J = R.determinant(); !(J > 0 && std::isfinite(J)))
       return mechanics::Status::failure("the body has been turned inside out or is not finite: det R = " +
-                                        std::to_string(J));
+                                        mechanics::six_digits(J));
     const Eigen::Matrix3d C = R.transpose() * R;
     g << 0.5 * (C(0, 0) - 1), 0.5 * (C(1, 1) - 1), 0.5 * (C(2, 2) - 1), C(1, 2), C(0, 2), C(0, 1);
     return {};

@@ -146,8 +146,7 @@ TEST(ExtremeBodies, AreExtreme) {
 /// where |G v| cannot be made smaller than ε|Q⁻¹||Q̇|.
 template <class System>
 void expect_to_arrive(const System& system, const State<System>& start, double rate, const char* what) {
-  // Beyond 10 energy-momentum fails at slow spins, see the limits in docs/stress.md.
-  const double end = std::min(1 / rate, 10.0);
+  const double end = std::min(1 / rate, 20.0);
   mechanics::for_each_method([&]<class Method>(Method) {
     if constexpr (mechanics::method_fits<Method, System>()) {
       const auto& form = mechanics::form_for<Method>(system);
@@ -177,6 +176,21 @@ TEST(FastAndSlowBodies, ArriveByEveryMethod) {
     expect_to_arrive(body, start(generic), rate, "both");
     expect_to_arrive(three, three.state_of(start(diagonal(1, -0.4, -0.6))), rate, "stretching, diagonal form");
     expect_to_arrive(damped, damped.state_of(start(generic)), rate, "both, damped");
+  }
+}
+
+/// A body that turns slowly is near a steady motion, where energy is all but stationary: what the conserving method
+/// makes up for must not be the round-off of V, which grows with the angle of the turn.
+TEST(FastAndSlowBodies, KeepTurningSlowly) {
+  const auto body = elastic_sl3({});
+  for (double exponent = -6; exponent <= -2; exponent += 0.05) {
+    const double rate = std::pow(10, exponent);
+    const auto r =
+        run<EnergyMomentum>(body, moving<LoadedSl3>(Matrix3d::Identity(), rate * hat({0, 0, 1})), 200, 20, 100);
+    ASSERT_TRUE(r.finished()) << rate << ": " << r.result.reason;
+    const auto d = departures(body, r.states);
+    EXPECT_LT(d.energy, 1e-12) << rate;
+    EXPECT_LT(d.momenta, 1e-13) << rate;
   }
 }
 
