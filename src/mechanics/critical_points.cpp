@@ -41,7 +41,7 @@ class CriticalPointFinder {
   }
 
  private:
-  static constexpr int max_iterations = 200, max_halvings = 20, max_landing_iterations = 40;
+  static constexpr int max_iterations = 200, max_halvings = 20;
   static constexpr double converged = 1e-12;  // |r|, relative to the gradients met on the way
   static constexpr double same_place = 1e-6;  // Newton's limits agree far better, but for degenerate points
   static constexpr double singular = 1e-10;   // pivots of Newton's matrix, relative to the largest
@@ -50,7 +50,6 @@ class CriticalPointFinder {
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
-    land(q);
     lambda = Vector::Zero(landscape_.n_constraints());
     double scale = 0;
     if (!initial_multiplier(q, lambda, scale) || !residual(q, lambda, r)) return false;
@@ -71,20 +70,6 @@ class CriticalPointFinder {
       lambda = lambda_new;
     }
     return false;
-  }
-
-  /// q → a point near N by Newton's shortest steps for g(q) = 0, as far as they lead: from far away, the iteration for
-  /// (q, λ) meets first of all what lies nearest, whatever the lengths that g prescribes.
-  void land(Vector& q) const {
-    if (landscape_.n_constraints() == 0) return;
-    Vector g;
-    Matrix G;
-    for (int i = 0; i < max_landing_iterations && landscape_.constraint(q, g) && g.norm() > 0; ++i) {
-      landscape_.constraint_gradient(q, G);
-      const Vector step = G.completeOrthogonalDecomposition().solve(g);
-      if (!step.allFinite()) return;
-      q -= step;
-    }
   }
 
   bool newton_step(const Vector& q, const Vector& lambda, const Vector& r, Vector& step) const {

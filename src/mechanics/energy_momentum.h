@@ -25,12 +25,13 @@
 ///   or the two of a body about one common axis; θP is then O(h|P|). Near a steady motion with two different axes θP
 ///   stays O(h²), and the iteration may need smaller steps.
 ///
-/// Round-off. V is known to within ν, θP to within ν/|P|. ν is measured at every step, because it changes along a
-/// motion: the terms of V cancel in another way where the body has turned. An energy error within ν is not corrected,
-/// one beyond it is by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν
-/// and does not add up. On relative equilibria H is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX|
-/// the energy is right to round-off without θ, which is left out. What round-off takes of the momenta is given back too
-/// (momentum_keeper.h).
+/// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
+/// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
+/// up. ν is that of the first state as long as P is so large that round-off corrected by mistake does no harm. It grows
+/// along a motion (terms of V cancel in another way where the body has turned), so it is measured at every step, and
+/// where a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
+/// is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right to round-off without θ,
+/// which is left out. What round-off takes of the momenta is given back too (momentum_keeper.h).
 ///
 /// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
 ///
@@ -103,7 +104,8 @@ struct EnergyMomentumWorkspace {
   double V_start = 0, theta = 0;  // V(q₀), θ
   int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
   double energy_gained = 0;       // by round-off, since the first step
-  double potential_noise = 0;     // largest round-off of V about the states so far
+  double first_noise = -1;        // round-off of V about the first state; negative: not known yet
+  double largest_noise = 0;       // the largest about the states so far
   Counters counters;
 
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
@@ -112,7 +114,8 @@ struct EnergyMomentumWorkspace {
     visit(acceleration);
     history.visit_memory(visit);
     visit(energy_gained);
-    visit(potential_noise);
+    visit(first_noise);
+    visit(largest_noise);
     momenta.visit_memory(visit);
     if constexpr (VectorSpace<Vector>::compensated) {
       visit(q_rounding);
@@ -163,7 +166,9 @@ struct EnergyMomentum {
     using Verdict = detail::ConvergenceMonitor::Verdict;
     w.V_start = system.potential_energy(state.q);
     w.momenta.begin(system, state);
-    w.potential_noise = std::max(w.potential_noise, noise_of_potential(system, state.q));
+    const double noise = noise_of_potential(system, state.q);
+    if (w.first_noise < 0) w.first_noise = noise;
+    w.largest_noise = std::max(w.largest_noise, noise);
     predict(h, state, w);
     detail::FixedPointMonitor monitor;
     for (Verdict verdict = Verdict::go_on; verdict != Verdict::done;) {
@@ -199,6 +204,8 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// |P|/|ΔX| below which the motion is one along the orbit.
   static constexpr double relative_equilibrium = 1e-7;
+  /// |hθ| up to which a correction by mistake does no harm: the iteration takes the changes for its own increments.
+  static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {
     return Status::failure(std::string("the iteration of the conserving step ") +
@@ -337,7 +344,8 @@ struct EnergyMomentum {
       system.constraint_rate(w.q_end, w.v_end, w.residual);
       gain += detail::pairing(w.mu, w.residual);
     }
-    const double nu = 2 * w.potential_noise + 2 * epsilon * (std::abs(w.V_start) + std::abs(V_end) + std::abs(work));
+    const double noise = w.largest_noise < harmless * P * P / std::abs(h) ? w.first_noise : w.largest_noise;
+    const double nu = 2 * noise + 2 * epsilon * (std::abs(w.V_start) + std::abs(V_end) + std::abs(work));
     w.theta = std::copysign(std::max(std::abs(gain) - nu, 0.0), gain) / (P * P);
     return {};
   }

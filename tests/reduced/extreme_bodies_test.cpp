@@ -189,7 +189,7 @@ TEST(FastAndSlowBodies, KeepTurningSlowly) {
         run<EnergyMomentum>(body, moving<LoadedSl3>(Matrix3d::Identity(), rate * hat({0, 0, 1})), 200, 20, 100);
     ASSERT_TRUE(r.finished()) << rate << ": " << r.result.reason;
     const auto d = departures(body, r.states);
-    EXPECT_LT(d.energy, 1e-12) << rate;
+    EXPECT_LT(d.energy, 1e-15 * 200 * 200) << rate;  // V is known to ε(rate t)², beside a kinetic energy of rate²
     EXPECT_LT(d.momenta, 1e-13) << rate;
   }
 }
