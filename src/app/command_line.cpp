@@ -20,6 +20,10 @@ std::string names_a_file(const std::string& scene) {
   return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
 }
 
+std::string names_a_directory(const std::string& directory) {
+  return directory.empty() ? "expected the directory of a run, got nothing" : "";
+}
+
 scene::Format format_of(const std::string& name) {
   if (name == "prm") return scene::Format::prm;
   if (name == "markdown") return scene::Format::markdown;
@@ -60,6 +64,12 @@ Options parse_command_line(int argc, const char* const* argv) {
           "prm, markdown (default) or json")
       ->option_text("FORMAT");
 
+  auto* report = app.add_subcommand("report", "Write report.html of a run from the files in its directory");
+  report->add_option("DIR", options.run_directory, "directory of the results of a run")
+      ->required()
+      ->check(names_a_directory);
+  report->add_option("--output", options.output, "name of the page, in place of DIR/report.html");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -77,6 +87,7 @@ Options parse_command_line(int argc, const char* const* argv) {
   options.command = run->parsed()          ? Command::run
                     : check->parsed()      ? Command::check
                     : parameters->parsed() ? Command::parameters
+                    : report->parsed()     ? Command::report
                                            : Command::help;
   options.help = app.help();
   return options;

@@ -11,13 +11,14 @@
 
 namespace pseudorigid::app {
 
-enum class Command { run, check, parameters, version, help };
+enum class Command { run, check, parameters, report, version, help };
 
 struct Options {
   Command command = Command::help;
   std::filesystem::path scene;
   std::vector<std::string> overrides;           ///< --set
   std::optional<std::filesystem::path> output;  ///< --output
+  std::filesystem::path run_directory;          ///< of `report`
   bool resume = false;
   io::Verbosity verbosity = io::Verbosity::normal;
   scene::Format format = scene::Format::markdown;

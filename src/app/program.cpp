@@ -16,6 +16,7 @@
 #include "app/launch.h"
 #include "app/mesh_file.h"
 #include "app/on_all_ranks.h"
+#include "app/report_command.h"
 #include "app/run_command.h"
 #include "app/scene_to_run.h"
 #include "app/sweep.h"
@@ -101,6 +102,9 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     }
     case Command::parameters:
       io::print(scene::parameters(options.format, program_catalogue()));
+      return exit_done;
+    case Command::report:
+      if (launch.rank == 0) report_run(options);
       return exit_done;
     case Command::version: {
       const io::BuildInfo build = io::build_info();

@@ -1,6 +1,7 @@
 #include "io/manifest.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/files.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::io {
 
@@ -92,6 +94,20 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
   json["message"] = message;
   write_file_atomically(manifest, {to_text(json)});
 } catch (const std::exception&) {
+}
+
+std::string system_in(const std::filesystem::path& manifest) {
+  constexpr bool throws = false;
+  const Json json = Json::parse(read_file(manifest), nullptr, throws);
+  const auto text = [&](const char* name) {
+    const auto found = json.find(name);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  const std::string system = text("system");
+  // It becomes the name of a file in the directory.
+  if (!json.is_object() || text("program") != "pseudorigid" || system.find('/') != system.npos)
+    throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
+  return system;
 }
 
 std::string cpu_model() {

@@ -53,6 +53,10 @@ class ManifestFile {
 /// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
+/// What the manifest of an earlier run says of its system: the name of its CSV file, empty for the ball. UserError if the
+/// file is no manifest of this program.
+std::string system_in(const std::filesystem::path& manifest);
+
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();
 

@@ -30,7 +30,7 @@ std::string with_system(std::string_view name, const std::string& system) {
 
 }  // namespace
 
-void write_report(const RunDirectory& directory, const std::string& system) {
+std::string report_of(const RunDirectory& directory, const std::string& system) {
   std::string report;
   std::string_view rest = report_page();
   for (std::size_t at = rest.find(before_name); at != rest.npos; at = rest.find(before_name)) {
@@ -41,7 +41,11 @@ void write_report(const RunDirectory& directory, const std::string& system) {
     rest.remove_prefix(end + after_name.size());
     if (const fs::path path = directory.path() / name; fs::is_regular_file(path)) report += escaped(read_file(path));
   }
-  write_file_atomically(directory.report(), {report, rest});
+  return report.append(rest);
+}
+
+void write_report(const RunDirectory& directory, const std::string& system) {
+  write_file_atomically(directory.report(), {report_of(directory, system)});
 }
 
 }  // namespace pseudorigid::io

@@ -3,8 +3,7 @@
 /// is asked for, and the files can be taken out of it again.
 ///
 /// The page has an element  <script type="…" data-file="NAME"></script>  for every file that it can show; in a report
-/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there. tools/report.py
-/// fills the same page in the same way.
+/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there.
 
 #include <string>
 #include <string_view>
@@ -16,7 +15,10 @@ namespace pseudorigid::io {
 /// The page without files.
 std::string_view report_page();
 
-/// Fills the page with what the directory holds. `system`: name of the CSV file of a system, empty for the ball.
+/// The page filled with what the directory holds. `system`: name of the CSV file of a system, empty for the ball.
+std::string report_of(const RunDirectory& directory, const std::string& system);
+
+/// Writes it as the directory's report.html.
 void write_report(const RunDirectory& directory, const std::string& system);
 
 }  // namespace pseudorigid::io

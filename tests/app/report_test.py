@@ -1,4 +1,4 @@
-"""report.html of runs that need no continuum, and tools/report.py and tools/paraview_view.py when they are misused."""
+"""report.html of runs that need no continuum, `pseudorigid report`, and tools/paraview_view.py when it is misused."""
 import os
 import signal
 import subprocess
@@ -6,6 +6,7 @@ import sys
 import unittest
 
 from program_test import SOURCE, STOPPED, WRONG_INPUT
+from refused_input import RefusedInputTest
 from report_page import Page, REPORTED, ReportTest
 
 SCENE = {
@@ -17,7 +18,7 @@ SCENE = {
 SLOW = {**SCENE, "Time/End": 1000, "Time/Step": 1e-5, "Time/Method": "rattle-4"}
 
 
-class Report(ReportTest):
+class Report(ReportTest, RefusedInputTest):
     def test_reduced_model(self):
         page = self.run_reported(SCENE)
         self.check_samples(page, "reduced.csv")
@@ -87,26 +88,62 @@ class Report(ReportTest):
         manifest = self.json("output/scene/manifest.json")
         self.assertEqual((manifest["state"], manifest["exit_code"]), ("failed", STOPPED))
 
-    def test_tool_on_a_run_without_report(self):
+    # The command `report`.
+
+    def test_command_on_a_run_without_report(self):
         self.scene(SCENE)
         self.run_done("run", "scene.prm")
-        self.assertEqual(self.run_tool("output/scene").returncode, 0)
-        self.check_samples(Page(self.scratch / "output/scene/report.html"), "reduced.csv")
+        before = {name: self.bytes("output/scene", name) for name in self.files("output/scene")}
+        for _ in "new", "in place of the old one":
+            self.assertEqual(self.run_done("report", "output/scene").stdout, "output/scene/report.html\n")
+        page = self.check_page("output/scene")
+        self.check_samples(page, "reduced.csv")
+        self.assertEqual({name: self.bytes("output/scene", name) for name in before}, before)
+        self.assertEqual(self.files("output/scene"), sorted([*before, "report.html"]))
 
-    # Tools that are misused.
+    def test_command_on_a_run_at_work_and_on_a_killed_one(self):
+        self.scene(SLOW)
+        process = self.start_program("run", "scene.prm")
+        csv = self.scratch / "output/scene/reduced.csv"
+        self.wait_until(lambda: csv.exists() and csv.read_bytes().count(b"\n") > 1, "the motion begins")
+        self.run_done("report", "output/scene")
+        page = Page(self.scratch / "output/scene/report.html")
+        self.assertIn('"state": "running"', page.files["manifest.json"])
+        self.assertGreater(page.files["reduced.csv"].count("\n"), 1)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.run_done("report", "output/scene")
+        self.check_page("output/scene")
+
+    def test_command_without_a_run(self):
+        self.refused("report", "nowhere", fragments=("DIR: expected the directory of a run; ", "'nowhere/manifest.json'", "No such file"))
+        self.scene(SCENE, "file")
+        self.refused("report", "file", fragments=("DIR: ", "'file/manifest.json'", "Not a directory"))
+        self.refused("report", "", fragments=("DIR: expected the directory of a run, got nothing",))
+        self.refused("report", fragments=("DIR is required", "--help"))
+
+    def test_command_on_what_is_no_manifest(self):
+        (self.scratch / "run").mkdir()
+        for text in ("", "{", "[]", "3", "{}", '{"program": 3}', '{"program": "another"}',
+                     '{"program": "pseudorigid", "system": "../secret"}'):
+            with self.subTest(text):
+                (self.scratch / "run/manifest.json").write_text(text)
+                self.refused("report", "run", fragments=("'run/manifest.json' is not the manifest of a run of pseudorigid",))
+
+    def test_command_that_cannot_write(self):
+        self.scene(SCENE)
+        self.run_done("run", "scene.prm")
+        self.refused("report", "output/scene", "--output", "no/folder.html", fragments=("--output: cannot write 'no/folder.html'",))
+        self.refused("report", "output/scene", "--output", "output", fragments=("--output: cannot write 'output'", "directory"))
+        (self.scratch / "output/scene/report.html/in the way").mkdir(parents=True)
+        self.refused("report", "output/scene", fragments=("DIR: cannot write 'output/scene/report.html'", "directory"))
+
+    # A tool that is misused.
 
     def assert_refused(self, result, *fragments):
         self.assertEqual((result.returncode, result.stdout), (WRONG_INPUT, ""), result.stderr)
         for fragment in ("error: ", *fragments):
             self.assertIn(fragment, result.stderr)
-
-    def test_tool_without_a_run(self):
-        self.assert_refused(self.run_tool("nowhere"), "nowhere/manifest.json does not exist")
-
-    def test_tool_that_cannot_write(self):
-        self.scene(SCENE)
-        self.run_done("run", "scene.prm")
-        self.assert_refused(self.run_tool("output/scene", "--output", "no/folder.html"), "--output: ", "no/folder.html")
 
     def run_paraview_tool(self, *arguments):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}

@@ -3,12 +3,10 @@ import html.parser
 import re
 import shutil
 import subprocess
-import sys
 
-from program_test import ProgramTest, SOURCE, Table
+from program_test import ProgramTest, Table
 
 VOID = {"meta"}
-TOOL = SOURCE / "tools/report.py"
 REPORTED = {"Output/Report": "true"}
 
 
@@ -70,7 +68,7 @@ class ReportTest(ProgramTest):
             self.assertEqual(text, file.read_text() if file.is_file() else "", name)
         results = {file for file in self.files(folder) if file.endswith((".csv", ".json", ".prm"))}
         self.assertLessEqual(results, page.files.keys())
-        self.check_tool_makes_the_same(folder, path)
+        self.check_command_makes_the_same(folder, path)
         if shutil.which("node"):  # of the scripts at least the grammar
             script = self.scratch / "script.js"
             script.write_text("".join(page.scripts))
@@ -78,14 +76,10 @@ class ReportTest(ProgramTest):
             self.assertEqual(checked.returncode, 0, checked.stderr)
         return page
 
-    def check_tool_makes_the_same(self, folder, path):
-        again = self.scratch / "again.html"
-        made = self.run_tool(folder, "--output", again)
-        self.assertEqual(made.returncode, 0, made.stderr)
-        self.assertEqual(again.read_bytes(), path.read_bytes())
-
-    def run_tool(self, *arguments):
-        return subprocess.run([sys.executable, str(TOOL), *map(str, arguments)], cwd=self.scratch, capture_output=True, text=True)
+    def check_command_makes_the_same(self, folder, path):
+        made = self.run_done("report", folder, "--output", "again.html")
+        self.assertEqual(made.stdout, "again.html\n")
+        self.assertEqual(self.bytes("again.html"), path.read_bytes())
 
     def check_samples(self, page, name, folder="output/scene"):
         """Every sample of the file, at every column, is in the page."""
