@@ -38,7 +38,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from run_directory import entry, existing, fail, read_pvd
+from run_directory import entry, existing, fail, read_manifest, read_pvd
 
 WIDTH, HEIGHT = 1020, 680
 FIELD = "von_mises"
@@ -279,13 +279,19 @@ def caption(largest, table):
     return f"von Mises stress (the scene's unit of pressure{beyond})"
 
 
+def degree_of(directory):
+    """Of the finite elements, as it was asked for or found."""
+    degree = entry(directory, "Continuum/Degree")
+    return int(read_manifest(directory)["models"]["continuum"]["counters"]["degree"] if degree == "auto" else degree)
+
+
 def read_bodies(directory, frame, cut):
     """Time, radius, and position and stress on the same material faces of both balls."""
     time, continuum_path, reduced_path = frame_paths(directory, frame)
-    radius = float(entry(directory, "Radius"))
+    radius = float(entry(directory, "Body/Radius"))
     x, displacement, stress = read_points(continuum_path)
     reference = x - displacement
-    faces = Faces(reference, int(entry(directory, "Degree")), radius, cut)
+    faces = Faces(reference, degree_of(directory), radius, cut)
     continuum = faces.of(x), faces.of(stress)
 
     x, displacement, stress = read_points(reduced_path)

@@ -1,8 +1,8 @@
 """What the tools read from a run directory of pseudorigid."""
 
 import csv
+import json
 import pathlib
-import re
 import sys
 import xml.etree.ElementTree
 
@@ -37,7 +37,13 @@ def read_pvd(path):
     return [(float(s.get("timestep")), path.parent / s.get("file")) for s in sets]
 
 
-def entry(directory, name):
-    """The value of an entry whose name occurs once in used.prm."""
-    text = existing(directory, "used.prm", "is this the directory of a run?").read_text()
-    return re.search(rf"^\s*set {re.escape(name)} = (.*)$", text, re.MULTILINE).group(1).strip()
+def read_manifest(directory):
+    return json.loads(existing(directory, "manifest.json", "is this the directory of a run?").read_text())
+
+
+def entry(directory, path):
+    """The value that an entry had in the run: entry(directory, "Body/Radius")."""
+    values = read_manifest(directory).get("entries", {})
+    if path not in values:
+        fail(f"{directory}/manifest.json has no value of {path}; run the scene again")
+    return values[path]

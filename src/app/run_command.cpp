@@ -153,6 +153,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .command = command,
                        .title = scene.title,
                        .scene = scene::summary(scene, needs),
+                       .entries = scene::used_values(scene),
                        .needed = needs.needed,
                        .skipped = needs.skipped,
                        .warnings = needs.warnings,

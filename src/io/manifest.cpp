@@ -59,6 +59,8 @@ Json to_json(const Manifest& content) {
   json["command"] = content.command;
   json["title"] = content.title;
   json["scene"] = content.scene;
+  json["entries"] = Json::object();
+  for (const auto& [path, value] : content.entries) json["entries"][path] = value;
   if (!content.system.empty()) json["system"] = content.system;
   json["needed"] = content.needed;
   json["skipped"] = content.skipped;

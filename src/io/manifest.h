@@ -9,6 +9,7 @@
 
 #include "io/build_info.h"
 #include "scene/catalogue.h"
+#include "scene/print_scene.h"
 
 namespace pseudorigid::io {
 
@@ -20,6 +21,7 @@ struct Manifest {
   std::vector<std::string> command;                           ///< argv
   std::string title;                                          ///< of the scene
   std::string scene;                                          ///< in one line
+  std::vector<scene::UsedValue> entries;                      ///< of the scene
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< of files that no other page describes, by file
@@ -53,8 +55,8 @@ class ManifestFile {
 /// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// What the manifest of an earlier run says of its system: the name of its CSV file, empty for the ball. UserError if the
-/// file is no manifest of this program.
+/// What the manifest of an earlier run says of its system: the name of its CSV file, empty for the ball. UserError if
+/// the file is no manifest of this program.
 std::string system_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.

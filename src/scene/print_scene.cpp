@@ -183,6 +183,17 @@ std::string to_prm(const Scene& scene, const Origins& origins) {
   return writer.finish();
 }
 
+std::vector<UsedValue> used_values(const Scene& scene) {
+  std::vector<UsedValue> values;
+  visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
+    if (!concerns(scene, about.path)) return;
+    const auto expression = scene.expressions.find(about.path);
+    const bool varies = !scene.sweep.empty() && expression != scene.expressions.end();
+    values.push_back({std::string(about.path), varies ? expression->second : kind.print(member)});
+  });
+  return values;
+}
+
 std::string parameters(Format format, const Catalogue& catalogue) {
   const Scene scene = default_scene(catalogue);
   switch (format) {

@@ -2,6 +2,7 @@
 /// From a Scene to text: used.prm, and the list of all entries in three formats.
 
 #include <string>
+#include <vector>
 
 #include "scene/read_scene.h"
 #include "scene/scene.h"
@@ -11,6 +12,15 @@ namespace pseudorigid::scene {
 /// All entries that concern the scene with their values, as a parameter file that reads back to the same scene, bit for
 /// bit. Entries that came from the command line are marked by a comment.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
+
+/// The value that an entry had in a run, in its canonical form.
+struct UsedValue {
+  std::string path, value;
+};
+
+/// Of all entries that concern the scene, those with their default value too. What varies from run to run of a sweep is
+/// the expression.
+std::vector<UsedValue> used_values(const Scene& scene);
 
 enum class Format { prm, markdown, json };
 

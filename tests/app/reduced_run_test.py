@@ -95,6 +95,19 @@ class ReducedRun(ProgramTest):
         self.assertEqual(self.bytes("output/again/reduced.csv"), self.bytes("output/scene/reduced.csv"))
         self.assertEqual((self.scratch / "output/again/used.prm").read_text(), used.replace("  # from --set", ""))
 
+    def test_the_manifest_has_the_values_used(self):
+        self.scene({**SCENE, "Body/Radius": "$(3/2)"})
+        self.run_done("run", "scene.prm", *overrides({"Time/Tolerance": "0.10e-8", "Title": "ends with \\"}))
+        entries = self.json("output/scene/manifest.json")["entries"]
+        used = (self.scratch / "output/scene/used.prm").read_text()
+        self.assertEqual([path.split("/")[-1] for path in entries], re.findall(r"^ *set ([^=]*?) =", used, re.M))
+        for path, value in (("Body/Radius", "1.5"), ("Time/Tolerance", "1e-09"), ("Title", "ends with \\"), ("Body/Inertia", "auto"),
+                            ("Body/Semi-axes", "1, 1, 1")):
+            self.assertEqual(entries[path], value)
+        # As options they make the same run.
+        self.run_done("run", self.scene("", "defaults.prm"), *overrides(entries), "--output", "again")
+        self.assertEqual(self.bytes("again/reduced.csv"), self.bytes("output/scene/reduced.csv"))
+
     def test_a_new_run_clears_the_old_one_and_nothing_else(self):
         self.scene(SCENE)
         self.run_done("run", "scene.prm", "--set", "Output/Graphics=vtu", "--set", "Output/Frames=3")

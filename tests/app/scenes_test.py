@@ -13,7 +13,7 @@ SAMPLES = 24
 
 class Scenes(ProgramTest):
     def shortened(self, name):
-        """Options that make a scene short, and its entries as used.prm tells them."""
+        """Options that make a scene short."""
         self.scene((SOURCE / "params" / f"{name}.prm").read_text(), f"{name}.prm")
         end = float(re.search(r"set End\s*=\s*(\S+)", (self.scratch / f"{name}.prm").read_text())[1])
         return overrides({"Time/End": min(end, 2), "Output/Samples": SAMPLES, "Output/Graphics": "vtu",
@@ -22,11 +22,11 @@ class Scenes(ProgramTest):
     def check_scene(self, name, models):
         self.run_done("run", f"{name}.prm", *self.shortened(name))
         folder = self.scratch / "output" / name
-        used = dict(re.findall(r"set (\w+) = (\S+)", (folder / "used.prm").read_text()))
         manifest = self.json(folder / "manifest.json")
-        if used["Degree"] == "auto":
+        discretization = [manifest["entries"][f"Continuum/{name}"] for name in ("Degree", "Refinements")]
+        if "auto" in discretization:
             found = manifest["models"]["continuum"]["counters"]
-            used = {"Degree": found["degree"], "Refinements": found["refinements"]}
+            discretization = found["degree"], found["refinements"]
         for model, columns in (("reduced", BODY_COLUMNS), ("continuum", CONTINUUM_COLUMNS)):
             self.assertEqual((folder / f"{model}.csv").exists(), model in models)
             if model not in models:
@@ -39,7 +39,7 @@ class Scenes(ProgramTest):
             expected = [(end * sample / SAMPLES, f"graphics/{model}-{j:06}.vtu")
                         for j, sample in enumerate((0, SAMPLES // 2, SAMPLES))]
             self.assertEqual(self.pvd(folder / f"{model}.pvd"), expected)
-            self.check_pictures(folder, [file for _, file in expected], self.expected_grid(model, used))
+            self.check_pictures(folder, [file for _, file in expected], self.expected_grid(model, *map(int, discretization)))
         self.assertEqual(len(list((folder / "graphics").iterdir())), FRAMES * len(models))
         self.assertEqual((folder / "comparison.json").exists(), len(models) == 2)
         self.assertEqual(sorted(manifest["models"]), sorted(models))
@@ -50,12 +50,12 @@ class Scenes(ProgramTest):
         self.assertIn("Skipped:\n", log)
 
     @staticmethod
-    def expected_grid(model, used):
+    def expected_grid(model, k, refinements):
         """Points, cells and VTK's cell type. The whole ball has 8·4 coarse cells, each node and sub-cell of its own; the
         ellipsoid is a cube's surface with 12² quadrilaterals a side."""
         if model == "reduced":
             return 6 * 12**2 + 2, 6 * 12**2, 9
-        k, n_cells = int(used["Degree"]), 8 * 4 * 8 ** int(used["Refinements"])
+        n_cells = 8 * 4 * 8**refinements
         return n_cells * (k + 1) ** 3, n_cells * k**3, 12
 
     def check_pictures(self, folder, files, grid, fields={"displacement": [3], "jacobian": [1], "pressure": [1],

@@ -125,6 +125,7 @@ TEST(Manifest, TellsWhatRanAndHowItEnded) {
   content.command = {"pseudorigid", "run", "a.prm"};
   content.title = "A \"quoted\" title that is not UTF-8: \xff";
   content.libraries = {{"Eigen", "3.4.0"}};
+  content.entries = {{"Time/End", "10"}, {"Body/Radius", "0.5"}};
   ManifestFile file(scratch / "manifest.json", content);
   EXPECT_EQ(manifest_in(scratch)["state"], "running");
   EXPECT_FALSE(manifest_in(scratch).contains("end"));
@@ -138,6 +139,7 @@ TEST(Manifest, TellsWhatRanAndHowItEnded) {
   EXPECT_EQ(json["models"]["reduced"]["timers"]["stepping"], 0.25);
   EXPECT_EQ(json["libraries"]["Eigen"], "3.4.0");
   EXPECT_EQ(json["command"][2], "a.prm");
+  EXPECT_EQ(json["entries"]["Body/Radius"], "0.5");
   for (const char* name : {"version", "git_hash", "compiler", "flags", "cpu", "start", "end", "wall_seconds"})
     EXPECT_TRUE(json.contains(name)) << name;
   EXPECT_FALSE(json["cpu"].get<std::string>().empty());

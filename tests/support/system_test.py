@@ -145,15 +145,7 @@ class SystemTest(ProgramTest):
 
     def used_entries(self, folder):
         """{path: value} of all entries of a run, those with their default value too."""
-        entries, section = {}, ""
-        for line in self.scratch.joinpath(folder, "used.prm").read_text().splitlines():
-            if match := re.match(r"subsection (.*)", line):
-                section = match[1] + "/"
-            elif line == "end":
-                section = ""
-            elif match := re.match(r" *set ([^=]*) =(?: (.*?))?(?:  # from --set)?$", line):
-                entries[section + match[1]] = match[2] or ""
-        return entries
+        return self.json(folder, "manifest.json")["entries"]
 
     def scaled_entries(self, entries, scales, units):
         page = json.loads(self.run_done("parameters", "--format", "json").stdout)

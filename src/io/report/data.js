@@ -23,20 +23,8 @@ function parseCsv(name) {
   return {names, columns, n: lines.length - 1, at: (column, i) => columns[column][i], has: column => column in columns};
 }
 
-// {"Section/Entry": "value"} of a parameter file, without remarks.
-function parsePrm(text) {
-  const entries = {}, path = [];
-  for (const line of text.split("\n").map(l => l.trim())) {
-    const set = line.match(/^set\s+([^=]*?)\s*=\s*(.*?)(?:\s+#.*)?$/);
-    if (line.startsWith("subsection ")) path.push(line.slice(11).trim());
-    else if (line === "end") path.pop();
-    else if (set) entries[[...path, set[1]].join("/")] = set[2];
-  }
-  return entries;
-}
-
-const scene = parsePrm(fileText("used.prm"));
 const manifest = parseJson("manifest.json") || {models: {}, state: "unknown"};
+const scene = manifest.entries || {};  // {"Section/Entry": "value"}
 const comparison = parseJson("comparison.json");
 const systemFile = manifest.system;
 const tables = Object.fromEntries(["reduced", "continuum", "comparison", "shapes", "modes", "equilibria", "sweep"]
