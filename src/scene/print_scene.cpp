@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "scene/entries.h"
 #include "scene/wording.h"
 
@@ -145,28 +147,18 @@ std::string as_markdown(const Scene& scene) {
   return text + methods_table(catalogue_of(scene)) + columns_tables(catalogue_of(scene));
 }
 
-std::string json_text(std::string_view text) {
-  std::string escaped = "\"";
-  for (const char c : text) escaped.append(c == '"' || c == '\\' ? "\\" : "").push_back(c);
-  return escaped + "\"";
-}
-
-std::string json_list(const std::vector<std::string_view>& words) {
-  std::string list;
-  for (const std::string_view word : words) list.append(list.empty() ? "" : ", ").append(json_text(word));
-  return "[" + list + "]";
-}
-
 std::string as_json(const Scene& scene) {
-  std::string text;
+  auto entries = nlohmann::ordered_json::array();
   visit_entries(scene, [&](const auto& member, const auto& kind, const About& about) {
-    text += fmt::format(
-        "{}  {{\n    \"entry\": {},\n    \"type\": {},\n    \"default\": {},\n    \"expected\": {},\n"
-        "    \"words\": {},\n    \"unit\": {},\n    \"documentation\": {}\n  }}",
-        text.empty() ? "" : ",\n", json_text(about.path), json_text(kind.type), json_text(kind.print(member)),
-        json_text(kind.expected()), json_list(kind.words()), json_text(about.unit), json_text(about.documentation));
+    entries.push_back({{"entry", about.path},
+                       {"type", kind.type},
+                       {"default", kind.print(member)},
+                       {"expected", kind.expected()},
+                       {"words", kind.words()},
+                       {"unit", std::string_view(about.unit)},
+                       {"documentation", about.documentation}});
   });
-  return "[\n" + text + "\n]\n";
+  return entries.dump(2) + "\n";
 }
 
 }  // namespace
