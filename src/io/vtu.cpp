@@ -119,33 +119,4 @@ void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece
   write_file_atomically(path, {out});
 }
 
-std::vector<int> lagrange_hexahedron_nodes(int degree) {
-  const int p = degree;
-  std::vector<int> nodes;
-  const auto add = [&](int i, int j, int k) { nodes.push_back(i + (p + 1) * (j + (p + 1) * k)); };
-  for (const int k : {0, p}) add(0, 0, k), add(p, 0, k), add(p, p, k), add(0, p, k);
-  for (const int k : {0, p}) {
-    for (int i = 1; i < p; ++i) add(i, 0, k);
-    for (int j = 1; j < p; ++j) add(p, j, k);
-    for (int i = 1; i < p; ++i) add(i, p, k);
-    for (int j = 1; j < p; ++j) add(0, j, k);
-  }
-  for (const int j : {0, p})
-    for (const int i : {0, p})
-      for (int k = 1; k < p; ++k) add(i, j, k);
-  for (const int i : {0, p})
-    for (int k = 1; k < p; ++k)
-      for (int j = 1; j < p; ++j) add(i, j, k);
-  for (const int j : {0, p})
-    for (int k = 1; k < p; ++k)
-      for (int i = 1; i < p; ++i) add(i, j, k);
-  for (const int k : {0, p})
-    for (int j = 1; j < p; ++j)
-      for (int i = 1; i < p; ++i) add(i, j, k);
-  for (int k = 1; k < p; ++k)
-    for (int j = 1; j < p; ++j)
-      for (int i = 1; i < p; ++i) add(i, j, k);
-  return nodes;
-}
-
 }  // namespace pseudorigid::io

@@ -11,7 +11,7 @@
 namespace pseudorigid::io {
 
 /// VTK's numbers.
-enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, lagrange_hexahedron = 72 };
+enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12 };
 
 /// A grid of cells of one type with values at its points.
 struct UnstructuredGrid {
@@ -37,11 +37,6 @@ void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 /// The file of a parallel run that names the pieces which `piece`'s like were written to, beside it. WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
-
-/// Lexicographic numbers (x fastest, (degree+1)³ nodes) of the nodes of a Lagrange hexahedron, in the order that a file
-/// of version 1.0 lists them: vertices, edges, faces, interior. (Files from version 2.1 on swap two edges; VTK's reader
-/// knows both.)
-std::vector<int> lagrange_hexahedron_nodes(int degree);
 
 std::string base64(std::string_view bytes);
 

@@ -52,7 +52,7 @@ struct Composition {
   static_assert(Base::symmetric && Base::order == 2, "the coefficients are those for symmetric methods of order 2");
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
-  static constexpr bool symplectic = Base::symplectic, symmetric = true, needs_tangent = Base::needs_tangent;
+  static constexpr bool symplectic = Base::symplectic, symmetric = true;
   static constexpr bool adaptive = false;
   static constexpr double stability_limit = Coefficients::stability_limit;
 

@@ -87,7 +87,7 @@ struct DormandPrince8 {
       "explicit Runge-Kutta of order 8 (Dormand, Prince) with error control, projected onto the constraints";
   static constexpr int order = 8;
   static constexpr int n_stages = dop853::n_stages;
-  static constexpr bool symplectic = false, symmetric = false, needs_tangent = false;
+  static constexpr bool symplectic = false, symmetric = false;
   static constexpr bool adaptive = true, chosen_by_auto = true;
 
   template <class F>

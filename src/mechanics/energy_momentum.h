@@ -140,7 +140,7 @@ struct EnergyMomentum {
       "keeps energy, momenta and constraints exactly (equivariant discrete gradients), order 2, implicit";
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
-  static constexpr bool symplectic = false, symmetric = true, needs_tangent = false;
+  static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = false;
   /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all.
   static constexpr double stability_limit = 1.6;

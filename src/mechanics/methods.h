@@ -3,7 +3,7 @@
 ///
 /// A method is an empty struct:
 ///   name, documentation                  as in parameter files
-///   order, n_stages, symplectic, symmetric, needs_tangent, adaptive, stability_limit
+///   order, n_stages, symplectic, symmetric, adaptive, stability_limit
 ///   chosen_by_auto                       whether Method = auto may take it
 ///   Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///   fits<S>                              whether it can be compiled for a system of type S

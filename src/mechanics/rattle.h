@@ -178,7 +178,7 @@ struct Rattle {
   static constexpr const char* documentation = "RATTLE: symplectic, symmetric, one force a step";
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
-  static constexpr bool symplectic = true, symmetric = true, needs_tangent = false;
+  static constexpr bool symplectic = true, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;

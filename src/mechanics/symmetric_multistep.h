@@ -88,7 +88,7 @@ template <class Coefficients>
 struct SymmetricMultistep {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = 1;
-  static constexpr bool symplectic = false, symmetric = true, needs_tangent = false;
+  static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = false;
   static constexpr double stability_limit = Coefficients::stability_limit;
   static constexpr MultistepFormula<order> formula = multistep_formula<order>(Coefficients::a);

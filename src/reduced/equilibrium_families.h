@@ -7,8 +7,7 @@
 ///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures
 ///   planar               a₂/a₁ at one a₃/a₁        Riemann types I–III, ω and Λ in the plane of axes 2 and 3
 ///
-/// A parameter that has no steady motion is reported with the reason and left out. Curves that are no function of such
-/// a parameter are followed by continuation.h.
+/// A parameter that has no steady motion is reported with the reason and left out.
 
 #include <string>
 #include <vector>

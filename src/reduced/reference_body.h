@@ -16,7 +16,6 @@ struct ReferenceBody {
   double volume;
   double mass = volume;                                 ///< ρ = 1
   Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; of another body, that of the ellipsoid with its E₀
-  bool is_ellipsoid = true;
 
   /// The ball of the internal units: r = ρ = 1.
   static ReferenceBody unit_ball() {

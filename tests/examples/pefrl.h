@@ -45,7 +45,7 @@ struct Pefrl {
       "explicit symplectic splitting of order 4 (Omelyan, Mryglod, Folk), 4 forces a step, without constraints";
   static constexpr int order = 4;
   static constexpr int n_stages = 4;
-  static constexpr bool symplectic = true, symmetric = true, needs_tangent = false;
+  static constexpr bool symplectic = true, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = false;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.98;

@@ -73,17 +73,6 @@ TEST(Vtu, GridsThatDoNotFitTogetherAreDefects) {
   EXPECT_THROW(write_vtu(scratch / "none/a.vtu", triangle()), WriteError);
 }
 
-TEST(Vtu, LagrangeNodesAreAPermutationThatBeginsWithTheHexahedron) {
-  EXPECT_EQ(lagrange_hexahedron_nodes(1), (std::vector<int>{0, 1, 3, 2, 4, 5, 7, 6}));
-  for (int p = 1; p <= 8; ++p) {
-    std::vector<int> nodes = lagrange_hexahedron_nodes(p);
-    ASSERT_EQ(nodes.size(), std::size_t((p + 1) * (p + 1) * (p + 1)));
-    EXPECT_EQ(nodes[6], int(nodes.size()) - 1);  // the vertex (1,1,1)
-    std::ranges::sort(nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i) ASSERT_EQ(nodes[i], int(i));
-  }
-}
-
 TEST(Pvd, ListsFramesRelativeToItself) {
   const ScratchDirectory scratch;
   PvdCollection first(scratch / "reduced.pvd");

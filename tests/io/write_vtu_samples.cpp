@@ -11,19 +11,15 @@ using namespace pseudorigid::io;
 
 namespace {
 
-/// Two curved Lagrange hexahedra side by side; the field reference_coordinates says where in its cell a node belongs.
-UnstructuredGrid lagrange_cells(int degree) {
+/// Two hexahedra side by side; the field reference_coordinates says where in its cell a node belongs.
+UnstructuredGrid hexahedra() {
   UnstructuredGrid grid;
-  grid.cell_type = CellType::lagrange_hexahedron;
-  const std::vector<int> order = lagrange_hexahedron_nodes(degree);
-  grid.nodes_per_cell = static_cast<int>(order.size());
   std::vector<double> reference, tensor, scalar;
-  const int n = degree + 1;
   for (int cell = 0; cell < 2; ++cell) {
     const auto first = static_cast<std::int64_t>(grid.n_points());
-    for (const int node : order) grid.connectivity.push_back(first + node);
-    for (int node = 0; node < n * n * n; ++node) {
-      const double x = double(node % n) / degree, y = double(node / n % n) / degree, z = double(node / n / n) / degree;
+    for (const int node : {0, 1, 3, 2, 4, 5, 7, 6}) grid.connectivity.push_back(first + node);
+    for (int node = 0; node < 8; ++node) {
+      const double x = node & 1, y = node >> 1 & 1, z = node >> 2;
       reference.insert(reference.end(), {x, y, z});
       const double bulge = 0.1 * std::sin(2 * (x + cell)) * y;
       grid.points.insert(grid.points.end(), {x + cell, y + bulge, z - bulge});
@@ -32,12 +28,6 @@ UnstructuredGrid lagrange_cells(int degree) {
     }
   }
   grid.fields = {{"reference_coordinates", 3, reference}, {"jacobian", 1, scalar}, {"stress", 9, tensor}};
-  return grid;
-}
-
-UnstructuredGrid hexahedra() {
-  UnstructuredGrid grid = lagrange_cells(1);
-  grid.cell_type = CellType::hexahedron;
   return grid;
 }
 
@@ -65,6 +55,4 @@ int main(int argc, char** argv) {
   write_vtu(folder / "ellipsoid.vtu", ellipsoid());
   write_vtu(folder / "triangles.vtu", triangles());
   write_vtu(folder / "hexahedra.vtu", hexahedra());
-  for (int degree = 2; degree <= 5; ++degree)
-    write_vtu(folder / ("lagrange-" + std::to_string(degree) + ".vtu"), lagrange_cells(degree));
 }

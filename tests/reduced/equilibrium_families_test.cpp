@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "mechanics/explicit_multiplier.h"
-#include "reduced/continuation.h"
-#include "reduced/index_symbols.h"
 #include "reduced/steady_bodies.h"
+#include "support/continuation.h"
+#include "support/index_symbols.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {

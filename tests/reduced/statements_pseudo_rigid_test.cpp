@@ -8,10 +8,10 @@
 #include <complex>
 
 #include "mechanics/explicit_multiplier.h"
-#include "mechanics/reaction.h"
 #include "reduced/samples.h"
 #include "support/differences.h"
 #include "support/integrate.h"
+#include "support/reaction.h"
 
 namespace pseudorigid::testing {
 namespace {

@@ -7,9 +7,9 @@
 #include <random>
 
 #include "mechanics/explicit_multiplier.h"
-#include "reduced/index_symbols.h"
 #include "reduced/samples.h"
 #include "reduced/steady_bodies.h"
+#include "support/index_symbols.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {

@@ -12,9 +12,9 @@
 #include "mechanics/constrained_landscape.h"
 #include "mechanics/critical_points.h"
 #include "mechanics/sphere_particle.h"
-#include "mechanics/unstable_manifold.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
+#include "support/unstable_manifold.h"
 #include "systems/torus.h"
 
 namespace pseudorigid::testing {

@@ -1,6 +1,6 @@
 #pragma once
-/// Follows a curve of steady motions (steady_curve.h) with step control, locates its special points to round-off, and
-/// changes to the branches that cross it.
+/// Follows a curve of steady motions (arclength_curve.h) with step control, locates its special points to round-off,
+/// and changes to the branches that cross it.
 ///
 /// A step is accepted where the tangent turns by less than a limit, so that the curve does not jump to a neighbour; it
 /// grows while the tangent hardly turns.
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reduced/equilibrium_families.h"
+#include "support/arclength_curve.h"
 
 namespace pseudorigid::reduced {
 
@@ -31,7 +32,7 @@ class Continuation {
   Continuation(const IsotropicBody<V>& body, const Target& condition, Quantity parameter)
       : curve_(body, condition), parameter_(parameter) {}
 
-  const SteadyCurve<V>& curve() const { return curve_; }
+  const ArclengthCurve<V>& curve() const { return curve_; }
 
   /// From a motion on the curve, towards rising parameter (direction = 1) or falling (−1).
   ContinuedFamily follow(const SteadyMotion& start, int direction, const ContinuationOptions& options) const {
@@ -131,7 +132,7 @@ class Continuation {
     }
   }
 
-  SteadyCurve<V> curve_;
+  ArclengthCurve<V> curve_;
   Quantity parameter_;
 };
 
