@@ -1,5 +1,6 @@
 #include "continuum/gram_solver.h"
 
+#include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
@@ -7,7 +8,6 @@
 #include <cmath>
 
 #include "continuum/dense_gram.h"
-#include "continuum/gram_krylov.h"
 #include "continuum/ranks.h"
 #include "continuum/two_level_gram.h"
 
@@ -16,15 +16,11 @@ namespace pseudorigid::continuum {
 class GramSolver::Impl {
  public:
   Impl(const BallSpace& space, const CellKernels& kernels, GramMethod method)
-      : space_(space), kernels_(kernels), reaction_(space.make_vector()) {
-    if (method == GramMethod::dense) {
+      : space_(space), kernels_(kernels), method_(method), reaction_(space.make_vector()) {
+    if (method == GramMethod::dense)
       preconditioner_ = std::make_unique<DenseGram>(space, kernels);
-    } else {
+    else
       preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
-      krylov_.emplace(
-          space.make_multiplier(), [this](Vector& result, const Vector& lambda) { multiply(result, lambda); },
-          [this](Vector& result, const Vector& r) { preconditioner_->apply(result, r); });
-    }
   }
 
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
@@ -74,11 +70,12 @@ class GramSolver::Impl {
     if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
     q1_ = &q1;
     q0_ = &q0;
-    return krylov_ ? krylov_->solve(&q1 == &q0, r, reduction, lambda) : iterate_in_process(r, norm, lambda);
+    return iterate(r, reduction * norm, lambda);
   }
 
-  /// Without PETSc, which would have to be started.
-  mechanics::SolveReport iterate_in_process(const Vector& r, double norm, Vector& lambda) {
+  /// With the inverse a few iterations do, and GMRES finds the least residual in them; with two levels S is left to
+  /// conjugate gradients, whose sums over the ranks do not grow with the iterations.
+  mechanics::SolveReport iterate(const Vector& r, double tolerance, Vector& lambda) {
     struct Gram {
       Impl& self;
       void vmult(Vector& result, const Vector& multiplier) const { self.multiply(result, multiplier); }
@@ -87,12 +84,17 @@ class GramSolver::Impl {
       const GramPreconditioner& self;
       void vmult(Vector& result, const Vector& r) const { self.apply(result, r); }
     };
-    constexpr int n_iterations_at_most = 40;
-    dealii::SolverControl control(n_iterations_at_most, reduction * norm, false, false);
-    dealii::SolverGMRES<Vector> gmres(control,
-                                      dealii::SolverGMRES<Vector>::AdditionalData(n_iterations_at_most + 2, true));
+    using Gmres = dealii::SolverGMRES<Vector>;
+    constexpr int n_basis = 40;
+    constexpr bool on_the_right = true;
+    const bool dense = method_ == GramMethod::dense;
+    dealii::SolverControl control(dense ? n_basis : 200, tolerance, false, false);
     try {
-      gmres.solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
+      if (!dense && q1_ == q0_)
+        dealii::SolverCG<Vector>(control).solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
+      else
+        Gmres(control, Gmres::AdditionalData(n_basis + 2, on_the_right))
+            .solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
     } catch (const dealii::SolverControl::NoConvergence&) {
       return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
               static_cast<int>(control.last_step())};
@@ -102,8 +104,8 @@ class GramSolver::Impl {
 
   const BallSpace& space_;
   const CellKernels& kernels_;
+  const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
-  std::optional<GramKrylov> krylov_;
   Vector reaction_;
   const Vector *q1_ = nullptr, *q0_ = nullptr;
   bool stale_ = true;

@@ -5,7 +5,6 @@
 /// that it has become stale.
 
 #include <memory>
-#include <optional>
 
 #include "continuum/ball_space.h"
 #include "continuum/cell_kernels.h"
