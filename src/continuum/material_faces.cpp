@@ -11,16 +11,6 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The nodes of a side of a cell with n nodes per direction, by their numbers in the cell: [j·n + i].
-std::vector<int> nodes_of_side(int n, int side) {
-  const std::array<int, 3> stride{1, n, n * n};
-  const int d = side / 2, first = (side % 2) * (n - 1) * stride[d];
-  std::vector<int> nodes;
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) nodes.push_back(first + i * stride[(d + 1) % 3] + j * stride[(d + 2) % 3]);
-  return nodes;
-}
-
 /// The coordinate plane, 1 to 3, that holds these nodes of a cell which is on its positive side (each face but once).
 std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector<int>& nodes) {
   constexpr double round_off = 1e-10;
@@ -43,19 +33,11 @@ MaterialFaces::MaterialFaces(const BallSpace& space) : space_(space) {
 }
 
 void MaterialFaces::find_faces() {
-  unsigned int number = 0;
-  for (const auto& cell : space_.dof_handler().active_cell_iterators()) {
-    if (!cell->is_locally_owned()) continue;
-    const Eigen::Matrix3Xd X = nodal_values(space_, space_.reference_positions(), number);
-    for (int side = 0; side < 6; ++side) {
-      const auto face = cell->face(side);
-      const std::optional<int> plane = face->at_boundary() && face->boundary_id() == BallMesh::surface_id
-                                           ? 0
-                                           : coordinate_plane(X, nodes_of_side(space_.reference_cell().n, side));
-      if (plane) faces_.push_back({number, side, *plane, 6 * space_.mesh().global_number(cell) + side});
-    }
-    ++number;
-  }
+  visit_faces(space_, [&](const CellFace& face, const auto& cell, bool on_surface) {
+    const Eigen::Matrix3Xd X = nodal_values(space_, space_.reference_positions(), face.cell);
+    const std::optional<int> plane = on_surface ? 0 : coordinate_plane(X, nodes_of(face, space_.reference_cell().n));
+    if (plane) faces_.push_back({face, *plane, 6 * space_.mesh().global_number(cell) + face.number()});
+  });
   n_faces_ = std::lround(sum_over_ranks(static_cast<double>(faces_.size()), space_.communicator()));
 }
 
@@ -69,8 +51,8 @@ void MaterialFaces::choose_lattice() {
 
 Eigen::Matrix3Xd MaterialFaces::lattice(const Vector& x, const Face& face) const {
   const int n = space_.reference_cell().n;
-  const Eigen::Matrix3Xd of_cell = nodal_values(space_, x, face.cell);
-  const std::vector<int> nodes = nodes_of_side(n, face.side);
+  const Eigen::Matrix3Xd of_cell = nodal_values(space_, x, face.place.cell);
+  const std::vector<int> nodes = nodes_of(face.place, n);
   Eigen::Matrix3Xd points = Eigen::Matrix3Xd::Zero(3, (m_ + 1) * (m_ + 1));
   for (int b = 0; b <= m_; ++b)
     for (int a = 0; a <= m_; ++a)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "continuum/ball_space.h"
+#include "continuum/surface_faces.h"
 
 namespace pseudorigid::continuum {
 
@@ -30,8 +31,7 @@ class MaterialFaces {
 
  private:
   struct Face {
-    unsigned int cell;
-    int side;  ///< 2·direction, + 1 at its end
+    CellFace place;
     int plane;
     std::size_t key;  ///< its place among the faces of all ranks
   };

@@ -3,14 +3,10 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace pseudorigid::continuum {
 namespace {
-
-using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-/// Nodes of the sphere are placed on it to round-off.
-constexpr double on_sphere = 1 - 1e-9;
 
 /// Y_nm with cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient there.
 struct Harmonic {
@@ -58,55 +54,19 @@ SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity,
 }
 
 void SurfaceHarmonics::find_points(const BallSpace& space) {
-  const int n = space.reference_cell().n;
-  for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
-    for (int direction = 0; direction < 3; ++direction)
-      for (int side = 0; side < 2; ++side) {
-        bool outside = true;
-        for (int i = 0; i < n * n * n; ++i) {
-          const std::array<int, 3> ijk{i % n, i / n % n, i / n / n};
-          if (ijk[direction] != side * (n - 1)) continue;
-          Eigen::Vector3d X;
-          for (int c = 0; c < 3; ++c)
-            X[c] = space.reference_positions().local_element(3 * space.cell_nodes(cell)[i] + c);
-          outside = outside && X.norm() > on_sphere;
-        }
-        if (outside) add_face(space, cell, direction, side);
-      }
-}
-
-void SurfaceHarmonics::add_face(const BallSpace& space, unsigned int cell, int direction, int side) {
-  const ReferenceCell& ref = space.reference_cell();
-  const int n = ref.n, first = (direction + 1) % 3, second = (direction + 2) % 3;
-  const Eigen::MatrixXd values = Eigen::Map<const RowMajor>(ref.interpolate.data(), n, n);
-  const Eigen::MatrixXd derivatives = Eigen::Map<const RowMajor>(ref.differentiate.data(), n, n) * values;
-  for (int p = 0; p < n; ++p)
-    for (int q = 0; q < n; ++q) {
-      Point point;
-      Eigen::Vector3d X = Eigen::Vector3d::Zero(), X_p = X, X_q = X;
-      for (int a = 0; a < n; ++a)
-        for (int b = 0; b < n; ++b) {
-          std::array<int, 3> ijk{};
-          ijk[direction] = side * (n - 1), ijk[first] = a, ijk[second] = b;
-          const unsigned int node = space.cell_nodes(cell)[(ijk[2] * n + ijk[1]) * n + ijk[0]];
-          point.nodes.emplace_back(node, values(p, a) * values(q, b));
-          Eigen::Vector3d X_node;
-          for (int c = 0; c < 3; ++c) X_node[c] = space.reference_positions().local_element(3 * node + c);
-          X += values(p, a) * values(q, b) * X_node;
-          X_p += derivatives(p, a) * values(q, b) * X_node;
-          X_q += values(p, a) * derivatives(q, b) * X_node;
-        }
-      point.e = X.normalized();
-      point.weight = 8 * ref.point_weights[p] * ref.point_weights[q] * X_p.cross(X_q).norm();
-      points_.push_back(std::move(point));
+  constexpr double n_octants = 8;
+  for (const CellFace& face : free_surface(space))
+    for (FacePoint& point : quadrature_on(space, face)) {
+      const FacePoint::Jet X = point.jet(space.reference_positions());
+      const double area = n_octants * point.weight * X.by_p.cross(X.by_q).norm();
+      points_.push_back({std::move(point), X.u.normalized(), area});
     }
 }
 
 void SurfaceHarmonics::add_row(ModeKind kind, int degree, const Eigen::Matrix3Xd& field) {
   rows_.push_back({kind, degree});
   fields_.push_back(field);
-  for (std::size_t p = 0; p < points_.size(); ++p)
-    fields_.back().col(static_cast<Eigen::Index>(p)) *= points_[p].weight;
+  for (std::size_t p = 0; p < points_.size(); ++p) fields_.back().col(static_cast<Eigen::Index>(p)) *= points_[p].area;
 }
 
 void SurfaceHarmonics::add_harmonic(int n, int m, bool sine, const Parity& parity) {
@@ -130,11 +90,9 @@ ModeClass SurfaceHarmonics::classify(const Vector& u) const {
   Eigen::Matrix3Xd field(3, static_cast<Eigen::Index>(points_.size()));
   double whole = 0;
   for (std::size_t p = 0; p < points_.size(); ++p) {
-    Eigen::Vector3d value = Eigen::Vector3d::Zero();
-    for (const auto& [node, weight] : points_[p].nodes)
-      for (int c = 0; c < 3; ++c) value[c] += weight * u.local_element(3 * node + c);
+    const Eigen::Vector3d value = points_[p].on_face.value(u);
     field.col(static_cast<Eigen::Index>(p)) = value;
-    whole += points_[p].weight * value.squaredNorm();
+    whole += points_[p].area * value.squaredNorm();
   }
   std::map<std::pair<int, int>, double> shares;
   for (std::size_t r = 0; r < rows_.size(); ++r)

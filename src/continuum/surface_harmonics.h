@@ -12,6 +12,7 @@
 
 #include "continuum/ball_space.h"
 #include "continuum/parity_sector.h"
+#include "continuum/surface_faces.h"
 
 namespace pseudorigid::continuum {
 
@@ -34,16 +35,15 @@ class SurfaceHarmonics {
 
  private:
   struct Point {
-    std::vector<std::pair<unsigned int, double>> nodes;  ///< u = Σ value u_node
-    Eigen::Vector3d e;                                   ///< on the unit sphere
-    double weight;                                       ///< of the whole sphere's area
+    FacePoint on_face;
+    Eigen::Vector3d e;  ///< on the unit sphere
+    double area;        ///< of the whole sphere's
   };
   struct Row {
     ModeKind kind;
     int degree;
   };
   void find_points(const BallSpace& space);
-  void add_face(const BallSpace& space, unsigned int cell, int direction, int side);
   void add_harmonic(int n, int m, bool sine, const Parity& parity);
   void add_row(ModeKind kind, int degree, const Eigen::Matrix3Xd& field);
 

@@ -1,0 +1,86 @@
+/// The faces of the free surface and the Gauss rule on them, on balls and sectors of known area.
+
+#include "continuum/surface_faces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "continuum/balls.h"
+
+namespace pseudorigid::testing {
+namespace {
+
+using continuum::CellFace;
+using continuum::FacePoint;
+
+constexpr double pi = std::numbers::pi;
+/// Of the polynomials of degree 4 on the unrefined mesh from the sphere.
+constexpr double geometry = 2e-5;
+
+/// Area, ∮N dA and ∮x·N dA of the surface at the positions x.
+struct Surface {
+  double area = 0;
+  Vector3d vector_area = Vector3d::Zero();
+  double flux = 0;
+};
+
+Surface surface_at(const continuum::BallSpace& space, const continuum::Vector& x) {
+  Surface surface;
+  for (const CellFace& face : continuum::free_surface(space))
+    for (const FacePoint& point : continuum::quadrature_on(space, face)) {
+      const FacePoint::Jet at = point.jet(x);
+      EXPECT_EQ(at.u, point.value(x));
+      const Vector3d outward = (face.end == 1 ? 1 : -1) * point.weight * at.by_p.cross(at.by_q);
+      surface.area += outward.norm();
+      surface.vector_area += outward;
+      surface.flux += at.u.dot(outward);
+    }
+  return surface;
+}
+
+TEST(SurfaceFaces, OfEverySectorHaveItsAreaAndLookOutward) {
+  for (const Sector& sector : all_sectors) {
+    const ElasticBall ball(sector, 4, 0, neo_hookean);
+    const double part = 1.0 / sector.n_images();
+    EXPECT_EQ(continuum::free_surface(ball.space()).size(), 24 * part);
+    const Surface surface = surface_at(ball.space(), ball.affine_field(Matrix3d::Identity()));
+    EXPECT_NEAR(surface.area, 4 * pi * part, geometry * 4 * pi);
+    EXPECT_NEAR(surface.flux, 4 * pi * part, geometry * 4 * pi);
+    // What closes the surface are its plane sides: each the part of a disc, with the normal −e_d.
+    for (int d = 0; d < 3; ++d) {
+      const double side = sector.reflect[d] ? 2 * pi * part : 0;
+      EXPECT_NEAR(surface.vector_area[d], side, geometry) << d;
+    }
+  }
+}
+
+/// N dA ↦ det Q Q⁻ᵀ N dA is linear in it, so that the flux of x is 3 V; the rule carries affine maps exactly.
+TEST(SurfaceFaces, FollowAnAffineMotion) {
+  std::mt19937 generator(2);
+  const ElasticBall ball(whole, 3, 0, neo_hookean);
+  const Matrix3d Q = Matrix3d::Identity() + 0.3 * random_matrix(generator);
+  const double at_rest = surface_at(ball.space(), ball.affine_field(Matrix3d::Identity())).flux;
+  const Surface moved = surface_at(ball.space(), ball.affine_field(Q));
+  EXPECT_NEAR(moved.flux, Q.determinant() * at_rest, 1e-13 * at_rest);
+  EXPECT_LT(moved.vector_area.norm(), 1e-13);
+}
+
+TEST(SurfaceFaces, NodesOfAFaceAreThoseOnItsSide) {
+  for (int direction = 0; direction < 3; ++direction)
+    for (const int end : {0, 1}) {
+      const int n = 4, p = (direction + 1) % 3, q = (direction + 2) % 3;
+      const std::vector<int> nodes = continuum::nodes_of({0, direction, end}, n);
+      ASSERT_EQ(nodes.size(), 16u);
+      for (int k = 0; k < 16; ++k) {
+        const int place[] = {nodes[k] % n, nodes[k] / n % n, nodes[k] / n / n};
+        EXPECT_EQ(place[direction], end * (n - 1));
+        EXPECT_EQ(place[p], k % n);
+        EXPECT_EQ(place[q], k / n);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace pseudorigid::testing
