@@ -3,7 +3,8 @@
 #include "app/ball_equilibria.h"
 #include "app/equilibria.h"
 #include "app/reduced_scene.h"
-#include "app/system_description.h"
+#include "app/refuses_method.h"
+#include "app/system_run.h"
 #include "materials/eigen_tensor.h"
 #include "systems/table.h"
 
@@ -46,8 +47,7 @@ scene::Catalogue make_catalogue() {
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_continuum<Method>});
   });
-  systems::for_each_system(
-      [&]<class SystemScene>(const SystemScene&) { catalogue.systems.push_back(describe_system<SystemScene>()); });
+  for (const auto& system : systems::system_table()) catalogue.systems.push_back(describe_system(system));
   return catalogue;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/scene_to_model.h"
 #include "materials/eigen_tensor.h"
+#include "mechanics/methods.h"
 #include "mechanics/time_loop.h"
 #include "scene/user_error.h"
 
@@ -106,7 +107,7 @@ double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
   const auto [lambda, mu] = lame_moduli(internal_law(scene));
   const double of_mesh = 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
   const double rattle = of_mesh / std::sqrt(mu + 0.296 * lambda) * units_of(scene).time;
-  const auto method = method_of(scene);
+  const auto method = mechanics::find_method(scene.time.method);
   if (!method) return rattle;
   return mechanics::with_method(*method, [&]<class Method>(Method) {
     if constexpr (Method::adaptive)
@@ -122,7 +123,7 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   if (!needs.continuum || !fixed || scene::has_mesh_file(scene)) return needs;
   needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
   if (scene.analysis != scene::Analysis::motion) return needs;
-  const auto method = method_of(scene);
+  const auto method = mechanics::find_method(scene.time.method);
   const double limit = stable_step(scene, *fixed);
   const auto name = mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>));
   needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);

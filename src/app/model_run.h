@@ -3,7 +3,7 @@
 /// progress.
 ///
 /// A Model offers
-///   using System;  static constexpr const char* name;  static constexpr int steps_between_looks;
+///   using System;  const char* name (static or not);  static constexpr int steps_between_looks;
 ///   static constexpr double pilot_reserve;
 ///   const System& system() const;  State<System> initial_state() const;
 ///   configuration(state) const       what Time/Tolerance speaks of: a vector or matrix of Eigen
@@ -52,12 +52,12 @@ class ModelRun {
       : model_(model),
         context_(context),
         identity_(context.rows ? RunIdentity{} : run_identity(context.scene)),
-        checkpoint_path_(context.directory.checkpoint(Model::name)),
+        checkpoint_path_(context.directory.checkpoint(model.name)),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
         stepping_(model, context, times_.end, times_.interval()),
-        files_(context, Model::name),
+        files_(context, model.name),
         state_(model.initial_state()),
-        progress_(Model::name, context.show_progress) {
+        progress_(model.name, context.show_progress) {
     good_.state = state_;
   }
 
@@ -222,9 +222,9 @@ class ModelRun {
         if (files_.has_shapes()) files_.resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
         files_.together([&] {
-          if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(Model::name)));
+          if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(model_.name)));
         });
-      context_.log->info("{}: resumed at t = {:.6g}", Model::name, state_.t * context_.units.time);
+      context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
     } else {
       const Status status = stepping_.choose(state_, position_, statistics_);
       files_.create(columns);
@@ -372,7 +372,7 @@ class ModelRun {
       c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
     }
     statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
-    return {state, message.empty() ? message : std::string(Model::name) + " " + message, std::move(statistics_),
+    return {state, message.empty() ? message : std::string(model_.name) + " " + message, std::move(statistics_),
             KnownStepping{position_.method, position_.step}};
   }
 

@@ -8,7 +8,6 @@
 
 #include "app/model_checkpoint.h"
 #include "app/run_context.h"
-#include "app/scene_to_model.h"
 #include "io/signals.h"
 #include "mechanics/largest_frequency.h"
 #include "mechanics/step_size.h"
@@ -37,7 +36,7 @@ class ModelStepping {
   /// somebody is announced and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
     if (context_.stepping) return take_over(*context_.stepping, state, position);
-    const std::optional<mechanics::MethodId> method = method_of(context_.scene);
+    const std::optional<mechanics::MethodId> method = mechanics::find_method(context_.scene.time.method);  // or auto
     const double bound = step_bound();
     if (method && std::isfinite(bound) && !is_adaptive(*method)) {
       position.method = *method;
@@ -83,7 +82,7 @@ class ModelStepping {
       while (position.step > limit_of(position.method, limit)) position.step /= 2;
       plan_look(limit / less_reserve, position);
       if (position.step != before)
-        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", Model::name,
+        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", model_.name,
                            position.step * context_.units.time, state.t * context_.units.time);
     }
   }
@@ -160,7 +159,7 @@ class ModelStepping {
     position.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
     position.step =
         std::min({request.step_bound, request.interval, 0.5 * limit_of(position.method, request.rattle_limit)});
-    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", Model::name,
+    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", model_.name,
                        choice.status.reason(), mechanics::method_name(position.method),
                        is_adaptive(position.method) ? "the local tolerance" : "half the stable step",
                        is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
@@ -173,15 +172,15 @@ class ModelStepping {
     statistics.counters["pilot_forces"] += static_cast<double>(choice.n_force);
     statistics.counters["estimated_time_error"] = choice.error;
     if (is_adaptive(choice.method))
-      context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", Model::name,
+      context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", model_.name,
                          mechanics::method_name(choice.method), choice.local_tolerance, choice.error);
     else
-      context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", Model::name,
+      context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", model_.name,
                          mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
     if (choice.at_round_off)
       context_.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
-                         Model::name, choice.error);
-    context_.log->debug("{}: {}", Model::name, choice.why);
+                         model_.name, choice.error);
+    context_.log->debug("{}: {}", model_.name, choice.why);
   }
 
   const Model& model_;

@@ -3,13 +3,11 @@
 /// scene/scales.h).
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "io/units.h"
 #include "materials/law_table.h"
 #include "mechanics/by_name.h"
-#include "mechanics/methods.h"
 #include "scene/entries.h"
 #include "scene/scales.h"
 #include "scene/scene.h"
@@ -71,11 +69,6 @@ inline materials::AnyLaw internal_law(const scene::Scene& scene) {
                               .incompressible = scene.body.incompressible,
                               .mooney_fraction = material.mooney_fraction,
                               .gent_limit = material.gent_limit});
-}
-
-/// Empty for `auto`.
-inline std::optional<mechanics::MethodId> method_of(const scene::Scene& scene) {
-  return mechanics::find_method(scene.time.method);
 }
 
 }  // namespace pseudorigid::app

@@ -43,4 +43,13 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
+/// Whether it fits this very system: what one behind an interface can do is known at run time (any_system.h).
+template <class Method, class S>
+constexpr bool fits(const S& system) {
+  if constexpr (requires { typename S::WithoutEnergies; }) {
+    if (!system.is_conservative()) return method_fits<Method, typename S::WithoutEnergies>();
+  }
+  return method_fits<Method, S>();
+}
+
 }  // namespace pseudorigid::mechanics

@@ -112,7 +112,8 @@ class MethodChoice {
   template <class Method>
   bool is_candidate() const {
     if (request_.method) return *request_.method == id_of<Method>;
-    if constexpr (Method::chosen_by_auto) return Method::accepts(form_for<Method>(system_)).ok();
+    if constexpr (Method::chosen_by_auto)
+      return fits<Method>(system_) && Method::accepts(form_for<Method>(system_)).ok();
     return false;
   }
 

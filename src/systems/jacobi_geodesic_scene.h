@@ -145,7 +145,7 @@ struct JacobiGeodesicScene {
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {
       const double t = state.q[2];
-      mechanics::State<Motion> same;
+      mechanics::State<Motion> same{0, system.make_vector(), system.make_vector()};
       if (auto status = motion.at(t, same); !status) return status;
       const Eigen::Vector2d q = state.q.template head<2>(), tangent = state.v.template head<2>();
       const Eigen::Vector2d v = tangent / state.v[2];

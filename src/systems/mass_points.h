@@ -23,6 +23,8 @@ namespace pseudorigid::systems {
 class MassPoints {
  public:
   using Vector = Eigen::Matrix3Xd;  // a column is a point
+  using In = const Eigen::Ref<const Vector>&;
+  using Out = Eigen::Ref<Vector>;
   using Multiplier = mechanics::NoMultiplier;
   struct Workspace {};
   static constexpr int n_constraints = 0;
@@ -53,7 +55,7 @@ class MassPoints {
     axes_ = turns_that_fix({p_.field});
   }
 
-  mechanics::Status force(double, const Vector& q, const Vector& v, Workspace&, Vector& f) const {
+  mechanics::Status force(double, In q, In v, Workspace&, Out f) const {
     for (Eigen::Index i = 0; i < n(); ++i)
       f.col(i) = p_.masses(i) * p_.field - p_.confinement * (q.col(i) - p_.center) - p_.drag * v.col(i);
     if (mechanics::Status status = add_attractions(q, f); !status) return status;
@@ -67,17 +69,15 @@ class MassPoints {
     }
     return {};
   }
-  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
-  void apply_mass(const Vector& v, Vector& f) const { f = v * p_.masses.asDiagonal(); }
+  void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
+  void apply_mass(In v, Out f) const { f = v * p_.masses.asDiagonal(); }
 
-  mechanics::Status constraint(const Vector&, Multiplier&) const { return {}; }
-  void constraint_rate(const Vector&, const Vector&, Multiplier&) const {}
-  void constraint_curvature(const Vector&, const Vector&, Multiplier&) const {}
-  void add_reaction(const Vector&, const Multiplier&, Vector&) const {}
-  void add_reaction_rate(const Vector&, const Vector&, const Multiplier&, Vector&) const {}
-  mechanics::SolveReport solve_gram(const Vector&, const Vector&, const Multiplier&, Workspace&, Multiplier&) const {
-    return {};
-  }
+  mechanics::Status constraint(In, Multiplier&) const { return {}; }
+  void constraint_rate(In, In, Multiplier&) const {}
+  void constraint_curvature(In, In, Multiplier&) const {}
+  void add_reaction(In, const Multiplier&, Out) const {}
+  void add_reaction_rate(In, In, const Multiplier&, Out) const {}
+  mechanics::SolveReport solve_gram(In, In, const Multiplier&, Workspace&, Multiplier&) const { return {}; }
   double constraint_tolerance() const { return 0; }
   Vector make_vector() const { return Vector::Zero(3, n()); }
   Multiplier make_multiplier() const { return {}; }
@@ -86,8 +86,8 @@ class MassPoints {
   bool velocity_dependent() const { return p_.drag != 0 || !p_.dashpots.empty(); }
   bool dissipative() const { return velocity_dependent(); }
 
-  double kinetic_energy(const Vector& v) const { return 0.5 * v.colwise().squaredNorm().dot(p_.masses); }
-  double potential_energy(const Vector& q) const {
+  double kinetic_energy(In v) const { return 0.5 * v.colwise().squaredNorm().dot(p_.masses); }
+  double potential_energy(In q) const {
     double V = 0;
     const AttractionLaw to_center{p_.central_attraction};
     for (Eigen::Index i = 0; i < n(); ++i) {
@@ -102,7 +102,7 @@ class MassPoints {
     return V;
   }
   /// P, the rate at which dashpots and drag take energy away.
-  double dissipated_power(const Vector& q, const Vector& v) const {
+  double dissipated_power(In q, In v) const {
     double P = p_.drag * v.squaredNorm();
     for (const Dashpot& d : p_.dashpots) {
       const double closing = direction(q, d.i, d.j).dot(v.col(d.i) - v.col(d.j));
@@ -110,9 +110,9 @@ class MassPoints {
     }
     return P;
   }
-  Eigen::Vector3d momentum(const Vector& v) const { return v * p_.masses; }
+  Eigen::Vector3d momentum(In v) const { return v * p_.masses; }
   /// Σ m_i (q_i − c) × v_i
-  Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v, const Eigen::Vector3d& c) const {
+  Eigen::Vector3d angular_momentum(In q, In v, const Eigen::Vector3d& c) const {
     Eigen::Vector3d L = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < n(); ++i) L += p_.masses(i) * column(q, i, c).cross(Eigen::Vector3d(v.col(i)));
     return L;
@@ -121,7 +121,7 @@ class MassPoints {
   /// Translations, then turns about the centre c, as far as the external conservative forces leave them. Internal
   /// forces leave all of them; drag has no part in V and keeps no momentum.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
-  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
+  void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);
     if (k < translations_.size()) {
       dq.colwise() = translations_[k];
@@ -139,21 +139,21 @@ class MassPoints {
 
  private:
   Eigen::Index n() const { return p_.masses.size(); }
-  static Eigen::Vector3d column(const Vector& q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  static Eigen::Vector3d direction(const Vector& q, int i, int j) { return (q.col(i) - q.col(j)).stableNormalized(); }
+  static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
+  static Eigen::Vector3d direction(In q, int i, int j) { return (q.col(i) - q.col(j)).stableNormalized(); }
   AttractionLaw pair_gravity(Eigen::Index i, Eigen::Index j) const {
     return {p_.gravitational_constant * p_.masses(i) * p_.masses(j)};
   }
 
   template <class Law>
-  static mechanics::Status add_pair(const Law& law, Eigen::Index i, Eigen::Index j, const Vector& q, Vector& f) {
+  static mechanics::Status add_pair(const Law& law, Eigen::Index i, Eigen::Index j, In q, Out f) {
     Eigen::Vector3d f_ij = Eigen::Vector3d::Zero();
     if (mechanics::Status status = central_force(law, q.col(i) - q.col(j), f_ij); !status) return status;
     f.col(i) += f_ij;
     f.col(j) -= f_ij;
     return {};
   }
-  mechanics::Status add_attractions(const Vector& q, Vector& f) const {
+  mechanics::Status add_attractions(In q, Out f) const {
     if (p_.central_attraction != 0)
       for (Eigen::Index i = 0; i < n(); ++i) {
         Eigen::Vector3d f_i = Eigen::Vector3d::Zero();

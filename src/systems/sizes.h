@@ -44,17 +44,20 @@ template <class SystemScene>
 bool has_sound_numbers(SystemScene in_own_scales) {
   bool all = true;
   visit_numbers(in_own_scales, [&](std::string_view, double x) { all = all && sound(x); });
-  return all && in_own_scales.with_model(
-                    [](const auto& model) { return model.initial.q.allFinite() && model.initial.v.allFinite(); });
+  return all;
 }
 
 }  // namespace detail
 
-/// The entry that is to blame is the one with the number farthest from 1.
-template <class SystemScene>
-std::optional<Refusal> refuses_sizes(SystemScene system) {
+/// The entry that is to blame is the one with the number farthest from 1. `starts_finite(system in its own scales)`
+/// says whether its initial state is one.
+template <class SystemScene, class StartsFinite>
+std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();
-  if (detail::has_sound_units(system, scales) && detail::has_sound_numbers(in_scales(system, scales))) return {};
+  if (detail::has_sound_units(system, scales))
+    if (const auto in_own_scales = in_scales(system, scales);
+        detail::has_sound_numbers(in_own_scales) && starts_finite(in_own_scales))
+      return {};
   std::string path;
   double farthest = 1;
   const auto distance = [](double x) { return std::abs(std::log10(std::abs(x))); };

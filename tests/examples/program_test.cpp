@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/system_description.h"
+#include "app/refuses_method.h"
 #include "app/system_run.h"
 #include "examples/spherical_pendulum_scene.h"
 #include "io/csv.h"
@@ -19,8 +19,9 @@ using systems::SphericalPendulumScene;
 /// Parameter files of a program that has the methods of the table and this system alone.
 class SphericalPendulumProgram : public scene::test::SceneFiles {
  protected:
+  const systems::AnySystemScene system_ = systems::any_system_scene<SphericalPendulumScene>();
   const scene::Catalogue catalogue_{.methods = {{"rattle", ""}, {"rattle-4", ""}, {"energy-momentum", ""}},
-                                    .systems = {describe_system<SphericalPendulumScene>()}};
+                                    .systems = {describe_system(system_)}};
 
   scene::Scene valid(const std::vector<std::string>& overrides) const {
     const auto file = write("scene.prm", "set System = spherical pendulum\n");
@@ -37,7 +38,7 @@ class SphericalPendulumProgram : public scene::test::SceneFiles {
     const io::RunDirectory directory(folder_ / "run");
     directory.prepare_fresh();
     const RunContext context{scene, needs, directory, {}, io::make_logger(io::Verbosity::silent, {}), false, false};
-    const ModelOutcome outcome = run_system_scene<SphericalPendulumScene>(context);
+    const ModelOutcome outcome = run_system(system_, context);
     EXPECT_EQ(outcome.state, ModelOutcome::State::finished) << outcome.message;
     return io::read_csv(directory.csv(name));
   }
@@ -58,6 +59,24 @@ TEST_F(SphericalPendulumProgram, RefusesWhatCannotBeMeant) {
   EXPECT_EQ(complaint_about({"Time/Method=energy-momentum"}), "");
   EXPECT_NE(complaint_about({"Time/Method=energy-momentum", "Spherical pendulum/Drag=1"}).find("use rattle"),
             std::string::npos);
+}
+
+/// What a system leaves out is known at run time alone, and refused in the same words.
+TEST_F(SphericalPendulumProgram, RefusesAMethodThatNeedsMoreThanTheSystemHas) {
+  struct WithoutEnergies : systems::SphericalPendulum {
+    using SphericalPendulum::SphericalPendulum;
+    double kinetic_energy(const Vector&) const = delete;
+  };
+  const auto refusal_of = [](const auto& system, const char* method) {
+    scene::Scene scene;
+    scene.time.method = method;
+    const auto refusal = refuses_method(scene, mechanics::AnySystem<mechanics::dynamic_constraints>(system));
+    return refusal ? refusal->sentence : "";
+  };
+  EXPECT_EQ(refusal_of(systems::SphericalPendulum({}), "energy-momentum"), "");
+  EXPECT_EQ(refusal_of(WithoutEnergies(systems::SphericalPendulum::Parameters{}), "energy-momentum"),
+            "energy-momentum cannot integrate this form of the system; explicit-8 can");
+  EXPECT_EQ(refusal_of(WithoutEnergies(systems::SphericalPendulum::Parameters{}), "rattle"), "");
 }
 
 /// A method of the table that does not fit the ball is refused as it is by other systems.

@@ -1,0 +1,32 @@
+#pragma once
+/// The workspace of a system behind AnySystem or AnyField. It belongs to the system that has made it, which knows its
+/// type.
+
+#include <memory>
+#include <utility>
+
+namespace pseudorigid::mechanics {
+
+class AnyWorkspace {
+ public:
+  template <class Workspace>
+  explicit AnyWorkspace(Workspace workspace) : held_(std::make_unique<Held<Workspace>>(std::move(workspace))) {}
+
+  template <class Workspace>
+  Workspace& as() {
+    return static_cast<Held<Workspace>&>(*held_).workspace;
+  }
+
+ private:
+  struct Base {
+    virtual ~Base() = default;
+  };
+  template <class Workspace>
+  struct Held final : Base {
+    explicit Held(Workspace w) : workspace(std::move(w)) {}
+    Workspace workspace;
+  };
+  std::unique_ptr<Base> held_;
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,100 @@
+#pragma once
+/// The model of any system (system_scene.h) behind one type: its law of motion in one of three forms, its start, and
+/// what is known of its states.
+
+#include <memory>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "mechanics/any_field.h"
+#include "mechanics/any_landscape.h"
+#include "mechanics/any_system.h"
+#include "mechanics/vector_space.h"
+#include "scene/catalogue.h"
+
+namespace pseudorigid::systems {
+
+class AnyModel {
+ public:
+  using Form =
+      std::variant<mechanics::AnySystem<0>, mechanics::AnySystem<mechanics::dynamic_constraints>, mechanics::AnyField>;
+  using State = mechanics::VectorState<Eigen::VectorXd>;
+  using Workspace = mechanics::AnyWorkspace;
+
+  template <class Model>
+  requires(!std::is_same_v<Model, AnyModel>) explicit AnyModel(Model model)
+      : form_(form_of(model.system)),
+        start_{model.initial.t, mechanics::detail::flat(model.initial.q), mechanics::detail::flat(model.initial.v)},
+        held_(std::make_unique<Held<Model>>(std::move(model))) {}
+
+  const Form& form() const { return form_; }
+  const State& start() const { return start_; }
+  mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) {
+    return held_->row(state, workspace, row);
+  }
+  double rate(const State& state) const { return held_->rate(state); }
+  /// Of systems with equilibria; it refers to this model.
+  mechanics::AnyLandscape landscape() const { return held_->landscape(); }
+  std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
+
+ private:
+  struct Interface {
+    virtual ~Interface() = default;
+    virtual mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) = 0;
+    virtual double rate(const State& state) const = 0;
+    virtual mechanics::AnyLandscape landscape() const = 0;
+    virtual std::vector<scene::Column> coordinates() const = 0;
+  };
+
+  template <class Model>
+  struct Held final : Interface {
+    using System = typename Model::System;
+    using Own = mechanics::State<System>;
+
+    explicit Held(Model m) : model(std::move(m)) {}
+    mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) override {
+      return model.row(own(state), mechanics::detail::own_workspace<System>(workspace), row);
+    }
+    double rate(const State& state) const override {
+      if constexpr (requires(const Own& s) { model.rate(s); }) return model.rate(own(state));
+      return mechanics::max_norm(state.v) / (1 + mechanics::max_norm(state.q));
+    }
+    mechanics::AnyLandscape landscape() const override {
+      if constexpr (requires { model.landscape(); }) return mechanics::AnyLandscape(model.landscape());
+      throw std::logic_error("a landscape of a system without equilibria");
+    }
+    std::vector<scene::Column> coordinates() const override {
+      if constexpr (requires { model.coordinates(); }) return model.coordinates();
+      return {};
+    }
+
+    static Own own(const State& s) {
+      using Vector = typename System::Vector;
+      return {s.t, mechanics::detail::read_as<Vector>(s.q), mechanics::detail::read_as<Vector>(s.v)};
+    }
+    Model model;
+  };
+
+  template <class System>
+  static Form form_of(const System& system) {
+    using namespace mechanics;
+    static_assert(ConstrainedSystem<System> || SecondOrderField<System>,
+                  "no method can run this system: a member of ConstrainedSystem (mechanics/constrained_system.h) or of "
+                  "SecondOrderField (mechanics/second_order_field.h) is missing or misspelt");
+    if constexpr (!ConstrainedSystem<System>)
+      return AnyField(system);
+    else if constexpr (unconstrained<System>)
+      return AnySystem<0>(system);
+    else
+      return AnySystem<dynamic_constraints>(system);
+  }
+
+  Form form_;
+  State start_;
+  std::unique_ptr<Interface> held_;
+};
+
+}  // namespace pseudorigid::systems

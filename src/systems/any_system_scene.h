@@ -1,0 +1,74 @@
+#pragma once
+/// The scene of any system (system_scene.h) behind one type: the rest of the program knows systems by it alone.
+
+#include <optional>
+#include <utility>
+
+#include "systems/any_model.h"
+#include "systems/sizes.h"
+#include "systems/system_scene.h"
+
+namespace pseudorigid::systems {
+
+struct AnySystemScene {
+  /// As parameter files know it; it refuses what no method can run.
+  scene::SystemDescription description;
+  /// The units of a read scene, and its model in these units.
+  Scales (*scales)(const scene::Scene& scene);
+  AnyModel (*model)(const scene::Scene& scene);
+};
+
+namespace detail {
+
+template <class SystemScene>
+AnyModel model_of(const SystemScene& in_own_scales) {
+  return in_own_scales.with_model([]<class Model>(Model model) {
+    static_assert(
+        !SystemScene::has_equilibria ||
+            requires {
+              model.landscape();
+              model.coordinates();
+            },
+        "a system with equilibria has a landscape() and names its coordinates()");
+    return AnyModel(std::move(model));
+  });
+}
+
+template <class SystemScene>
+std::optional<Refusal> refuses(const scene::Scene& scene) {
+  const auto system = system_scene<SystemScene>(scene);
+  if (auto refusal = system.refuses()) return refusal;
+  return refuses_sizes(system, [](const SystemScene& in_own_scales) {
+    const AnyModel::State start = model_of(in_own_scales).start();
+    return start.q.allFinite() && start.v.allFinite();
+  });
+}
+
+}  // namespace detail
+
+template <class SystemScene>
+AnySystemScene any_system_scene() {
+  scene::SystemDescription description{
+      .name = SystemScene::name,
+      .file = SystemScene::file,
+      .section = SystemScene::section,
+      .documentation = SystemScene::documentation,
+      .entries = {},
+      .columns = SystemScene{}.columns(),
+      .columns_of = [](const scene::Scene& scene) { return system_scene<SystemScene>(scene).columns(); },
+      .has_equilibria = SystemScene::has_equilibria,
+      .refuses = detail::refuses<SystemScene>};
+  const SystemScene defaults;
+  SystemScene::visit(defaults, [&]<class Value>(const Value& member, const auto& kind, const scene::About& about) {
+    description.entries.push_back({about, scene::AnyKind::of<Value>(kind), kind.print(member)});
+  });
+  return {.description = std::move(description),
+          .scales = [](const scene::Scene& scene) { return system_scene<SystemScene>(scene).scales(); },
+          .model =
+              [](const scene::Scene& scene) {
+                const auto system = system_scene<SystemScene>(scene);
+                return detail::model_of(in_scales(system, system.scales()));
+              }};
+}
+
+}  // namespace pseudorigid::systems
