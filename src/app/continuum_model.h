@@ -36,6 +36,7 @@ class ContinuumModel {
         ball_(mesh_of(context), context.discretization.degree, law_, ball_loads(context.scene)),
         rank_order_(ball_.space()),
         request_(context.request()),
+        trajectory_(context.needs.quantities, context.units),
         wrinkling_(context, law_) {}
 
   const System& system() const { return ball_; }
@@ -59,11 +60,11 @@ class ContinuumModel {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
 
-  std::vector<std::string> columns(const scene::Quantities& q) const { return io::continuum_columns(q); }
+  const std::vector<std::string>& columns() const { return trajectory_.names(); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
-    io::continuum_row(time, observables_, context_.units, context_.needs.quantities, row);
+    trajectory_.row(time, observables_, row);
     if (context_.trace) (*context_.trace)[sample_at(time)] = configuration(state);
     wrinkling_.look(time, ball_.space(), state.q);
     return {};
@@ -186,6 +187,7 @@ class ContinuumModel {
   continuum::RankOrder rank_order_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
+  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   WrinklingWatch wrinkling_;
   continuum::NodalGrid reference_;                         ///< empty until the first frame
   mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape

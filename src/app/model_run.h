@@ -210,7 +210,7 @@ class ModelRun {
   }
 
   Status begin() {
-    const std::vector<std::string> columns = model_.columns(context_.needs.quantities);
+    const std::vector<std::string> columns = model_.columns();
     if (context_.rows) *context_.rows = {columns, {}};
     if (files_.exists_to_resume(checkpoint_path_)) {
       if (Status status = restore(); !status) return status;

@@ -36,6 +36,7 @@ class ReducedModel {
         start_(start_of<System>(scene)),
         context_(context),
         request_(context.request()),
+        trajectory_(context.needs.quantities, context.units),
         tension_(context, scene::is_fluid(context.scene)) {
     request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
   }
@@ -51,7 +52,7 @@ class ReducedModel {
   /// About ten pulsations: from there on the time error of regular motions grows linearly.
   double pilot_window(double end) const { return std::min(end, 20.0); }
 
-  std::vector<std::string> columns(const scene::Quantities& q) const { return io::reduced_columns(q); }
+  const std::vector<std::string>& columns() const { return trajectory_.names(); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = check_size(state); !status) return status;
@@ -63,7 +64,7 @@ class ReducedModel {
     if (auto status = add_center_of_mass(state.t); !status) return status;
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     note_motion(configuration(state));
-    io::reduced_row(time, observables_, context_.units, context_.needs.quantities, row);
+    trajectory_.row(time, observables_, row);
     return {};
   }
 
@@ -179,6 +180,7 @@ class ReducedModel {
   State start_;
   const RunContext& context_;
   mechanics::ObservableRequest request_;
+  io::Trajectory<mechanics::ReducedObservables> trajectory_;
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
   bool knows_motion_ = true;      ///< false where a resumed run has rows without Q

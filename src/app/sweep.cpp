@@ -86,7 +86,7 @@ class SweepRun {
   }
 
   std::vector<std::string> columns_of_model() const {
-    if (!context_.needs.system) return io::reduced_columns(context_.needs.quantities);
+    if (!context_.needs.system) return io::Trajectory<mechanics::ReducedObservables>(context_.needs.quantities).names();
     std::vector<std::string> names{"time"};
     for (const scene::Column& column : context_.needs.system->columns_of(context_.scene)) names.push_back(column.name);
     return names;

@@ -40,7 +40,7 @@ class SystemModel {
   /// Of most runs the whole, in a fraction of a second: a window does not know what a motion does later.
   double pilot_window(double end) const { return std::min(end, 1000.0); }
 
-  std::vector<std::string> columns(const scene::Quantities&) const { return columns_; }
+  const std::vector<std::string>& columns() const { return columns_; }
 
   mechanics::Status row(double time, const State& state, systems::AnyModel::Workspace& workspace,
                         std::vector<double>& row) {

@@ -68,6 +68,8 @@ class BallBody {
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its place.
   LeastPlace least_jacobian(const Vector& x) const;
+  /// Likewise the least value of a function of F.
+  LeastPlace least(const Vector& x, double (*value)(const Eigen::Matrix3d& F)) const;
   /// Likewise the least reserve of the law (materials/law_limits.h).
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.

@@ -52,6 +52,8 @@ class CellKernels {
   virtual CellIntegrals integrals(const Vector& x, const Vector& v) const = 0;
   /// Least det F over the quadrature points of this rank, with its reference position.
   virtual LeastPlace locate_least_jacobian(const Vector& x) const = 0;
+  /// Likewise the least value of a function of F, given row by row.
+  virtual LeastPlace locate_least(const Vector& x, const std::function<double(const double* F)>& value) const = 0;
   /// Likewise the least reserve of the law (materials/law_limits.h).
   virtual LeastPlace locate_least_reserve(const Vector& x) const = 0;
   /// λ_h at the nodes of a cell (first direction fastest).

@@ -170,14 +170,26 @@ class DegreeKernels final : public CellKernels {
     return sums;
   }
 
+  LeastPlace locate_least(const Vector& x, const std::function<double(const double* F)>& value) const override {
+    return locate(x, [&](const QuadraturePoint* points, L* values) {
+      for (int q = 0; q < plane; ++q) {
+        const Tensor F = points[q].deformation_gradient(load(buffers_->H, q));
+        for (int l = 0; l < Batches::n_lanes; ++l) {
+          double F_l[9];
+          for (int k = 0; k < 9; ++k) F_l[k] = F(k / 3, k % 3)[l];
+          values[q].v[l] = value(F_l);
+        }
+      }
+    });
+  }
   LeastPlace locate_least_jacobian(const Vector& x) const override {
-    return locate_least(x, [&](const QuadraturePoint* points, L* J) {
+    return locate(x, [&](const QuadraturePoint* points, L* J) {
       for (int q = 0; q < plane; ++q)
         J[q] = materials::determinant(points[q].deformation_gradient(load(buffers_->H, q)));
     });
   }
   LeastPlace locate_least_reserve(const Vector& x) const override {
-    return locate_least(
+    return locate(
         x, [&](const QuadraturePoint* points, L* reserve) { law_->reserve(points, plane, buffers_->H[0], reserve); });
   }
 
@@ -338,7 +350,7 @@ class DegreeKernels final : public CellKernels {
 
   /// `evaluate(points, values)` for the points of a plane, of which the buffer has H = ∂x/∂ξ.
   template <class Evaluate>
-  LeastPlace locate_least(const Vector& x, const Evaluate& evaluate) const {
+  LeastPlace locate(const Vector& x, const Evaluate& evaluate) const {
     const GhostValues of_x(x);
     LeastPlace result;
     L values[plane];

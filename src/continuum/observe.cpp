@@ -72,6 +72,9 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
     o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
   }
+  o.least_over_points = [&ball, &state](double (*value)(const Eigen::Matrix3d& F)) {
+    return ball.least(state.q, value).value;
+  };
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
     o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));

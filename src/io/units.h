@@ -5,7 +5,7 @@
 /// quantity of dimension length^a mass^b time^d is multiplied by r^a (ρr³)^b t^d on its way to a file:
 ///   energy  mass·length²/time²     J, Z  mass·length²/time     Q̇  1/time     λ per m̄  1/time²     a_i  length
 
-#include "mechanics/body_observables.h"
+#include "scene/unit.h"
 
 namespace pseudorigid::io {
 
@@ -17,13 +17,12 @@ struct Units {
   double momentum() const { return mass * length * velocity(); }  ///< of J and Z
   double stress() const { return energy() / (length * length * length); }
   double multiplier() const { return 1 / (time * time); }
+
+  /// A quantity of this unit, given in internal units.
+  double to_physical(double internal, scene::Unit unit) const;
 };
 
 /// The units of a ball with radius r and density ρ, both positive, and this unit of time (scene/scales.h).
 Units ball_units(double radius, double density, double time);
-
-mechanics::BodyObservables to_physical(const mechanics::BodyObservables& internal, const Units& units);
-mechanics::ReducedObservables to_physical(const mechanics::ReducedObservables& internal, const Units& units);
-mechanics::ContinuumObservables to_physical(const mechanics::ContinuumObservables& internal, const Units& units);
 
 }  // namespace pseudorigid::io

@@ -7,6 +7,7 @@
 /// All in the program's internal units (length r, mass ρr³, time r/c).
 
 #include <Eigen/Core>
+#include <functional>
 
 namespace pseudorigid::mechanics {
 
@@ -57,6 +58,9 @@ struct ContinuumObservables : BodyObservables {
   double nonaffine_kinetic_fraction = 0;            ///< η_K = K_nonaffine / K  (0/0 = 0)
   double nonaffine_displacement = 0;                ///< e_x = |x − Q_M X| / |x|, ρ-weighted L²
   double min_jacobian = 1;                          ///< least det F over the quadrature points
+  /// The least value of a function of F over the quadrature points of all ranks, at the state observed; to be asked
+  /// before the state changes. Collective.
+  std::function<double(double (*)(const Eigen::Matrix3d& F))> least_over_points{};
 };
 
 }  // namespace pseudorigid::mechanics

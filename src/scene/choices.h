@@ -61,7 +61,7 @@ inline constexpr Switches<Scene::Models, 2> models_kind{{{
     {"reduced", &Scene::Models::reduced},
     {"continuum", &Scene::Models::continuum},
 }}};
-inline constexpr Switches<Quantities, 8> quantities_kind{{{
+inline constexpr Switches<Quantities, 9> quantities_kind{{{
                                                              {"state", &Quantities::state},
                                                              {"energies", &Quantities::energies},
                                                              {"momenta", &Quantities::momenta},
@@ -70,6 +70,7 @@ inline constexpr Switches<Quantities, 8> quantities_kind{{{
                                                              {"nonaffine", &Quantities::nonaffine},
                                                              {"pressure", &Quantities::pressure},
                                                              {"bipolar", &Quantities::bipolar},
+                                                             {"stretches", &Quantities::stretches},
                                                          }},
                                                          6};
 

@@ -253,7 +253,9 @@ void visit_output(S& scene, Visit& visit) {
             "centre, for a fluid or a loaded body (central_pressure = 5/2 times the multiplier's force per volume); "
             "bipolar: Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and "
             "Lambda* in these frames, and bipolar_residual, the largest entry of what is left of the equation of "
-            "motion in them (Oliva 5.121), by differences along the path."});
+            "motion in them (Oliva 5.121), by differences along the path. By name only, of both models: stretches, the "
+            "principal stretches of the mean deformation, of the continuum the largest and the least anywhere as well. "
+            "The columns are listed below."});
   visit(graphics, graphics_kind,
         About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
   visit(frames, Integer{1},

@@ -59,6 +59,7 @@ struct Quantities {
   bool nonaffine = true;   ///< continuum only: non-affine fractions, min_jacobian
   bool pressure = false;   ///< reduced only: central_pressure
   bool bipolar = false;    ///< reduced only: A, T, S, Ω*, Λ*, residual of (5.121)
+  bool stretches = false;  ///< principal stretches
 };
 
 struct Catalogue;

@@ -68,11 +68,12 @@ inline std::vector<double> times(int n_samples, double end) {
 }
 
 inline Table reduced_run(const Motion& motion, const std::vector<double>& t, const Quantities& quantities = {}) {
-  Table table{.columns = pseudorigid::io::reduced_columns(quantities), .values = {}};
+  using pseudorigid::mechanics::ReducedObservables;
+  const pseudorigid::io::Trajectory<ReducedObservables> trajectory(quantities);
+  Table table{.columns = trajectory.names(), .values = {}};
   std::vector<double> row;
   for (const double time : t) {
-    pseudorigid::io::reduced_row(time, pseudorigid::mechanics::ReducedObservables{observe(motion, time, 1)}, {},
-                                 quantities, row);
+    trajectory.row(time, ReducedObservables{observe(motion, time, 1)}, row);
     table.values.insert(table.values.end(), row.begin(), row.end());
   }
   return table;
@@ -83,12 +84,13 @@ using Change = std::function<void(double, ContinuumObservables&)>;
 /// `change` may overwrite what the motion does not determine.
 inline Table continuum_run(const Motion& motion, const std::vector<double>& t, const Quantities& quantities = {},
                            const Change& change = {}) {
-  Table table{.columns = pseudorigid::io::continuum_columns(quantities), .values = {}};
+  const pseudorigid::io::Trajectory<ContinuumObservables> trajectory(quantities);
+  Table table{.columns = trajectory.names(), .values = {}};
   std::vector<double> row;
   for (const double time : t) {
     ContinuumObservables o = observe(motion, time, 1);
     if (change) change(time, o);
-    pseudorigid::io::continuum_row(time, o, {}, quantities, row);
+    trajectory.row(time, o, row);
     table.values.insert(table.values.end(), row.begin(), row.end());
   }
   return table;

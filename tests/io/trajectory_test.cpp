@@ -11,6 +11,8 @@ namespace {
 using mechanics::ContinuumObservables;
 
 constexpr scene::Quantities everything;
+using Reduced = Trajectory<mechanics::ReducedObservables>;
+using Continuum = Trajectory<ContinuumObservables>;
 const std::string reduced_header =
     "time,Q11,Q12,Q13,Q21,Q22,Q23,Q31,Q32,Q33,Qdot11,Qdot12,Qdot13,Qdot21,Qdot22,Qdot23,Qdot31,Qdot32,Qdot33,"
     "x1,x2,x3,v1,v2,v3,kinetic,elastic,gravitational,external,dissipated,energy,J1,J2,J3,Z1,Z2,Z3,"
@@ -18,6 +20,8 @@ const std::string reduced_header =
 const std::string continuum_header =
     reduced_header +
     ",F11,F12,F13,F21,F22,F23,F31,F32,F33,nonaffine_kinetic_fraction,nonaffine_displacement,min_jacobian";
+
+Eigen::Matrix3d diagonal(double a, double b, double c) { return Eigen::Vector3d(a, b, c).asDiagonal(); }
 
 /// Every number another one, so that no two columns can be mistaken for each other.
 ContinuumObservables distinct_observables() {
@@ -33,6 +37,7 @@ ContinuumObservables distinct_observables() {
   o.volume_ratio = 91;
   o.multiplier = 92;
   o.semi_axes << 95, 94, 93;
+  o.least_over_points = [](auto value) { return value(diagonal(3, 2, 0.5)); };
   o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
   return o;
 }
@@ -42,33 +47,35 @@ double value(const std::vector<std::string>& columns, const std::vector<double>&
 }
 
 TEST(Trajectory, HeadersAreThoseOfTheContract) {
-  EXPECT_EQ(fmt::format("{}", fmt::join(reduced_columns(everything), ",")), reduced_header);
-  EXPECT_EQ(fmt::format("{}", fmt::join(continuum_columns(everything), ",")), continuum_header);
+  EXPECT_EQ(fmt::format("{}", fmt::join(Reduced(everything).names(), ",")), reduced_header);
+  EXPECT_EQ(fmt::format("{}", fmt::join(Continuum(everything).names(), ",")), continuum_header);
 }
 
 TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
-  const scene::Quantities nothing{false, false, false, false, false, false, false, false};
-  EXPECT_EQ(reduced_columns(nothing), std::vector<std::string>{"time"});
+  const scene::Quantities nothing{false, false, false, false, false, false, false, false, false};
+  EXPECT_EQ(Reduced(nothing).names(), std::vector<std::string>{"time"});
   const ContinuumObservables o = distinct_observables();
-  const std::vector<std::string> all = continuum_columns(everything);
+  constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true, true};
+  const std::vector<std::string> all = Continuum(all_groups).names();
   std::vector<double> full_row, row;
-  continuum_row(7, o, {}, everything, full_row);
-  for (int mask = 0; mask < 256; ++mask) {
-    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),  bool(mask & 8),
-                                 bool(mask & 16), bool(mask & 32), bool(mask & 64), bool(mask & 128)};
-    const std::vector<std::string> columns = continuum_columns(some);
-    continuum_row(7, o, {}, some, row);
+  Continuum(all_groups).row(7, o, full_row);
+  for (int mask = 0; mask < 512; ++mask) {
+    const scene::Quantities some{bool(mask & 1),  bool(mask & 2),  bool(mask & 4),   bool(mask & 8),  bool(mask & 16),
+                                 bool(mask & 32), bool(mask & 64), bool(mask & 128), bool(mask & 256)};
+    const Continuum trajectory(some);
+    const std::vector<std::string>& columns = trajectory.names();
+    trajectory.row(7, o, row);
     ASSERT_EQ(columns.size(), row.size());
     for (std::size_t i = 0; i < row.size(); ++i) EXPECT_EQ(row[i], value(all, full_row, columns[i])) << columns[i];
-    reduced_row(7, mechanics::ReducedObservables{o}, {}, some, row);
-    EXPECT_EQ(row.size(), reduced_columns(some).size());
+    Reduced(some).row(7, mechanics::ReducedObservables{o}, row);
+    EXPECT_EQ(row.size(), Reduced(some).names().size());
   }
 }
 
 TEST(Trajectory, ValuesStandUnderTheirNames) {
   std::vector<double> row;
-  continuum_row(7, distinct_observables(), {}, everything, row);
-  const auto columns = continuum_columns(everything);
+  Continuum(everything).row(7, distinct_observables(), row);
+  const auto columns = Continuum(everything).names();
   const std::vector<std::pair<std::string, double>> expected{
       {"time", 7},      {"Q12", 12},        {"Q21", 21},          {"Qdot13", 113}, {"x3", 43},
       {"v1", 51},       {"kinetic", 61},    {"elastic", 62},      {"J2", 72},      {"gravitational", 63},
@@ -82,9 +89,9 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
   // Powers of two, so that the products are exact: length 2, mass 4, time 1/8.
   const Units units{.length = 2, .mass = 4, .time = 0.125};
   std::vector<double> plain, scaled;
-  continuum_row(7, distinct_observables(), {}, everything, plain);
-  continuum_row(7, distinct_observables(), units, everything, scaled);
-  const auto columns = continuum_columns(everything);
+  Continuum(everything).row(7, distinct_observables(), plain);
+  Continuum(everything, units).row(7, distinct_observables(), scaled);
+  const auto columns = Continuum(everything).names();
   const auto factor = [&](const std::string& name) {
     return value(columns, scaled, name) / value(columns, plain, name);
   };
@@ -97,6 +104,51 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
     EXPECT_EQ(factor(name), 4 * 4 * 64) << name;
   for (const char* name : {"J1", "J3", "Z1", "Z2"}) EXPECT_EQ(factor(name), 4 * 4 * 8) << name;
   EXPECT_EQ(factor("multiplier"), 64);
+}
+
+/// Of a pure shear with F = diag(3, 1/3, 2), everywhere the same but for one point.
+TEST(Trajectory, StretchesAreSingularValues) {
+  ContinuumObservables o;
+  o.F = diagonal(3, 1.0 / 3, 2);
+  o.least_over_points = [](auto value) { return std::min(value(diagonal(3, 1.0 / 3, 2)), value(diagonal(5, 0.2, 1))); };
+  std::vector<double> row;
+  const scene::Quantities stretches{false, false, false, false, false, false, false, false, true};
+  const Continuum trajectory(stretches);
+  trajectory.row(0, o, row);
+  EXPECT_EQ(trajectory.names(),
+            (std::vector<std::string>{"time", "stretch1", "stretch2", "stretch3", "max_stretch", "min_stretch"}));
+  const double expected[] = {0, 3, 2, 1.0 / 3, 5, 0.2};
+  for (std::size_t i = 0; i < row.size(); ++i) EXPECT_NEAR(row[i], expected[i], 1e-15) << i;
+}
+
+/// Each documented column stands for one to nine of the header.
+TEST(Trajectory, EveryColumnIsDocumented) {
+  for (const scene::Column& column : documented_columns<ContinuumObservables>()) {
+    EXPECT_FALSE(column.documentation.empty()) << column.name;
+    const std::string first = column.name.substr(0, column.name.find(' '));
+    constexpr scene::Quantities all_groups{true, true, true, true, true, true, true, true, true};
+    EXPECT_EQ(std::ranges::count(Continuum(all_groups).names(), first), 1) << first;
+  }
+}
+
+/// Every unit of a column, against the product of its factors.
+TEST(Units, AreProductsOfTheirFactors) {
+  const Units units{.length = 3, .mass = 5, .time = 7};
+  struct {
+    scene::Unit unit;
+    double factor;
+  } const expected[] = {{"", 1},
+                        {"length", 3},
+                        {"length/time", 3.0 / 7},
+                        {"1/time", 1.0 / 7},
+                        {"1/time^2", 1.0 / 49},
+                        {"mass*length^2/time", 45.0 / 7},
+                        {"mass*length^2/time^2", 45.0 / 49},
+                        {"pressure", 5.0 / (3 * 49)},
+                        {"pressure*time", 5.0 / (3 * 7)},
+                        {"length^3/mass/time^2", 27.0 / (5 * 49)}};
+  for (const auto& [unit, factor] : expected)
+    EXPECT_DOUBLE_EQ(units.to_physical(2, unit), 2 * factor) << std::string_view(unit);
 }
 
 TEST(Units, OfABallAreRadiusMassAndWaveTime) {
