@@ -69,14 +69,14 @@ struct Workshop {
 
   /// Whether both tables have the columns; if not, `what` goes to the list of what could not be compared.
   bool available(std::string_view what, const Columns& columns) {
-    return has(r, "reduced", what, columns) && has(c, "continuum", what, columns);
+    return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
 
-  bool has(const io::Table& table, std::string_view model, std::string_view what, const Columns& columns) {
+  bool has(const io::Table& table, const ModelSummary& model, std::string_view what, const Columns& columns) {
     const auto lacks = [&table](const std::string& name) { return !table.has_column(name); };
     const auto missing = std::ranges::find_if(columns, lacks);
     if (missing == columns.end()) return true;
-    out.not_compared.push_back(fmt::format("{} (no column {} in {}.csv)", what, *missing, model));
+    out.not_compared.push_back(fmt::format("{} (no column {} in {}.csv)", what, *missing, model.name));
     return false;
   }
 
@@ -95,32 +95,33 @@ struct Workshop {
   }
 };
 
-void check_tables(const io::Table& r, const io::Table& c) {
+void check_tables(const ModelRunTable& model, const ModelRunTable& reference) {
+  const io::Table &r = model.table, &c = reference.table;
+  const std::string files = fmt::format("{}.csv or {}.csv", model.name, reference.name);
   const auto all_finite = [](const io::Table& t) {
     return std::ranges::all_of(t.values, [](double v) { return std::isfinite(v); });
   };
-  if (r.n_rows() == 0 || c.n_rows() == 0) throw UserError("reduced.csv or continuum.csv holds no sample to compare");
-  if (!all_finite(r) || !all_finite(c))
-    throw UserError("reduced.csv or continuum.csv holds a value that is not finite");
+  if (r.n_rows() == 0 || c.n_rows() == 0) throw UserError(files + " holds no sample to compare");
+  if (!all_finite(r) || !all_finite(c)) throw UserError(files + " holds a value that is not finite");
   if (r.n_rows() != c.n_rows())
     throw UserError(
-        fmt::format("the models were sampled at different times and cannot be compared: reduced.csv has {} "
-                    "samples, continuum.csv {}",
-                    r.n_rows(), c.n_rows()));
+        fmt::format("the models were sampled at different times and cannot be compared: {}.csv has {} samples, {}.csv "
+                    "{}",
+                    model.name, r.n_rows(), reference.name, c.n_rows()));
 }
 
-std::vector<double> common_times(const io::Table& r, const io::Table& c) {
-  check_tables(r, c);
+std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable& reference) {
+  check_tables(model, reference);
   constexpr double tolerance = 1e-9;
-  std::vector<double> time = r.column("time");
-  const std::vector<double> other = c.column("time");
+  std::vector<double> time = model.table.column("time");
+  const std::vector<double> other = reference.table.column("time");
   const double interval = time.size() > 1 ? std::abs(time.back() - time.front()) / double(time.size() - 1) : 0;
   for (std::size_t n = 0; n < time.size(); ++n)
     if (std::abs(time[n] - other[n]) > tolerance * interval)
       throw UserError(
           fmt::format("the models were sampled at different times and cannot be compared: sample {} is at t "
-                      "= {} in reduced.csv, t = {} in continuum.csv",
-                      n + 1, time[n], other[n]));
+                      "= {} in {}.csv, t = {} in {}.csv",
+                      n + 1, time[n], model.name, other[n], reference.name));
   return time;
 }
 
@@ -171,15 +172,17 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
 
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
-  const bool by_continuum = !out.reduced.deforms && out.continuum.deforms;
-  const auto [i, j] = (by_continuum ? c : r).liveliest_component();
+  const bool by_reference = !out.model.deforms && out.reference.deforms;
+  const auto [i, j] = (by_reference ? c : r).liveliest_component();
   out.signal = fmt::format("C{}{}", i + 1, j + 1);
-  out.signal_reason = fmt::format("component of C = Q^T Q with the largest variance in the {}",
-                                  by_continuum ? "continuum (the reduced model keeps its shape)" : "reduced model");
-  out.reduced.frequency = fit_component(r.component(i, j), out.time, out.reduced.deforms);
-  out.continuum.frequency = fit_component(c.component(i, j), out.time, out.continuum.deforms);
-  if (!out.reduced.frequency || !out.continuum.frequency) return;
-  const Line &a = out.reduced.frequency.dominant(), &b = out.continuum.frequency.dominant();
+  out.signal_reason =
+      fmt::format("component of C = Q^T Q with the largest variance in the {}",
+                  by_reference ? fmt::format("{} (the {} model keeps its shape)", out.reference.name, out.model.name)
+                               : out.model.name + " model");
+  out.model.frequency = fit_component(r.component(i, j), out.time, out.model.deforms);
+  out.reference.frequency = fit_component(c.component(i, j), out.time, out.reference.deforms);
+  if (!out.model.frequency || !out.reference.frequency) return;
+  const Line &a = out.model.frequency.dominant(), &b = out.reference.frequency.dominant();
   const double value = a.frequency / b.frequency;
   out.ratio = FrequencyRatio{value, value * std::hypot(a.uncertainty / a.frequency, b.uncertainty / b.frequency)};
 }
@@ -203,7 +206,7 @@ void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;
   out.has_state = true;
-  const Deformation r(w.r, w.options.resolution, out.reduced), c(w.c, w.options.resolution, out.continuum);
+  const Deformation r(w.r, w.options.resolution, out.model), c(w.c, w.options.resolution, out.reference);
   const std::vector<double> apart = distances(c.Q, r.Q);
   const std::vector<double> sizes = norms(r.Q);
   w.add("q_difference", 1, each(ratio_or_zero, apart, sizes));
@@ -211,9 +214,9 @@ void compare_states(Workshop& w) {
     out.error = {*w.options.space_error, ratio_or_zero(3 * w.options.time_error, std::ranges::min(sizes))};
   // Where nothing moves, what is left to divide by is the resolution itself.
   const double departure =
-      std::max({out.reduced.departure, out.continuum.departure, w.options.resolution * r.Q[0].norm()});
+      std::max({out.model.departure, out.reference.departure, w.options.resolution * r.Q[0].norm()});
   const double amplitude =
-      std::max({out.reduced.strain_amplitude, out.continuum.strain_amplitude, w.options.resolution * r.C[0].norm()});
+      std::max({out.model.strain_amplitude, out.reference.strain_amplitude, w.options.resolution * r.C[0].norm()});
   w.add("q_difference_of_departure", departure, apart);
   w.add("strain_difference", amplitude, distances(c.C, r.C));
   fit_frequencies(w, r, c);
@@ -244,8 +247,8 @@ void compare_energies(Workshop& w) {
   const double reference = std::max(energy_reference(w.r), energy_reference(w.c));
   for (const std::string name : {"kinetic", "elastic", "energy"})
     w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)));
-  w.out.reduced.energy_drift = drift(w.r.column("energy"), reference);
-  w.out.continuum.energy_drift = drift(w.c.column("energy"), reference);
+  w.out.model.energy_drift = drift(w.r.column("energy"), reference);
+  w.out.reference.energy_drift = drift(w.c.column("energy"), reference);
 }
 
 /// m̄|Q||Q̇| where |Q̇| is largest, with m̄ from K = ½m̄|Q̇|²; 0 if the table cannot tell.
@@ -270,8 +273,8 @@ void compare_momentum(Workshop& w, const std::string& name, const Columns& colum
   const auto drift = [reference](const std::vector<Vector3d>& v) {
     return ratio_or_zero(largest(each([&](const Vector3d& x) { return (x - v[0]).norm(); }, v)), reference);
   };
-  w.out.reduced.*drift_of = drift(r);
-  w.out.continuum.*drift_of = drift(c);
+  w.out.model.*drift_of = drift(r);
+  w.out.reference.*drift_of = drift(c);
 }
 
 void compare_multipliers(Workshop& w) {
@@ -282,7 +285,7 @@ void compare_multipliers(Workshop& w) {
 
 void report_nonaffine_motion(Workshop& w) {
   const Columns columns{"nonaffine_kinetic_fraction", "nonaffine_displacement"};
-  if (!w.has(w.c, "continuum", "non-affine motion", columns)) return;
+  if (!w.has(w.c, w.out.reference, "non-affine motion", columns)) return;
   for (const std::string& name : columns) w.add(name, 1, w.c.column(name));
   if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
   if (!w.c.has_column("kinetic")) return;
@@ -299,9 +302,11 @@ const Series* Comparison::find(std::string_view name) const {
   return found == series.end() ? nullptr : &*found;
 }
 
-Comparison compare(const io::Table& reduced, const io::Table& continuum, const ComparisonOptions& options) {
-  Workshop w{reduced, continuum, options, {}};
-  w.out.time = common_times(reduced, continuum);
+Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options) {
+  Workshop w{model.table, reference.table, options, {}};
+  w.out.model.name = model.name, w.out.model.adjective = model.adjective;
+  w.out.reference.name = reference.name, w.out.reference.adjective = reference.adjective;
+  w.out.time = common_times(model, reference);
   w.out.surface_limit_time = options.surface_limit_time;
   compare_states(w);
   compare_axes(w);

@@ -1,8 +1,8 @@
 #pragma once
 /// Two models of one ball, sample by sample: how far apart, in which quantity, since when, and why.
 ///
-/// r: reduced model, c: continuum; Q of the continuum is the mass moment Q_M; C = QᵀQ; |·| is Frobenius' norm, and 0/0
-/// counts as 0. Each series is a column of comparison.csv:
+/// r: one model, c: the reference, which is richer in motions; Q of the continuum is the mass moment Q_M; C = QᵀQ; |·|
+/// is Frobenius' norm, and 0/0 counts as 0. Each series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
@@ -19,10 +19,10 @@
 ///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|, or, if that is round-off, m̄|Q||Q̇|, the bound
 ///                               of |J| and |Z| up to a factor √2, where |Q̇| is largest
 ///   multiplier_difference       (λ_c − λ_r) / max_t |λ|                 of the larger one
-///   nonaffine_kinetic_fraction, nonaffine_displacement                  of the continuum, as they are
+///   nonaffine_kinetic_fraction, nonaffine_displacement                  of the reference, as they are
 ///
 /// The frequency is that of the component of C (invariant under rotations of the body) with the largest variance in the
-/// reduced model, the same component in both.
+/// first model, the same component in both.
 
 #include <optional>
 #include <string>
@@ -46,12 +46,18 @@ struct DiscretizationError {
   double total() const { return space + time; }
 };
 
+/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), and its samples.
+struct ModelRunTable {
+  std::string name, adjective;
+  const io::Table& table;
+};
+
 struct ComparisonOptions {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
   std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value where the scene has one
-  std::optional<double> space_error{};            ///< of the continuum, |δQ|/|Q|, if known
+  std::optional<double> space_error{};            ///< of the reference, |δQ|/|Q|, if known
   double time_error = 0;                          ///< of both models, largest entry of Q, as far as known
-  std::optional<double> surface_limit_time{};     ///< when the continuum's surface reached Biot's limit, if it did
+  std::optional<double> surface_limit_time{};     ///< when the reference's surface reached Biot's limit, if it did
 };
 
 struct Series {
@@ -65,6 +71,7 @@ struct Series {
 
 /// What one model does on its own. Drifts are the largest departures from the initial value, over E₀ and J₀.
 struct ModelSummary {
+  std::string name, adjective;
   FrequencyFit frequency;
   double departure = 0;         ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|
@@ -81,7 +88,7 @@ struct FrequencyRatio {
 struct Comparison {
   std::vector<double> time;
   std::vector<Series> series;
-  ModelSummary reduced, continuum;
+  ModelSummary model, reference;
   bool has_state = false;
   std::string signal;         ///< "C33"
   std::string signal_reason;  ///< why this one
@@ -91,7 +98,7 @@ struct Comparison {
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
-  std::optional<double> surface_limit_time;  ///< from then on the continuum's results depend on its mesh
+  std::optional<double> surface_limit_time;  ///< from then on the reference's results depend on its mesh
   std::vector<std::string> not_compared;     ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
@@ -101,6 +108,6 @@ struct Comparison {
 
 /// UserError if the tables are empty, hold different sample times or a value that is not finite. Groups of columns that
 /// a table lacks are left out and named in `not_compared`.
-Comparison compare(const io::Table& reduced, const io::Table& continuum, const ComparisonOptions& options = {});
+Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

@@ -38,8 +38,8 @@ Json to_json(const FrequencyFit& fit) {
 
 Json frequency_json(const Comparison& c) {
   Json json{{"signal", c.signal}, {"reason", c.signal_reason}};
-  json["reduced"] = to_json(c.reduced.frequency);
-  json["continuum"] = to_json(c.continuum.frequency);
+  json[c.model.name] = to_json(c.model.frequency);
+  json[c.reference.name] = to_json(c.reference.frequency);
   json["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
   json["ratio_uncertainty"] = c.ratio ? Json(c.ratio->uncertainty) : Json(nullptr);
   json["exact_small_amplitude_ratio"] = to_json(c.exact_ratio);
@@ -76,8 +76,8 @@ std::string percent(double value, double uncertainty) {
   return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
 }
 
-std::string unknown_frequency(std::string_view ball, const ModelSummary& m) {
-  return fmt::format("no frequency can be given for the {} ball ({})", ball, m.frequency.reason);
+std::string unknown_frequency(const ModelSummary& m) {
+  return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
 std::string compared_frequencies(const Comparison& c) {
@@ -87,8 +87,8 @@ std::string compared_frequencies(const Comparison& c) {
   constexpr double says_little = 0.05;
   std::string text;
   if (std::abs(excess) > 3 * uncertainty + round_off)
-    text = fmt::format("The pseudo-rigid ball pulsates {} % {} than the elastic ball",
-                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower");
+    text = fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
+                       percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
   else if (known_to <= says_little)
     text = fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));
   else
@@ -104,25 +104,24 @@ std::string pulsation(const ModelSummary& m) {
 }
 
 std::string motion_clause(const Comparison& c) {
-  const ModelSummary &r = c.reduced, &e = c.continuum;
+  const ModelSummary &r = c.model, &e = c.reference;
   if (!c.has_state) return "Deformations and frequencies cannot be compared without the columns Q11 to Q33";
   if (c.ratio) return compared_frequencies(c);
   if (!r.deforms && !e.deforms)
     return r.turns || e.turns ? "Both balls turn without changing shape" : "Neither ball moves";
-  if (!r.deforms) return fmt::format("The pseudo-rigid ball keeps its shape while the elastic ball {}", pulsation(e));
-  if (!e.deforms) return fmt::format("The elastic ball keeps its shape while the pseudo-rigid ball {}", pulsation(r));
-  if (r.frequency)
-    return fmt::format("The pseudo-rigid ball {}, but {}", pulsation(r), unknown_frequency("elastic", e));
-  if (e.frequency)
-    return fmt::format("The elastic ball {}, but {}", pulsation(e), unknown_frequency("pseudo-rigid", r));
-  return fmt::format("Both balls deform, but no frequency can be given (pseudo-rigid: {}; elastic: {})",
-                     r.frequency.reason, e.frequency.reason);
+  constexpr const char* one_keeps = "The {} ball keeps its shape while the {} ball {}";
+  if (!r.deforms) return fmt::format(one_keeps, r.adjective, e.adjective, pulsation(e));
+  if (!e.deforms) return fmt::format(one_keeps, e.adjective, r.adjective, pulsation(r));
+  if (r.frequency) return fmt::format("The {} ball {}, but {}", r.adjective, pulsation(r), unknown_frequency(e));
+  if (e.frequency) return fmt::format("The {} ball {}, but {}", e.adjective, pulsation(e), unknown_frequency(r));
+  return fmt::format("Both balls deform, but no frequency can be given ({}: {}; {}: {})", r.adjective,
+                     r.frequency.reason, e.adjective, e.frequency.reason);
 }
 
 std::string difference_clause(const Comparison& c) {
   const Series &q = *c.find("q_difference"), &strain = *c.find("strain_difference");
   if (q.max == 0) return "their deformations are identical";
-  if (!c.reduced.deforms && !c.continuum.deforms)
+  if (!c.model.deforms && !c.reference.deforms)
     return fmt::format("their deformation gradients differ by at most {:.2g} %", 100 * q.max);
   const auto reached = std::ranges::find_if(strain.values, [](double d) { return d >= 1; });
   if (reached != strain.values.end())
@@ -134,20 +133,20 @@ std::string difference_clause(const Comparison& c) {
 
 std::string nonaffine_clause(const Comparison& c) {
   if (c.mean_nonaffine_kinetic_fraction)
-    return fmt::format("on average {:.2g} % of the elastic ball's kinetic energy is in non-affine motion",
-                       100 * *c.mean_nonaffine_kinetic_fraction);
+    return fmt::format("on average {:.2g} % of the {} ball's kinetic energy is in non-affine motion",
+                       100 * *c.mean_nonaffine_kinetic_fraction, c.reference.adjective);
   const Series& fraction = *c.find("nonaffine_kinetic_fraction");
-  return fmt::format("at most {:.2g} % of the elastic ball's kinetic energy is in non-affine motion",
-                     100 * fraction.max);
+  return fmt::format("at most {:.2g} % of the {} ball's kinetic energy is in non-affine motion", 100 * fraction.max,
+                     c.reference.adjective);
 }
 
 std::string cell(const std::optional<double>& value, int digits) {
   return fmt::format("{:>13}", value ? fmt::format("{:.{}g}", *value, digits) : "-");
 }
 
-std::string model_row(std::string_view label, const std::optional<double>& reduced,
-                      const std::optional<double>& continuum, int digits) {
-  return fmt::format("{:<38}{}{}", label, cell(reduced, digits), cell(continuum, digits));
+std::string model_row(std::string_view label, const std::optional<double>& model,
+                      const std::optional<double>& reference, int digits) {
+  return fmt::format("{:<38}{}{}", label, cell(model, digits), cell(reference, digits));
 }
 
 std::optional<double> frequency(const ModelSummary& m) {
@@ -155,7 +154,7 @@ std::optional<double> frequency(const ModelSummary& m) {
 }
 
 void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
-  const ModelSummary &r = c.reduced, &e = c.continuum;
+  const ModelSummary &r = c.model, &e = c.reference;
   const auto drift = [&](std::string_view label, std::optional<double> ModelSummary::*value) {
     if (r.*value) lines.push_back(model_row(label, r.*value, e.*value, 2));
   };
@@ -208,8 +207,8 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
         {"max", s.max}, {"time_of_max", s.time_of_max}, {"rms", s.rms}, {"reference", s.reference}};
   json["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
   json["frequency"] = c.has_state ? frequency_json(c) : Json(nullptr);
-  json["reduced"] = model_json(c.reduced, c.has_state);
-  json["continuum"] = model_json(c.continuum, c.has_state);
+  json[c.model.name] = model_json(c.model, c.has_state);
+  json[c.reference.name] = model_json(c.reference, c.has_state);
   json["mean_nonaffine_kinetic_fraction"] = to_json(c.mean_nonaffine_kinetic_fraction);
   json["min_jacobian"] = to_json(c.min_jacobian);
   json["surface_limit_time"] = to_json(c.surface_limit_time);
@@ -217,19 +216,19 @@ nlohmann::ordered_json comparison_json(const Comparison& c) {
   return json;
 }
 
-void write_comparison(const std::filesystem::path& folder, const Comparison& comparison) {
+void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison) {
   const io::Table table = comparison_table(comparison);
-  io::CsvWriter csv = io::CsvWriter::create(folder / "comparison.csv", table.columns);
+  io::CsvWriter csv = io::CsvWriter::create(folder / (name + ".csv"), table.columns);
   for (std::size_t n = 0; n < table.n_rows(); ++n) csv.append(table.row(n));
   csv.flush();
-  io::write_file_atomically(folder / "comparison.json", {comparison_json(comparison).dump(2), "\n"});
+  io::write_file_atomically(folder / (name + ".json"), {comparison_json(comparison).dump(2), "\n"});
 }
 
 std::string summary_sentence(const Comparison& c) {
   std::string sentence = motion_clause(c);
   if (c.has_state) sentence += "; " + difference_clause(c);
   // A part of the kinetic energy of a ball that does not move is a quotient of round-off.
-  const bool moves = !c.has_state || c.continuum.deforms || c.continuum.turns;
+  const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
   return sentence + ".";
 }
@@ -245,7 +244,7 @@ std::string terminal_table(const Comparison& c) {
   std::vector<std::string> lines;
   lines.push_back(fmt::format("{:<38}{:>13}{:>13}",
                               fmt::format("{} samples, t = {:g} to {:g}", c.time.size(), c.time.front(), c.time.back()),
-                              "reduced", "continuum"));
+                              c.model.name, c.reference.name));
   add_model_rows(c, lines);
   if (!c.series.empty())
     lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "difference", "rms", "largest", "at t"));
@@ -253,11 +252,35 @@ std::string terminal_table(const Comparison& c) {
   if (c.has_state) lines.push_back(model_difference(c));
   if (c.surface_limit_time)
     lines.push_back(
-        fmt::format("from t = {:.4g} on the continuum's surface is somewhere beyond Biot's limit, where "
+        fmt::format("from t = {:.4g} on the {}'s surface is somewhere beyond Biot's limit, where "
                     "wrinkles of the mesh's size may grow",
-                    *c.surface_limit_time));
+                    *c.surface_limit_time, c.reference.name));
   if (!c.not_compared.empty()) lines.push_back(fmt::format("not compared: {}", fmt::join(c.not_compared, "; ")));
   return fmt::format("{}\n{}\n", fmt::join(lines, "\n"), summary_sentence(c));
+}
+
+std::string overview(const std::vector<Comparison>& comparisons) {
+  const std::string& reference = comparisons.front().reference.name;
+  std::vector<std::string> lines{fmt::format("{:<24}{:>13}{:>13}{:>13}{:>13}", "compared with " + reference, "rms of Q",
+                                             "largest", "at t", "frequency")};
+  for (const Comparison& c : comparisons) {
+    const Series* q = c.find("q_difference");
+    lines.push_back(fmt::format("{:<24}", c.model.name));
+    if (q) lines.back() += fmt::format("{:>13.3g}{:>13.3g}{:>13.4g}", q->rms, q->max, q->time_of_max);
+    if (q && c.ratio) lines.back() += fmt::format("{:>13.6g}", c.ratio->value);
+  }
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons) {
+  Json json{{"reference", comparisons.front().reference.name}, {"models", Json::object()}};
+  for (const Comparison& c : comparisons) {
+    Json& model = json["models"][c.model.name];
+    model["summary"] = summary_sentence(c);
+    model["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
+    model["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
+  }
+  return json;
 }
 
 }  // namespace pseudorigid::analysis

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "analysis/comparison.h"
 #include "io/csv.h"
@@ -16,8 +17,12 @@ io::Table comparison_table(const Comparison& comparison);
 /// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, what is missing.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
-/// Writes both into `folder`.
-void write_comparison(const std::filesystem::path& folder, const Comparison& comparison);
+/// Writes both into `folder`, as <name>.csv and <name>.json.
+void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
+
+/// Of comparisons with one reference, a line each for the terminal, and the same as JSON.
+std::string overview(const std::vector<Comparison>& comparisons);
+nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
 /// What the comparison means, in one sentence that ends with a full stop.
 std::string summary_sentence(const Comparison& comparison);

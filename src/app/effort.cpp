@@ -13,6 +13,7 @@
 #include "materials/eigen_tensor.h"
 #include "mechanics/methods.h"
 #include "mechanics/time_loop.h"
+#include "scene/models.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -120,7 +121,7 @@ double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
 scene::Needs needs_with_effort(const scene::Scene& scene) {
   scene::Needs needs = scene::needs(scene);
   const auto fixed = scene::fixed_discretization(scene);
-  if (!needs.continuum || !fixed || scene::has_mesh_file(scene)) return needs;
+  if (!needs.discretized || !fixed || scene::has_mesh_file(scene)) return needs;
   needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
   if (scene.analysis != scene::Analysis::motion) return needs;
   const auto method = mechanics::find_method(scene.time.method);
@@ -155,7 +156,7 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
 
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells,
                     double share) {
-  if (!scene.models.continuum || scene.analysis == scene::Analysis::equilibrium) return;
+  if (!scene::is_discretized(scene) || scene.analysis == scene::Analysis::equilibrium) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
   const double own_share = scene.analysis == scene::Analysis::modes ? 1 : share;  // modes are found by one process

@@ -1,8 +1,10 @@
 #include "app/libraries.h"
 #include "app/program.h"
+#include "app/run_models.h"
 #include "io/standard_streams.h"
 
 int main(int argc, char** argv) {
   pseudorigid::io::open_standard_descriptors();
-  return pseudorigid::app::run_program(argc, argv, {nullptr, pseudorigid::app::common_libraries()});
+  using namespace pseudorigid::app;
+  return run_program(argc, argv, {.models = {{"reduced", run_reduced}}, .libraries = common_libraries()});
 }

@@ -77,5 +77,9 @@ int main(int argc, char** argv) {
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   const MpiRanks several;
   if (Launch().n_ranks != 1) mpi.emplace(argc, argv, 1);
-  return run_program(argc, argv, {run_on_all_ranks, std::move(libraries), mpi ? &several : &one_rank()});
+  return run_program(argc, argv,
+                     {.models = {{"reduced", run_reduced}, {"continuum", run_on_all_ranks}},
+                      .libraries = std::move(libraries),
+                      .runs_discretized = true,
+                      .ranks = mpi ? &several : &one_rank()});
 }

@@ -8,7 +8,7 @@
 #include "io/checkpoint.h"
 #include "io/files.h"
 #include "io/gmsh.h"
-#include "scene/scene.h"
+#include "scene/models.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -36,7 +36,7 @@ CenteredMesh read_mesh_file(const scene::Scene& scene) {
 }
 
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins) {
-  if (!scene.models.continuum || !scene::has_mesh_file(scene)) return 0;
+  if (!scene::is_discretized(scene) || !scene::has_mesh_file(scene)) return 0;
   constexpr const char* entry = "Continuum/Mesh";
   try {
     return read_mesh_file(scene).mesh.cells.size();
@@ -46,7 +46,7 @@ std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& o
 }
 
 std::string mesh_identity(const scene::Scene& scene) {
-  if (!scene.models.continuum || !scene::has_mesh_file(scene)) return scene.continuum.mesh;
+  if (!scene::is_discretized(scene) || !scene::has_mesh_file(scene)) return scene.continuum.mesh;
   return fmt::format("{:016x}.msh", io::checksum(io::read_file(scene.continuum.mesh)));
 }
 

@@ -9,7 +9,6 @@
 #include <exception>
 #include <filesystem>
 
-#include "app/catalogue.h"
 #include "app/command_line.h"
 #include "app/effort.h"
 #include "app/failure.h"
@@ -22,6 +21,7 @@
 #include "app/sweep.h"
 #include "io/build_info.h"
 #include "io/standard_streams.h"
+#include "scene/models.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
 #include "scene/user_error.h"
@@ -46,8 +46,8 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-Input read_and_validate(const Options& options, int n_ranks) {
-  Input input{scene::read_scene(options.scene, options.overrides, program_catalogue()), {}};
+Input read_and_validate(const Options& options, const Executable& executable, int n_ranks) {
+  Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue), {}};
   input.read = input.raw;
   input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
   check_sweep(input.raw);
@@ -60,7 +60,7 @@ Input read_and_validate(const Options& options, int n_ranks) {
 
 /// Of several processes pseudorigid, which has no MPI, leaves it to pseudorigid-continuum to say how many they are.
 int n_ranks_known(const Executable& executable, const Launch& launch) {
-  if (executable.run_continuum) return executable.ranks->size();
+  if (executable.runs_discretized) return executable.ranks->size();
   return launch.n_ranks == 1 ? 1 : Launch::unknown;
 }
 
@@ -75,13 +75,13 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
 
 int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
   const Ranks& ranks = *executable.ranks;
-  if (executable.run_continuum) require_mpi_of(launch, ranks);
+  if (executable.runs_discretized) require_mpi_of(launch, ranks);
   Input input;
-  on_all_ranks(ranks, [&] { input = read_and_validate(options, n_ranks_known(executable, launch)); });
+  on_all_ranks(ranks, [&] { input = read_and_validate(options, executable, n_ranks_known(executable, launch)); });
   const scene::ReadScene& read = input.read;
-  if (!read.scene.models.continuum)
+  if (!scene::is_discretized(read.scene))
     return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
-  if (!executable.run_continuum) become_continuum_executable(argv);
+  if (!executable.runs_discretized) become_continuum_executable(argv);
   if (launch.rank > 0) return assist_scene(read, options, executable);
   // However the run ends, the other ranks are told.
   struct Dismissal {
@@ -96,12 +96,12 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     case Command::run:
       return run(options, argc, argv, executable, launch);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options, n_ranks_known(executable, launch)).read;
+      const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
       io::print(scene::describe(read.scene, needs_with_effort(read.scene)));
       return exit_done;
     }
     case Command::parameters:
-      io::print(scene::parameters(options.format, program_catalogue()));
+      io::print(scene::parameters(options.format, *executable.catalogue));
       return exit_done;
     case Command::report:
       if (launch.rank == 0) report_run(options);
@@ -129,7 +129,7 @@ int run_program(int argc, char** argv, const Executable& executable) {
     const Ranks& ranks = *executable.ranks;
     // What all ranks have the first says; what another has alone would leave the first waiting.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
-    const bool unconnected = executable.run_continuum && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
+    const bool unconnected = executable.runs_discretized && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;
     if (is_first || unconnected || alone) std::fprintf(stderr, "error: %s\n", failure.message.c_str());
     if (alone) ranks.abort(failure.exit_code);

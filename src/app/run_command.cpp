@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "analysis/comparison_report.h"
 #include "app/ball_equilibria.h"
+#include "app/compare_models.h"
 #include "app/discretization_search.h"
 #include "app/effort.h"
 #include "app/failure.h"
@@ -29,51 +29,9 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The samples that both models reached; a model that stopped early has fewer.
-void shorten_to_common(io::Table& a, io::Table& b) {
-  const std::size_t n = std::min(a.n_rows(), b.n_rows());
-  a.values.resize(n * a.columns.size());
-  b.values.resize(n * b.columns.size());
-}
-
-/// What the models' runs know of their errors.
-void take_errors(const std::map<std::string, io::Manifest::Model>& models, analysis::ComparisonOptions& options) {
-  for (const auto& [name, model] : models) {
-    if (const auto e = model.counters.find("relative_space_error"); e != model.counters.end())
-      options.space_error = e->second;
-    if (const auto e = model.counters.find("estimated_time_error"); e != model.counters.end())
-      options.time_error += e->second;
-    if (const auto t = model.counters.find("surface_limit_time"); t != model.counters.end())
-      options.surface_limit_time = t->second;
-  }
-}
-
-/// Returns why the table could not be printed, if it could not. It is in comparison.json as well.
-std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
-  io::Table reduced = io::read_csv(context.directory.csv("reduced"));
-  io::Table continuum = io::read_csv(context.directory.csv("continuum"));
-  shorten_to_common(reduced, continuum);
-  if (reduced.n_rows() < 2) return {};
-  analysis::ComparisonOptions options;
-  options.resolution = context.scene.time.tolerance;
-  if (context.scene.body.incompressible && scene::is_free(context.scene) && !scene::has_mesh_file(context.scene))
-    options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
-  take_errors(manifest.models, options);
-  const analysis::Comparison comparison = analysis::compare(reduced, continuum, options);
-  analysis::write_comparison(context.directory.path(), comparison);
-  context.log->debug("{}", analysis::summary_sentence(comparison));
-  if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
-  try {
-    if (!quiet) io::print(analysis::terminal_table(comparison));
-  } catch (const io::WriteError& error) {
-    return error.what();
-  }
-  return {};
-}
-
 /// Runs one model and notes it in the manifest. False: the run ends here.
-bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const RunContext& context,
-               io::ManifestFile& manifest, std::string& message, bool& interrupted) {
+bool run_model(const std::string& name, RunModel run, const RunContext& context, io::ManifestFile& manifest,
+               std::string& message, bool& interrupted) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // an equilibrium has none
     context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
@@ -84,33 +42,46 @@ bool run_model(const char* name, ModelOutcome (*run)(const RunContext&), const R
   return outcome.state == ModelOutcome::State::finished;
 }
 
-bool is_resumable(const RunContext& context) {
-  std::vector<std::string> models{"reduced", "continuum", SweepRows::name, DiscretizationSearch::checkpoint_name};
-  if (const auto* system = context.needs.system) models.emplace_back(system->file);
-  return std::any_of(models.begin(), models.end(),
-                     [&](const std::string& model) { return exists(context.directory.checkpoint(model)); });
+/// What may leave files of its own name: the models, and every system of the catalogue.
+std::vector<std::string> movers(const scene::Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const scene::ModelDescription& model : catalogue.models) names.emplace_back(model.name);
+  for (const scene::SystemDescription& system : catalogue.systems) names.emplace_back(system.file);
+  return names;
+}
+
+/// The checkpoints that a run of the scene may leave.
+std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : movers(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
+  for (const char* name : {SweepRows::name, DiscretizationSearch::checkpoint_name})
+    paths.push_back(directory.checkpoint(name));
+  std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
+  return paths;
+}
+
+bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
+
+/// The context in which a model runs: several processes share one that is discretized. The modes of one octant are
+/// found in one process.
+RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
+  RunContext of_model = context;
+  if (model.discretized && context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
+    of_model.ranks = executable.ranks;
+  return of_model;
 }
 
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   std::string message;
   bool interrupted = false, complete = true;
-  const scene::Needs& needs = context.needs;
-  const bool equilibria = context.scene.analysis == scene::Analysis::equilibrium;
-  const std::string system(needs.system ? needs.system->file : "");
-  if (needs.system) complete = run_model(system.c_str(), run_system, context, manifest, message, interrupted);
-  if (needs.reduced)
-    complete =
-        run_model("reduced", equilibria ? run_ball_equilibria : run_reduced, context, manifest, message, interrupted);
-  if (complete && needs.continuum) {
-    RunContext of_all = context;
-    // The modes of one octant are found in one process.
-    if (context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
-      of_all.ranks = executable.ranks;
-    complete = run_model("continuum", executable.run_continuum, of_all, manifest, message, interrupted);
-  }
-  const bool both_exist = !needs.continuum || manifest.content().models.contains("continuum");
+  if (const auto* system = context.needs.system)
+    complete = run_model(std::string(system->file), run_system, context, manifest, message, interrupted);
+  for (const scene::ModelDescription* model : context.needs.models)
+    if (complete)
+      complete = run_model(std::string(model->name), executable.models.at(model->name),
+                           context_of(*model, context, executable), manifest, message, interrupted);
   std::string not_printed;
-  if (needs.comparison && both_exist && !interrupted) not_printed = compare_models(context, manifest.content(), quiet);
+  if (context.needs.comparison && !interrupted) not_printed = compare_models(context, manifest.content(), quiet);
   if (complete) {
     context.log->info("results are in {}", context.directory.path().string());
     if (!not_printed.empty()) {
@@ -129,8 +100,10 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   return exit_stopped;
 }
 
-int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, io::ManifestFile& manifest) {
-  ModelOutcome outcome = run_sweep(raw, context);
+int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
+                    io::ManifestFile& manifest) {
+  const RunModel run = context.needs.system ? run_system : executable.models.at(context.needs.models.front()->name);
+  ModelOutcome outcome = run_sweep(raw, run, context);
   manifest.content().models["sweep"] = std::move(outcome.statistics);
   if (outcome.state == ModelOutcome::State::finished) {
     context.log->info("results are in {}", context.directory.path().string());
@@ -188,24 +161,18 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
 
 /// Every checkpoint in the directory can be read and belongs to this scene.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
-  std::vector<std::string> models{"reduced", "continuum", SweepRows::name, DiscretizationSearch::checkpoint_name};
-  if (const auto* system = scene.catalogue->system(scene.system)) models.emplace_back(system->file);
-  for (const std::string& model : models) {
-    const auto path = directory.checkpoint(model);
-    if (std::filesystem::exists(path) &&
-        io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
+  for (const auto& path : checkpoints(directory, scene))
+    if (io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
       throw UserError("the checkpoint in " + directory.path().string() +
                       " is of another scene; only Time/Step, Time/Method and Time/Tolerance may change");
-  }
 }
 
 /// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
   constexpr const char* entry = "Output/Directory";
   try {
-    std::vector<std::string> system_files;
-    for (const auto& system : read.scene.catalogue->systems) system_files.push_back(std::string(system.file) + ".csv");
-    io::RunLock lock = options.resume ? directory.prepare_resume() : directory.prepare_fresh(system_files);
+    io::RunLock lock =
+        options.resume ? directory.prepare_resume() : directory.prepare_fresh(movers(*read.scene.catalogue));
     if (options.resume) require_same_scene(directory, read.scene);
     if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
     return lock;
@@ -238,7 +205,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
     const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
-                                         : run_whole_sweep(raw, context, *manifest);
+                                         : run_whole_sweep(raw, context, executable, *manifest);
     if (needs.report) add_report(context, *manifest);
     return code;
   } catch (const std::exception& error) {
@@ -256,8 +223,10 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
       options.resume, false};
   context.ranks = executable.ranks;
   int code = exit_done;
+  auto model = std::ranges::find_if(needs.models, &scene::ModelDescription::discretized);
   while (executable.ranks->of_first(false)) try {
-      if (executable.run_continuum(context).state != ModelOutcome::State::finished) code = exit_stopped;
+      if (executable.models.at((*model)->name)(context).state != ModelOutcome::State::finished) code = exit_stopped;
+      model = std::find_if(model + 1, needs.models.end(), [](const auto* next) { return next->discretized; });
     } catch (const FailureOnAllRanks& error) {
       code = error.failure().exit_code;
     }

@@ -1,11 +1,13 @@
 #include "app/run_models.h"
 
+#include "app/ball_equilibria.h"
 #include "app/reduced_scene.h"
 #include "app/run_reduced_form.h"
 
 namespace pseudorigid::app {
 
 ModelOutcome run_reduced(const RunContext& context) {
+  if (context.scene.analysis == scene::Analysis::equilibrium) return run_ball_equilibria(context);
   const ReducedScene scene = reduced_scene(context.scene);
   switch (form_of(scene)) {
     case ReducedForm::elastic:

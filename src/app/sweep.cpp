@@ -11,12 +11,10 @@
 #include <thread>
 #include <utility>
 
-#include "app/run_models.h"
 #include "app/scene_to_model.h"
 #include "app/scene_to_run.h"
 #include "app/sweep_rows.h"
 #include "io/signals.h"
-#include "io/trajectory.h"
 #include "scene/entry_kinds.h"
 #include "scene/user_error.h"
 
@@ -58,8 +56,9 @@ struct RunResult {
 
 class SweepRun {
  public:
-  SweepRun(const scene::ReadScene& raw, const RunContext& context)
+  SweepRun(const scene::ReadScene& raw, RunModel run, const RunContext& context)
       : raw_(raw),
+        run_(run),
         context_(context),
         silent_(std::make_shared<spdlog::logger>("run of a sweep", std::make_shared<spdlog::sinks::null_sink_mt>())) {
     silent_->set_level(spdlog::level::off);
@@ -70,7 +69,7 @@ class SweepRun {
     const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
     const RunContext context{scene, context_.needs, context_.directory, units_of(scene), silent_,
                              false, false,          &result.rows};
-    result.outcome = context_.needs.system ? run_system(context) : run_reduced(context);
+    result.outcome = run_(context);
     return result;
   }
 
@@ -86,7 +85,7 @@ class SweepRun {
   }
 
   std::vector<std::string> columns_of_model() const {
-    if (!context_.needs.system) return io::Trajectory<mechanics::ReducedObservables>(context_.needs.quantities).names();
+    if (!context_.needs.system) return context_.needs.models.front()->header(context_.needs.quantities);
     std::vector<std::string> names{"time"};
     for (const scene::Column& column : context_.needs.system->columns_of(context_.scene)) names.push_back(column.name);
     return names;
@@ -118,6 +117,7 @@ class SweepRun {
 
  private:
   const scene::ReadScene& raw_;
+  RunModel run_;
   const RunContext& context_;
   std::shared_ptr<spdlog::logger> silent_;
 };
@@ -197,10 +197,10 @@ void check_sweep(const scene::ReadScene& raw) {
     }
 }
 
-ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context) {
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context) {
   const auto start = std::chrono::steady_clock::now();
   const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
-  const SweepRun sweep(raw, context);
+  const SweepRun sweep(raw, run, context);
   SweepRows rows(context, sweep.columns(), n);
   Workers workers(sweep, raw.scene.sweep, context, rows);
   workers.work(n_threads);

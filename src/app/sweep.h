@@ -8,7 +8,7 @@
 /// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
 /// last row.
 
-#include "app/run_context.h"
+#include "app/program.h"
 #include "scene/read_scene.h"
 
 namespace pseudorigid::app {
@@ -18,7 +18,7 @@ namespace pseudorigid::app {
 /// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is that of the first run.
-ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context);
+/// `context` is that of the first run, `run` runs what moves.
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -17,12 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every name that a run may give to a file of its directory, but for the CSV files of systems, which prepare_fresh is
-/// told, and the checkpoints and graphics matched below.
-constexpr std::array<std::string_view, 15> owned_names{
-    "used.prm",       "manifest.json", "log.txt",   "reduced.csv",    "continuum.csv",
-    "comparison.csv", "modes.csv",     "sweep.csv", "equilibria.csv", "reduced.pvd",
-    "shapes.csv",     "continuum.pvd", "modes.pvd", "report.html",    "comparison.json"};
+/// Every name that a run may give to a file of its directory, but for those of models and systems, which prepare_fresh
+/// is told, and the checkpoints.
+constexpr std::array<std::string_view, 11> owned_names{
+    "used.prm",  "manifest.json",  "log.txt",    "comparison.csv", "comparison.json", "modes.csv",
+    "modes.pvd", "equilibria.csv", "shapes.csv", "sweep.csv",      "report.html"};
 
 /// Begins the name of a lock that was being written when its run was killed.
 constexpr std::string_view abandoned_lock = "run.lock-";
@@ -47,6 +46,26 @@ void remove_files(const fs::path& directory, const Owned& owned) {
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
 }
 
+/// Whether a fresh run may remove a file of this name from the run directory.
+bool owns(std::string_view name, std::span<const std::string> movers) {
+  name = without_partial_suffix(name);
+  const auto is_of = [&](const std::string& mover) {
+    return name == mover + ".csv" || name == mover + ".pvd" || name == "comparison-" + mover + ".csv" ||
+           name == "comparison-" + mover + ".json";
+  };
+  return std::ranges::find(owned_names, name) != owned_names.end() || std::ranges::any_of(movers, is_of) ||
+         matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");
+}
+
+/// Likewise from its folder graphics.
+bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
+  name = without_partial_suffix(name);
+  const auto is_frame_of = [&](const std::string& mover) {
+    return matches(name, mover + "-", ".vtu") || matches(name, mover + "-", ".pvtu");
+  };
+  return is_frame_of("modes") || std::ranges::any_of(movers, is_frame_of);
+}
+
 fs::path locate(const fs::path& output_directory, const fs::path& scene_file, const std::optional<fs::path>& option) {
   return option ? *option : output_directory / scene_name(scene_file);
 }
@@ -62,37 +81,21 @@ RunDirectory::RunDirectory(const fs::path& output_directory, const fs::path& sce
                            const std::optional<fs::path>& output_option)
     : path_(locate(output_directory, scene_file, output_option)) {}
 
-bool RunDirectory::owns(std::string_view name) {
-  name = without_partial_suffix(name);
-  return std::ranges::find(owned_names, name) != owned_names.end() || matches(name, "checkpoint-", ".bin") ||
-         matches(name, abandoned_lock, "");
-}
-
-bool RunDirectory::owns_graphics(std::string_view name) {
-  name = without_partial_suffix(name);
-  const auto frame_of = [&](std::string_view model) {
-    return matches(name, model, ".vtu") || matches(name, model, ".pvtu");
-  };
-  return frame_of("reduced-") || frame_of("continuum-") || frame_of("modes-");
-}
-
 void RunDirectory::require_writable() const {
   if (::access(path_.c_str(), W_OK | X_OK) != 0) throw cannot("write to", path_, std::strerror(errno));
 }
 
-RunLock RunDirectory::prepare_fresh(std::span<const std::string> other_files) const {
+RunLock RunDirectory::prepare_fresh(std::span<const std::string> movers) const {
   std::error_code error;
   fs::create_directories(path_, error);
   if (error) throw cannot("create", path_, error.message());
   require_writable();
   RunLock lock(path_);
   try {
-    remove_files(path_, [&](std::string_view name) {
-      return owns(name) || std::ranges::find(other_files, without_partial_suffix(name)) != other_files.end();
-    });
+    remove_files(path_, [&](std::string_view name) { return owns(name, movers); });
     const fs::path graphics = path_ / "graphics";
     if (fs::is_directory(graphics)) {
-      remove_files(graphics, &RunDirectory::owns_graphics);
+      remove_files(graphics, [&](std::string_view name) { return owns_graphics(name, movers); });
       if (!fs::is_symlink(graphics) && fs::is_empty(graphics)) fs::remove(graphics);
     }
   } catch (const fs::filesystem_error& failure) {

@@ -23,10 +23,11 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates the folder and removes the results of an earlier run: files that bear one of our names or one of
-  /// `other_files`, nothing else. UserError with path and reason if the folder cannot be created or written, or if
-  /// another run is at work in it. It is the caller's as long as he keeps the lock.
-  RunLock prepare_fresh(std::span<const std::string> other_files = {}) const;
+  /// Creates the folder and removes the results of an earlier run: files that bear one of our names, those of the
+  /// `movers` included (names of models and systems: <name>.csv, pictures, comparison-<name>.csv …), nothing else.
+  /// UserError with path and reason if the folder cannot be created or written, or if another run is at work in it. It
+  /// is the caller's as long as he keeps the lock.
+  RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Likewise; UserError also if the folder holds no checkpoint.
   RunLock prepare_resume() const;
 
@@ -36,17 +37,13 @@ class RunDirectory {
   std::filesystem::path log() const { return path_ / "log.txt"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
   std::filesystem::path comparison_json() const { return path_ / "comparison.json"; }
-  /// `name`: reduced, continuum, comparison, modes, …
+  /// `name`: a model, a system, comparison, modes, …
   std::filesystem::path csv(std::string_view name) const;
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;
   /// graphics/<model>-000012.vtu; the folder graphics is created by prepare_graphics, only for runs that want it.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
-
-  /// Whether a fresh run may remove a file of this name from the run directory, or from its folder graphics.
-  static bool owns(std::string_view name);
-  static bool owns_graphics(std::string_view name);
 
  private:
   void require_writable() const;

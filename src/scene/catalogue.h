@@ -1,7 +1,7 @@
 #pragma once
-/// What other layers bring into a parameter file: the names of the methods, and the systems other than the ball with
-/// their entries and columns. The program hands the catalogue to read_scene (app/catalogue.h); the scene layer itself
-/// knows only the ball.
+/// What other layers bring into a parameter file: the names of the methods, the models of the ball, and the systems
+/// other than the ball with their entries and columns. The program hands the catalogue to read_scene (app/catalogue.h);
+/// the scene layer itself knows only what a ball is.
 
 #include <functional>
 #include <optional>
@@ -68,6 +68,7 @@ struct Column {
 };
 
 struct Scene;
+struct Quantities;
 
 /// Why a scene cannot be run: the entry at fault, and a sentence about it.
 struct Refusal {
@@ -88,16 +89,35 @@ struct SystemDescription {
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
+/// A model of the ball, one word of the entry Models.
+struct ModelDescription {
+  std::string_view name;           ///< the word; its files are <name>.csv, <name>.pvd and checkpoint-<name>.bin
+  std::string_view adjective;      ///< of the ball that it computes, in sentences: "elastic"
+  std::string_view documentation;  ///< a sentence for people
+  bool by_default = true;          ///< chosen where the scene does not say
+  /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
+  /// processes may share it, and it runs in the executable that links deal.II.
+  bool discretized = false;
+  bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
+  std::vector<Column> columns{};                   ///< of all groups, as documented
+  /// The header of its CSV file.
+  std::function<std::vector<std::string>(const Quantities&)> header{};
+  /// The line for people of a scene that runs it, and of one that does not.
+  std::function<std::string(const Scene&)> needed{}, skipped{};
+  /// What is wrong with a sound scene for this model, if anything.
+  std::function<std::optional<Refusal>(const Scene&)> refuses{};
+};
+
 struct NamedMethod {
   std::string_view name, documentation;
-  bool for_continuum = true;  ///< can integrate the finite-element ball
+  bool for_discretized = true;  ///< can integrate a discretized model
 };
 
 struct Catalogue {
   std::vector<NamedMethod> methods;
-  std::vector<SystemDescription> systems;
-  /// Why a method, or the law of the material, cannot run the ball of a scene, if it cannot.
-  std::function<std::optional<Refusal>(const Scene&)> refuses_ball{};
+  /// The poorest in motions first: others are compared with the last of a scene.
+  std::vector<ModelDescription> models{};
+  std::vector<SystemDescription> systems{};
   /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
   std::vector<Column> equilibria{};
   /// Those of the ball's relative equilibria.

@@ -57,10 +57,6 @@ inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
     {"yz", Symmetry::yz},
     {"octant", Symmetry::octant},
 }}};
-inline constexpr Switches<Scene::Models, 2> models_kind{{{
-    {"reduced", &Scene::Models::reduced},
-    {"continuum", &Scene::Models::continuum},
-}}};
 inline constexpr Switches<Quantities, 9> quantities_kind{{{
                                                              {"state", &Quantities::state},
                                                              {"energies", &Quantities::energies},
@@ -78,6 +74,13 @@ inline constexpr Switches<Quantities, 9> quantities_kind{{{
 inline Word system_kind(const Catalogue& catalogue) {
   Word kind{{ball}};
   for (const SystemDescription& system : catalogue.systems) kind.allowed.push_back(system.name);
+  return kind;
+}
+
+/// The models by name.
+inline Words models_kind(const Catalogue& catalogue) {
+  Words kind;
+  for (const ModelDescription& model : catalogue.models) kind.allowed.push_back(model.name);
   return kind;
 }
 

@@ -22,6 +22,8 @@ inline const Catalogue& catalogue_of(const Scene& scene) {
 inline Scene default_scene(const Catalogue& catalogue) {
   Scene scene;
   scene.catalogue = &catalogue;
+  for (const ModelDescription& model : catalogue.models)
+    if (model.by_default) scene.models.emplace_back(model.name);
   return scene;
 }
 
@@ -31,8 +33,9 @@ concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
 template <SceneOrConst S, class Visit>
 void visit_problem(S& scene, Visit& visit) {
   visit(scene.title, Text{}, About{"Title", "", "A line of text for the reader; it changes nothing."});
-  visit(scene.models, models_kind,
-        About{"Models", "", "Which models of the body to run; if both, they are compared automatically."});
+  visit(scene.models, models_kind(catalogue_of(scene)),
+        About{"Models", "",
+              "Which models of the ball to run, see Models below; if several, they are compared automatically."});
   visit(scene.system, system_kind(catalogue_of(scene)),
         About{"System", "",
               "What moves: an elastic ball, compared in two models, or one of the finite-dimensional systems of "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <span>
@@ -156,6 +157,20 @@ Problem Word::read(std::string_view text, std::string& value) const {
   for (const std::string_view word : allowed)
     if (word == text) return value = word, std::nullopt;
   return unknown_word(text, allowed);
+}
+
+Problem Words::read(std::string_view text, std::vector<std::string>& value) const {
+  const std::vector<std::string_view> named = parts_of(text, ',');
+  for (const std::string_view word : named)
+    if (std::ranges::find(allowed, word) == allowed.end()) return unknown_word(word, allowed);
+  value.clear();
+  for (const std::string_view word : allowed)
+    if (std::ranges::find(named, word) != named.end()) value.emplace_back(word);
+  return std::nullopt;
+}
+
+std::string Words::print(const std::vector<std::string>& value) const {
+  return joined(std::vector<std::string_view>(value.begin(), value.end()));
 }
 
 Problem Numbers::read(std::string_view text, std::vector<double>& value) const {

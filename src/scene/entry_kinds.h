@@ -213,6 +213,18 @@ struct Word {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
+/// A comma-separated list of words out of a list that is known at run time; the value has them in the order of that
+/// list.
+struct Words {
+  std::vector<std::string_view> allowed;
+
+  static constexpr std::string_view type = "list";
+  Problem read(std::string_view text, std::vector<std::string>& value) const;
+  std::string print(const std::vector<std::string>& value) const;
+  std::string expected() const { return "a comma-separated list out of " + joined(allowed); }
+  std::vector<std::string_view> words() const { return allowed; }
+};
+
 /// Splits at the separator and trims the parts; an empty text has no parts.
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 

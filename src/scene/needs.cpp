@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/matrix3.h"
+#include "scene/models.h"
 #include "scene/scales.h"
 
 namespace pseudorigid::scene {
@@ -18,25 +21,9 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-std::string continuum_line(const Scene& scene, const Sector& sector) {
-  const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
-  const auto fixed = fixed_discretization(scene);
-  return fmt::format("continuum: finite elements on the {}, {}",
-                     has_mesh_file(scene) ? "mesh " + scene.continuum.mesh : "builtin mesh",
-                     fixed
-                         ? describe(*fixed)
-                         : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
-                                       found(scene.continuum.degree), found(scene.continuum.refinements),
-                                       print_number(scene.continuum.tolerance))) +
-         (scene.analysis == Analysis::modes ? ", one octant in all its parities"
-          : has_mesh_file(scene)
-              ? ", the whole body"
-              : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
-}
-
 /// The discretisation error: known of a search, estimated by a companion run where somebody reads it.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
-  if (!needs.continuum || scene.analysis != Analysis::motion) return;
+  if (!needs.discretized || scene.analysis != Analysis::motion) return;
   const auto fixed = fixed_discretization(scene);
   if (!fixed) return needs.needed.push_back("discretisation error: estimated by runs on coarser discretisations");
   const bool asked = scene.continuum.error_estimate == ErrorEstimate::automatic;
@@ -48,14 +35,14 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 }
 
 void describe_models(const Scene& scene, Needs& needs) {
-  sort_out(needs, needs.reduced, "reduced model: the pseudo-rigid body, 9 unknowns",
-           scene.analysis == Analysis::modes ? "reduced model: its frequencies are known in closed form (modes.csv)"
-                                             : "reduced model: not among Models");
-  sort_out(needs, needs.continuum, continuum_line(scene, needs.sector),
-           "continuum: not among Models; no mesh, no deal.II, MPI or PETSc");
+  for (const ModelDescription& model : catalogue_of(scene).models)
+    if (std::ranges::find(needs.models, &model) != needs.models.end())
+      needs.needed.push_back(model.needed(scene));
+    else
+      needs.skipped.push_back(model.skipped(scene));
   sort_out(needs, needs.constraint, "constraint: volume is preserved, det Q = 1 with its multiplier",
            "constraint: the body is compressible");
-  if (needs.continuum)
+  if (needs.discretized)
     sort_out(needs, needs.pressure_space,
              fmt::format("pressure space: {}, volume preserved everywhere",
                          scene.continuum.degree ? fmt::format("degree {}", *scene.continuum.degree - 1)
@@ -69,7 +56,10 @@ void describe_models(const Scene& scene, Needs& needs) {
   sort_out(needs, pulled, "dead traction on the surface", "traction: Loads/Nominal traction is 0");
   sort_out(needs, scene.dissipation.viscosity != 0 || scene.dissipation.drag != 0,
            "dissipation, and the energy that it takes", "dissipation: neither viscosity nor drag");
-  sort_out(needs, needs.comparison, "comparison of the two models", "comparison: only one model runs");
+  sort_out(needs, needs.comparison,
+           fmt::format("comparison of the {} models",
+                       needs.models.size() == 2 ? "two" : std::to_string(needs.models.size())),
+           "comparison: only one model runs");
   describe_error_estimate(scene, needs);
 }
 
@@ -89,10 +79,11 @@ void describe_output(const Scene& scene, Needs& needs) {
     else if (i < quantities_kind.n_in_all)
       unwanted.push_back(name);
   }
+  const auto discretized = names_where(scene, [](const auto& model) { return model.discretized; });
   if (!evaluated.empty()) needs.needed.push_back("quantities: " + joined(evaluated));
   if (!unwanted.empty())
     needs.skipped.push_back("quantities: " + joined(unwanted) + " (not among Output/Quantities" +
-                            (needs.continuum ? ")" : ", or of the continuum only)"));
+                            (needs.discretized ? ")" : fmt::format(", or of the {} only)", joined(discretized))));
   sort_out(needs, needs.graphics, fmt::format("graphics: {} frames (vtu)", scene.output.frames),
            "graphics: Output/Graphics is none; no folder is made");
 }
@@ -124,8 +115,8 @@ std::optional<std::string> warning_of_law(const Scene& scene) {
 void describe_report(const Scene& scene, Needs& needs) {
   needs.report = scene.output.report;
   sort_out(needs, needs.report,
-           needs.continuum && scene.analysis == Analysis::motion
-               ? "report: report.html, and for it shapes of the continuum (shapes.csv)"
+           needs.discretized && scene.analysis == Analysis::motion
+               ? fmt::format("report: report.html, and for it shapes of the {} (shapes.csv)", needs.models.back()->name)
                : "report: report.html",
            "report: Output/Report is false");
 }
@@ -158,15 +149,16 @@ Needs needs(const Scene& scene) {
     return needs;
   }
   const bool modes = scene.analysis == Analysis::modes;
-  needs.reduced = scene.models.reduced && !modes;
-  needs.continuum = scene.models.continuum;
+  for (const ModelDescription* model : models_of(scene))
+    if (offers(*model, scene.analysis)) needs.models.push_back(model);
+  needs.discretized = std::ranges::any_of(needs.models, &ModelDescription::discretized);
   needs.constraint = scene.body.incompressible;
-  needs.pressure_space = needs.continuum && scene.body.incompressible;
-  needs.comparison = needs.reduced && needs.continuum;
+  needs.pressure_space = needs.discretized && scene.body.incompressible;
+  needs.comparison = needs.models.size() > 1 && scene.analysis == Analysis::motion;
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
-  needs.quantities.nonaffine = needs.quantities.nonaffine && needs.continuum;
-  if (needs.continuum) needs.sector = sector(scene);
+  needs.quantities.nonaffine = needs.quantities.nonaffine && needs.discretized;
+  if (needs.discretized) needs.sector = sector(scene);
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,
            fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,

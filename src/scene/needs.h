@@ -11,19 +11,19 @@
 namespace pseudorigid::scene {
 
 struct Needs {
-  const SystemDescription* system = nullptr;  ///< null for the ball
-  bool reduced = false;
-  bool continuum = false;                    ///< deal.II, MPI, PETSc, a mesh
-  bool constraint = false;                   ///< det = 1 and its multiplier
-  bool pressure_space = false;               ///< of the continuum
-  bool comparison = false;                   ///< of both models
-  bool companion = false;                    ///< a run on another discretisation, for the error of the first
-  bool graphics = false;                     ///< files for ParaView
-  bool report = false;                       ///< report.html, and shapes.csv of the continuum
-  Quantities quantities;                     ///< the observables to evaluate
-  Sector sector;                             ///< of the continuum
-  std::vector<std::string> needed, skipped;  ///< one line each, for people
-  std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
+  const SystemDescription* system = nullptr;    ///< null for the ball
+  std::vector<const ModelDescription*> models;  ///< of the ball, to run in this order
+  bool discretized = false;                     ///< one of them: deal.II, MPI, PETSc, a mesh
+  bool constraint = false;                      ///< det = 1 and its multiplier
+  bool pressure_space = false;                  ///< of the discretized model
+  bool comparison = false;                      ///< of the others with the last of the models
+  bool companion = false;                       ///< a run on another discretisation, for the error of the first
+  bool graphics = false;                        ///< files for ParaView
+  bool report = false;                          ///< report.html, and shapes.csv of a discretized model
+  Quantities quantities;                        ///< the observables to evaluate
+  Sector sector;                                ///< of the discretized model
+  std::vector<std::string> needed, skipped;     ///< one line each, for people
+  std::vector<std::string> warnings;            ///< a sentence each: what is allowed but seldom meant
 };
 
 /// Takes a scene that scene::validate returned.

@@ -102,6 +102,13 @@ std::string methods_table(const Catalogue& catalogue) {
   return text;
 }
 
+std::string models_table(const Catalogue& catalogue) {
+  std::string text = "\n## Models\n\n| Name | Model |\n|---|---|\n";
+  for (const ModelDescription& model : catalogue.models)
+    text += fmt::format("| `{}` | {} |\n", model.name, cell(model.documentation));
+  return text;
+}
+
 std::string columns_table(std::string_view file, const std::string& introduction, const std::vector<Column>& columns) {
   std::string text = fmt::format("\n## Columns of {}.csv\n\n{}\n\n", file, introduction);
   text += "| Column | Unit | Meaning |\n|---|---|---|\n";
@@ -112,6 +119,9 @@ std::string columns_table(std::string_view file, const std::string& introduction
 
 std::string columns_tables(const Catalogue& catalogue) {
   std::string text;
+  for (const ModelDescription& model : catalogue.models)
+    text += columns_table(model.name, "Of the ball, in the groups of Output/Quantities. The first column is `time`.",
+                          model.columns);
   for (const SystemDescription& system : catalogue.systems)
     text +=
         columns_table(system.file, fmt::format("{} The first column is `time`.", system.documentation), system.columns);
@@ -144,7 +154,7 @@ std::string as_markdown(const Scene& scene) {
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry, value.empty() ? "" : "`" + cell(value) + "`",
                         cell(kind.expected()), cell(about.unit), cell(about.documentation));
   });
-  return text + methods_table(catalogue_of(scene)) + columns_tables(catalogue_of(scene));
+  return text + models_table(catalogue_of(scene)) + methods_table(catalogue_of(scene)) + columns_tables(catalogue_of(scene));
 }
 
 std::string as_json(const Scene& scene) {

@@ -72,10 +72,8 @@ inline constexpr std::string_view builtin_mesh = "builtin";
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
   std::string title;
-  struct Models {
-    bool reduced = true, continuum = true;
-  } models;
-  std::string system{ball};  ///< or the name of a system of the catalogue
+  std::vector<std::string> models;  ///< of the catalogue, in its order
+  std::string system{ball};         ///< or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 
   struct Body {

@@ -11,8 +11,8 @@
 #include "scene/entries.h"
 #include "scene/entry_kinds.h"
 #include "scene/matrix3.h"
+#include "scene/models.h"
 #include "scene/scales.h"
-#include "scene/sector.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::scene {
@@ -64,7 +64,6 @@ class Validator {
       if (const auto refusal = refuses_duration(scene_.time.end, time_unit())) refuse(refusal->path, refusal->sentence);
     check_reference_body();
     check_loads();
-    if (scene_.models.continuum) check_continuum_offers();
     check_output();
     check_deformation();
     check_velocity();
@@ -72,7 +71,6 @@ class Validator {
       scene_.initial_state.deformation = isochoric_deformation();
       scene_.initial_state.velocity = isochoric_velocity();
     }
-    if (scene_.models.continuum) check_symmetry();
     check_models();
   }
 
@@ -91,15 +89,15 @@ class Validator {
   void check_sweep() const {
     if (scene_.sweep.empty()) return;
     const bool is_ball = scene_.system == ball;
-    if (is_ball && scene_.models.continuum)
-      refuse("Models", "a sweep is offered for the reduced model and the other systems; set Models = reduced");
+    if (is_ball && is_discretized(scene_)) refuse("Models", offered_for("a sweep is", &without_elements));
+    if (is_ball && scene_.models.size() > 1) refuse("Models", "a sweep runs one model; name one");
     if (scene_.analysis != Analysis::motion) refuse("Analysis", "a sweep is offered for motions");
     if (is_ball && scene_.output.graphics != Graphics::none)
       refuse("Output/Graphics", "a sweep writes no pictures; set Graphics = none");
   }
 
   void check_system(const SystemDescription& system) {
-    scene_.models = {false, false};
+    scene_.models.clear();
     if (scene_.analysis == Analysis::modes)
       refuse("Analysis", fmt::format("modes are offered for the ball, not for System = {}", system.name));
     if (scene_.analysis == Analysis::equilibrium && !system.has_equilibria)
@@ -112,23 +110,21 @@ class Validator {
 
   void check_problem() const {
     const double radius = scene_.body.radius, density = scene_.body.density;
-    if (scene_.analysis == Analysis::equilibrium && scene_.models.continuum)
-      refuse("Analysis", "equilibrium is offered for the reduced model and the other systems; set Models = reduced");
+    const auto models = models_of(scene_);
+    const auto has_equilibria = [](const ModelDescription& model) { return model.has_equilibria; };
+    if (scene_.analysis == Analysis::equilibrium &&
+        !std::ranges::all_of(models, [&](const auto* model) { return has_equilibria(*model); }))
+      refuse("Analysis", offered_for("equilibrium is", has_equilibria));
     const bool wants_equilibrium =
         scene_.analysis == Analysis::equilibrium || scene_.initial_state.equilibrium != Family::none;
     if (wants_equilibrium) check_equilibrium();
     if (scene_.analysis == Analysis::modes) check_modes();
-    if (!scene_.models.reduced && !scene_.models.continuum)
-      refuse("Models", "expected at least one of reduced, continuum");
-    if (scene_.models.continuum && scene_.material.law == Law::none)
-      refuse("Material/Law",
-             "none, a fluid, is not offered for the continuum: elements that preserve volume weakly have nothing that "
-             "holds a fluid's motions at the level of the mesh; set Models = reduced");
+    if (models.empty())
+      refuse("Models", "expected at least one of " + joined(names_where(scene_, [](const auto&) { return true; })));
     for (const NamedMethod& method : catalogue_of(scene_).methods)
-      if (method.name == scene_.time.method && scene_.models.continuum && !method.for_continuum)
-        refuse("Time/Method", fmt::format("{} is offered for the reduced model and the other systems, not for the "
-                                          "continuum; set Models = reduced, or one of the rattle methods",
-                                          method.name));
+      if (method.name == scene_.time.method && is_discretized(scene_) && !method.for_discretized)
+        refuse("Time/Method", fmt::format("{}, or one of the rattle methods",
+                                          offered_for(std::string(method.name) + " is", &without_elements)));
     // Energies of the body scale with these; r^5 occurs in its moment of inertia.
     const double inertia = density * std::pow(radius, 5);
     const double stiffness = scene_.material.shear_modulus * std::pow(radius, 3);
@@ -142,8 +138,19 @@ class Validator {
 
   /// What the models themselves have to say of a scene that is sound.
   void check_models() const {
-    if (const auto& refuses = catalogue_of(scene_).refuses_ball)
-      if (const auto refusal = refuses(scene_)) refuse(refusal->path, refusal->sentence);
+    for (const ModelDescription* model : models_of(scene_))
+      if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt)
+        refuse(refusal->path, refusal->sentence);
+  }
+
+  static bool without_elements(const ModelDescription& model) { return !model.discretized; }
+
+  /// "a sweep is offered for the reduced model and the other systems; set Models = reduced"
+  template <class Predicate>
+  std::string offered_for(const std::string& what, Predicate&& offers) const {
+    const auto models = names_where(scene_, offers);
+    return fmt::format("{} offered for {} and the other systems; set Models = {}", what, the_models(models),
+                       joined(models));
   }
 
   /// Relative equilibria are known for the ball under potentials that depend on its shape alone.
@@ -162,7 +169,9 @@ class Validator {
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
   void check_modes() const {
     if (has_mesh_file(scene_)) refuse(mesh_path, "modes are those of the ball; set Mesh = builtin");
-    if (!scene_.models.continuum) refuse("Analysis", "modes are those of the continuum; set Models = continuum");
+    const auto with_modes = names_where(scene_, [](const auto& model) { return model.has_modes; });
+    if (std::ranges::none_of(models_of(scene_), &ModelDescription::has_modes))
+      refuse("Analysis", fmt::format("modes are those of the {0}; set Models = {0}", joined(with_modes)));
     const auto& state = scene_.initial_state;
     if (state.deformation != identity3 || state.equilibrium != Family::none)
       refuse(deformation_path, "modes are small motions about rest, Q0 = 1; leave the entry out");
@@ -226,24 +235,6 @@ class Validator {
     require_moderate("Initial state/Center velocity", largest(scene_.initial_state.center_velocity), length / t);
     require_moderate("Material/Viscosity", scene_.dissipation.viscosity, scene_.body.density * length * length / t);
     require_moderate("Material/Drag", scene_.dissipation.drag, 1 / t);
-  }
-
-  /// What the reduced model has and the finite-element ball has not.
-  void check_continuum_offers() const {
-    const auto refuse_for_continuum = [&](const char* path, const char* what) {
-      refuse(path, fmt::format("{} is offered for the reduced model; set Models = reduced", what));
-    };
-    if (scene_.body.incompressible && scene_.continuum.degree == 1)
-      refuse("Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1");
-    const bool builtin = !has_mesh_file(scene_);
-    if (builtin && scene_.body.semi_axes != std::vector<double>{1, 1, 1})
-      refuse_for_continuum("Body/Semi-axes", "a reference body that is not a ball");
-    if (builtin && scene_.body.inertia) refuse_for_continuum("Body/Inertia", "an inertia other than that of the ball");
-    if (!builtin && scene_.continuum.degree == 1)
-      refuse("Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1");
-    if (!builtin && scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::none)
-      refuse("Continuum/Symmetry", "a mesh from a file is the whole body; set Symmetry = auto");
-    if (scene_.gravity_constant != 0) refuse_for_continuum("Gravity/Constant", "self-gravity");
   }
 
   void require_symmetric(const char* path, const Matrix3& A) const {
@@ -328,19 +319,6 @@ class Validator {
                       "\"set Velocity = {}\"",
                       print_number(isochoric_tolerance), print_number(std::abs(rate)), print_matrix(projected)));
     return projected;
-  }
-
-  void check_symmetry() const {
-    const auto planes = planes_of(scene_.continuum.symmetry);
-    for (int i = 0; i < 3; ++i) {
-      if (!planes[i]) continue;
-      const auto broken = breaks_plane(scene_, i);
-      if (!broken) continue;
-      refuse("Continuum/Symmetry",
-             fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
-                         "not 0; set Symmetry = auto or leave that plane out",
-                         axis_names[i], *broken));
-    }
   }
 
   Scene& scene_;

@@ -141,7 +141,7 @@ TEST(ComparisonReport, JsonHoldsTheFindings) {
 TEST(ComparisonReport, FilesAreReadBackUnchanged) {
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
   const pseudorigid::testing::ScratchDirectory folder;
-  write_comparison(folder.path(), c);
+  write_comparison(folder.path(), "comparison", c);
   const Table written = pseudorigid::io::read_csv(folder / "comparison.csv"), expected = comparison_table(c);
   EXPECT_EQ(written.columns, expected.columns);
   EXPECT_EQ(written.values, expected.values);

@@ -20,11 +20,11 @@ const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation 
 TEST(Comparison, TwoPulsationsHaveTheKnownRatio) {
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
   EXPECT_EQ(c.signal, "C33");
-  ASSERT_TRUE(c.ratio) << c.reduced.frequency.reason << c.continuum.frequency.reason;
+  ASSERT_TRUE(c.ratio) << c.model.frequency.reason << c.reference.frequency.reason;
   EXPECT_NEAR(c.ratio->value, incompressible_ball_ratio, 1e-10);
   EXPECT_NEAR(incompressible_ball_ratio, 1.186319, 5e-7);  // PHYSICS.md, section 3
   EXPECT_LT(c.ratio->uncertainty, 1e-9);
-  EXPECT_NEAR(c.reduced.frequency.dominant().amplitude, 0.02, 1e-5);  // of C33 = (1 + ε cos ωt)²
+  EXPECT_NEAR(c.model.frequency.dominant().amplitude, 0.02, 1e-5);  // of C33 = (1 + ε cos ωt)²
   EXPECT_TRUE(c.not_compared.empty());
 }
 
@@ -51,7 +51,7 @@ TEST(Comparison, SeriesFollowTheirDefinitions) {
   }
   EXPECT_NEAR(c.find("energy_difference")->max, 0, 1e-15);
   // √2 rms of C over its mean: ε√(4 + 1 + 1) cos ωt to first order; the record holds no whole number of periods.
-  EXPECT_NEAR(c.reduced.strain_amplitude, 0.01 * std::sqrt(6.0), 1e-3);
+  EXPECT_NEAR(c.model.strain_amplitude, 0.01 * std::sqrt(6.0), 1e-3);
   const Series& strain = *c.find("strain_difference");
   EXPECT_GT(strain.max, 1.9);
   EXPECT_EQ(strain.max, strain.values[std::size_t(std::lround(strain.time_of_max / 0.05))]);
@@ -69,15 +69,15 @@ TEST(Comparison, IdenticalRunsDifferByNothing) {
 TEST(Comparison, RigidRotationIsNoPulsation) {
   const Motion still = pulsation(1, 0);
   const Comparison c = compare(reduced_run(turning(still, 1), ten), continuum_run(turning(still, 1.001), ten));
-  EXPECT_TRUE(c.reduced.turns);
-  EXPECT_FALSE(c.reduced.deforms || c.continuum.deforms);
+  EXPECT_TRUE(c.model.turns);
+  EXPECT_FALSE(c.model.deforms || c.reference.deforms);
   EXPECT_FALSE(c.ratio);
-  EXPECT_EQ(c.reduced.frequency.reason, "the shape is constant");
+  EXPECT_EQ(c.model.frequency.reason, "the shape is constant");
   EXPECT_NEAR(c.find("q_difference")->max, 0.01 * std::sqrt(2.0 / 3), 1e-6);  // angle 0.01 at the end, |Q| = √3
   EXPECT_LT(c.find("strain_difference")->max, 1e-4);
   EXPECT_NEAR(c.find("angular_momentum_difference")->max, 0.001, 1e-12);
   EXPECT_NEAR(c.find("angular_momentum_difference")->reference, 2 * m_bar, 1e-12);
-  EXPECT_LT(*c.reduced.angular_momentum_drift, 1e-14);
+  EXPECT_LT(*c.model.angular_momentum_drift, 1e-14);
 }
 
 TEST(Comparison, SpinDoesNotHideThePulsation) {
@@ -95,7 +95,7 @@ TEST(Comparison, RoundOffMomentaAreNoDifference) {
   const auto noise = [](double t, ContinuumObservables& o) { o.angular_momentum = {1e-17 * std::sin(99 * t), 0, 0}; };
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(reduced_pulsation, ten, {}, noise));
   EXPECT_LT(c.find("angular_momentum_difference")->max, 1e-14);
-  EXPECT_LT(*c.continuum.angular_momentum_drift, 1e-14);
+  EXPECT_LT(*c.reference.angular_momentum_drift, 1e-14);
 }
 
 TEST(Comparison, DriftsAreDeparturesFromTheInitialValue) {
@@ -105,9 +105,9 @@ TEST(Comparison, DriftsAreDeparturesFromTheInitialValue) {
   };
   const Motion spinning = turning(pulsation(1, 0), 1);
   const Comparison c = compare(reduced_run(spinning, ten), continuum_run(spinning, ten, {}, leak));
-  EXPECT_NEAR(*c.continuum.energy_drift, 1e-3, 1e-9);
-  EXPECT_NEAR(*c.continuum.circulation_drift, 1e-2, 1e-12);
-  EXPECT_LT(*c.reduced.energy_drift, 1e-14);
+  EXPECT_NEAR(*c.reference.energy_drift, 1e-3, 1e-9);
+  EXPECT_NEAR(*c.reference.circulation_drift, 1e-2, 1e-12);
+  EXPECT_LT(*c.model.energy_drift, 1e-14);
 }
 
 TEST(Comparison, NonaffineMeanIsWeightedByTheKineticEnergy) {
@@ -183,7 +183,7 @@ TEST(Comparison, AnySamplingIsComparedOnlyAnEvenOneIsFitted) {
   uneven[100] += 0.01;
   const Comparison c = compare(reduced_run(reduced_pulsation, uneven), continuum_run(exact_pulsation, uneven));
   EXPECT_FALSE(c.ratio);
-  EXPECT_EQ(c.reduced.frequency.reason, "the samples are not equally spaced");
+  EXPECT_EQ(c.model.frequency.reason, "the samples are not equally spaced");
   EXPECT_GT(c.find("strain_difference")->max, 1);
   const Comparison one = compare(reduced_run(reduced_pulsation, {0}), continuum_run(exact_pulsation, {0}));
   EXPECT_EQ(one.find("q_difference")->max, 0);

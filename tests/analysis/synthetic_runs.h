@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "analysis/comparison.h"
 #include "io/trajectory.h"
 
 namespace synthetic {
@@ -94,6 +95,13 @@ inline Table continuum_run(const Motion& motion, const std::vector<double>& t, c
     table.values.insert(table.values.end(), row.begin(), row.end());
   }
   return table;
+}
+
+/// Of two runs, called as those of the program.
+inline pseudorigid::analysis::Comparison compare(const Table& reduced, const Table& continuum,
+                                                 const pseudorigid::analysis::ComparisonOptions& options = {}) {
+  return pseudorigid::analysis::compare({"reduced", "pseudo-rigid", reduced}, {"continuum", "elastic", continuum},
+                                        options);
 }
 
 }  // namespace synthetic

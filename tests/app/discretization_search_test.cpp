@@ -2,11 +2,13 @@
 
 #include "app/discretization_search.h"
 
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
+#include "app/catalogue.h"
 #include "app/error_estimate.h"
 #include "support/scratch_directory.h"
 
@@ -77,7 +79,7 @@ class DiscretizationSearchTest : public ::testing::Test {
     return DiscretizationSearch(context, std::ref(continuum)).run();
   }
 
-  scene::Scene scene_;
+  scene::Scene scene_ = scene::default_scene(program_catalogue());
   scene::Needs needs_;
   pseudorigid::testing::ScratchDirectory folder_;
 };
@@ -218,7 +220,7 @@ TEST_F(DiscretizationSearchTest, NoCompanionWhereNobodyAsks) {
   scene_.continuum.error_estimate = scene::ErrorEstimate::none;
   EXPECT_EQ(n_runs(), 1u);
   scene_.continuum.error_estimate = scene::ErrorEstimate::automatic;
-  scene_.models.reduced = false;
+  scene_.models = {"continuum"};
   EXPECT_EQ(n_runs(), 1u);
 }
 

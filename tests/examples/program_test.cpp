@@ -82,10 +82,17 @@ TEST_F(SphericalPendulumProgram, RefusesAMethodThatNeedsMoreThanTheSystemHas) {
 /// A method of the table that does not fit the ball is refused as it is by other systems.
 TEST_F(SphericalPendulumProgram, AMethodThatCannotRunTheBallIsRefused) {
   auto catalogue = catalogue_;
-  catalogue.refuses_ball = [](const scene::Scene& scene) -> std::optional<scene::Refusal> {
+  const auto nothing = [](const scene::Scene&) { return std::string(); };
+  const auto refuses = [](const scene::Scene& scene) -> std::optional<scene::Refusal> {
     if (scene.time.method != "rattle-4") return {};
     return scene::Refusal{"Time/Method", "it cannot"};
   };
+  catalogue.models = {{.name = "reduced",
+                       .adjective = "small",
+                       .documentation = "",
+                       .needed = nothing,
+                       .skipped = nothing,
+                       .refuses = refuses}};
   const auto file = write("ball.prm", "set Models = reduced\n");
   const auto complaint_with = [&](const std::string& method) {
     return complaint([&] {

@@ -13,6 +13,9 @@
 namespace pseudorigid::io::test {
 namespace {
 
+/// Models as the program has them.
+const std::vector<std::string> movers{"reduced", "continuum"};
+
 namespace fs = std::filesystem;
 
 std::set<std::string> tree(const fs::path& directory) {
@@ -41,7 +44,7 @@ TEST(RunDirectory, ConstructionTouchesNothing) {
 TEST(RunDirectory, FreshRunRemovesOurResultsAndNothingElse) {
   const ScratchDirectory scratch;
   const RunDirectory directory(scratch / "out");
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   directory.prepare_graphics();
   for (const auto& path :
        {directory.used_prm(), directory.manifest(), directory.log(), directory.report(), directory.comparison_json(),
@@ -55,7 +58,7 @@ TEST(RunDirectory, FreshRunRemovesOurResultsAndNothingElse) {
                                       "modes.csv.bak"};
   for (const std::string& name : foreign) put(directory.path() / name, "mine");
   fs::create_directories(directory.path() / "comparison.csv.d");
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   std::set<std::string> expected = foreign;
   expected.insert({"graphics", "comparison.csv.d"});
   EXPECT_EQ(tree(directory.path()), expected);
@@ -64,20 +67,20 @@ TEST(RunDirectory, FreshRunRemovesOurResultsAndNothingElse) {
 TEST(RunDirectory, FreshRunRemovesAnEmptiedGraphicsFolder) {
   const ScratchDirectory scratch;
   const RunDirectory directory(scratch / "out");
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   directory.prepare_graphics();
   put(directory.frame("reduced", 1), "");
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   EXPECT_TRUE(tree(directory.path()).empty());
 }
 
 TEST(RunDirectory, ALinkIsRemovedAndItsTargetKept) {
   const ScratchDirectory scratch;
   const RunDirectory directory(scratch / "out");
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   put(scratch / "precious.csv", "mine");
   fs::create_symlink(scratch / "precious.csv", directory.csv("reduced"));
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   EXPECT_EQ(contents(scratch / "precious.csv"), "mine");
   EXPECT_TRUE(tree(directory.path()).empty());
 }
@@ -86,16 +89,16 @@ TEST(RunDirectory, AnImpossibleFolderIsAUserErrorWithPathAndReason) {
   const ScratchDirectory scratch;
   put(scratch / "file", "");
   const RunDirectory below_file(scratch / "file/out"), in_proc("/proc/pseudorigid-test");
-  const auto message = message_of<UserError>([&] { below_file.prepare_fresh(); });
+  const auto message = message_of<UserError>([&] { below_file.prepare_fresh(movers); });
   EXPECT_NE(message.find("file/out': Not a directory"), message.npos) << message;
-  EXPECT_THROW(RunDirectory(scratch / "file").prepare_fresh(), UserError);
-  EXPECT_THROW(in_proc.prepare_fresh(), UserError);
+  EXPECT_THROW(RunDirectory(scratch / "file").prepare_fresh(movers), UserError);
+  EXPECT_THROW(in_proc.prepare_fresh(movers), UserError);
 }
 
 /// Root may write everywhere, so a process of its own steps down to nobody first. Says the message on stderr.
 [[noreturn]] void prepare_as_nobody(const fs::path& path) {
   if (::geteuid() == 0 && ::setuid(65534) != 0) std::_Exit(10);
-  std::fputs(message_of<UserError>([&] { RunDirectory(path).prepare_fresh(); }).c_str(), stderr);
+  std::fputs(message_of<UserError>([&] { RunDirectory(path).prepare_fresh(movers); }).c_str(), stderr);
   std::_Exit(0);
 }
 
@@ -111,7 +114,7 @@ TEST(RunDirectory, ResumeWantsACheckpointAndRemovesNothing) {
   const ScratchDirectory scratch;
   const RunDirectory directory(scratch / "out");
   EXPECT_THROW(directory.prepare_resume(), UserError);
-  directory.prepare_fresh();
+  directory.prepare_fresh(movers);
   put(directory.csv("reduced"), "ours");
   const auto message = message_of<UserError>([&] { directory.prepare_resume(); });
   EXPECT_NE(message.find("nothing to resume"), message.npos) << message;
@@ -124,9 +127,9 @@ TEST(RunLock, BelongsToOneAtATime) {
   const ScratchDirectory scratch;
   const RunDirectory directory(scratch / "out");
   {
-    const RunLock lock = directory.prepare_fresh();
+    const RunLock lock = directory.prepare_fresh(movers);
     put(directory.csv("reduced"), "ours");
-    const auto message = message_of<UserError>([&] { directory.prepare_fresh(); });
+    const auto message = message_of<UserError>([&] { directory.prepare_fresh(movers); });
     EXPECT_NE(message.find("another run is at work in the output directory"), message.npos) << message;
     put(directory.checkpoint("reduced"), "ours");
     EXPECT_THROW(directory.prepare_resume(), UserError);
@@ -159,7 +162,7 @@ TEST(RunLock, AFullDiskLeavesNothingBehind) {
 TEST(RunLock, OneThatWasNeverTakenIsCleared) {
   const ScratchDirectory scratch;
   put(scratch / "run.lock-host-12.partial", "");
-  RunDirectory(scratch.path()).prepare_fresh();
+  RunDirectory(scratch.path()).prepare_fresh(movers);
   EXPECT_TRUE(tree(scratch.path()).empty());
 }
 

@@ -4,13 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include "scene_files.h"
+
 #include "scene/entries.h"
 
 namespace pseudorigid::scene {
 namespace {
 
 Scene open(std::optional<int> degree, std::optional<int> refinements) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.continuum.degree = degree;
   scene.continuum.refinements = refinements;
   return scene;

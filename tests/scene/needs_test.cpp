@@ -27,7 +27,7 @@ std::ostream& operator<<(std::ostream& out, const SectorCase& c) { return out <<
 class SectorTest : public ::testing::TestWithParam<SectorCase> {};
 
 TEST_P(SectorTest, IsTheSmallestOneOrTheOneAskedFor) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   for (const auto& [i, j] : GetParam().deformation) scene.initial_state.deformation[i - 1][j - 1] = 1e-300;
   for (const auto& [i, j] : GetParam().velocity) scene.initial_state.velocity[i - 1][j - 1] = -1;
   scene.continuum.symmetry = GetParam().symmetry;
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// A load or a motion of the centre of mass breaks the planes that it is not symmetric to, and no others.
 TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
   const auto name = [](auto&& change) {
-    Scene scene;
+    Scene scene = test::ball_scene();
     change(scene);
     return sector(scene).name();
   };
@@ -72,7 +72,7 @@ TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
 }
 
 TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMesh) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   EXPECT_TRUE(needs(scene).companion);
   EXPECT_TRUE(
       mentions(needs(scene).needed, "discretisation error: estimated by a companion run (degree 3, unrefined)"));
@@ -83,21 +83,22 @@ TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMe
   EXPECT_FALSE(needs(scene).companion);
   EXPECT_TRUE(mentions(needs(scene).needed, "discretisation error: estimated by runs on coarser discretisations"));
   EXPECT_TRUE(mentions(needs(scene).needed, "degree auto, refinements 0: the cheapest"));
-  scene = {};
-  scene.models.reduced = false;
+  scene = test::ball_scene();
+  scene.models = {"continuum"};
   EXPECT_FALSE(needs(scene).companion);
   EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: no comparison to set it beside"));
 }
 
 TEST(NegativeZero, IsZeroForTheSector) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.initial_state.deformation[0][1] = -0.0;
   EXPECT_EQ(sector(scene).name(), "octant");
 }
 
 TEST(Needs, BothModelsAreCompared) {
-  const Needs result = needs(Scene());
-  EXPECT_TRUE(result.reduced && result.continuum && result.constraint && result.pressure_space && result.comparison);
+  const Needs result = needs(test::ball_scene());
+  EXPECT_TRUE(result.models.size() == 2 && result.discretized && result.constraint && result.pressure_space &&
+              result.comparison);
   EXPECT_FALSE(result.graphics);
   EXPECT_EQ(result.sector.name(), "octant");
   EXPECT_TRUE(mentions(result.needed, "octant, one of 8"));
@@ -107,10 +108,10 @@ TEST(Needs, BothModelsAreCompared) {
 }
 
 TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
-  Scene scene;
-  scene.models.continuum = false;
+  Scene scene = test::ball_scene();
+  scene.models = {"reduced"};
   const Needs result = needs(scene);
-  EXPECT_FALSE(result.continuum || result.pressure_space || result.comparison || result.quantities.nonaffine);
+  EXPECT_FALSE(result.discretized || result.pressure_space || result.comparison || result.quantities.nonaffine);
   EXPECT_TRUE(result.quantities.state);
   EXPECT_TRUE(mentions(result.skipped, "no deal.II, MPI or PETSc"));
   EXPECT_TRUE(
@@ -119,7 +120,7 @@ TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
 }
 
 TEST(Needs, ACompressibleBodyHasNoConstraint) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.body.incompressible = false;
   const Needs result = needs(scene);
   EXPECT_FALSE(result.constraint || result.pressure_space);
@@ -128,25 +129,25 @@ TEST(Needs, ACompressibleBodyHasNoConstraint) {
 }
 
 TEST(Needs, LoadsAreNamedOrSkipped) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   EXPECT_TRUE(mentions(needs(scene).skipped, "traction: Loads/Nominal traction is 0"));
   scene.loads.nominal_traction[0][0] = 1;
   EXPECT_TRUE(mentions(needs(scene).needed, "dead traction"));
 }
 
 TEST(Needs, ContinuumAloneIsNotCompared) {
-  Scene scene;
-  scene.models.reduced = false;
+  Scene scene = test::ball_scene();
+  scene.models = {"continuum"};
   const Needs result = needs(scene);
-  EXPECT_FALSE(result.reduced || result.comparison);
+  EXPECT_FALSE(result.models.size() > 1 || result.comparison);
   EXPECT_TRUE(result.quantities.nonaffine);
   EXPECT_TRUE(mentions(result.skipped, "only one model"));
 }
 
 TEST(Needs, ModesHaveNeitherTimeLoopNorObservables) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.analysis = Analysis::modes;
-  scene.models = {.reduced = false, .continuum = true};
+  scene.models = {"continuum"};
   EXPECT_TRUE(mentions(needs(scene).skipped, "time loop, initial state and observables"));
   EXPECT_FALSE(mentions(needs(scene).needed, "quantities: "));
   scene.analysis = Analysis::motion;
@@ -155,14 +156,14 @@ TEST(Needs, ModesHaveNeitherTimeLoopNorObservables) {
 }
 
 TEST(Needs, SweepsAreCounted) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   EXPECT_FALSE(mentions(needs(scene).needed, "sweep"));
   scene.sweep = {{"x", {0, 1}, 3}, {"y", {2, 4, 7, 8}, {}}};
   EXPECT_TRUE(mentions(needs(scene).needed, "sweep: 12 runs"));
 }
 
 TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.output.quantities = {
       .state = true, .energies = false, .momenta = false, .multiplier = false, .axes = true, .nonaffine = false};
   scene.output.graphics = Graphics::vtu;
@@ -177,8 +178,8 @@ TEST(Needs, OnlyQuantitiesAskedForAreEvaluated) {
 
 TEST(Needs, LawsThatAreSeldomMeantAreWarnedOf) {
   const auto warnings = [](Law law, bool incompressible) {
-    Scene scene;
-    scene.models.continuum = false;
+    Scene scene = test::ball_scene();
+    scene.models = {"reduced"};
     scene.material.law = law;
     scene.body.incompressible = incompressible;
     const Needs result = needs(scene);
@@ -197,7 +198,7 @@ TEST(Needs, LawsThatAreSeldomMeantAreWarnedOf) {
 }
 
 TEST(Needs, DescriptionHoldsBothLists) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.title = "My ball";
   const Needs result = needs(scene);
   const std::string text = describe(scene, result);

@@ -53,7 +53,9 @@ Scene any_scene(std::mt19937_64& random) {
   Scene scene = default_scene(test::test_catalogue());
   const auto positive_number = [&] { return std::max(std::abs(any_number(random)), 1e-300); };
   scene.title = "Number " + std::to_string(random());
-  scene.models = {random() % 2 == 0, random() % 2 == 0};
+  scene.models.clear();
+  for (const ModelDescription& model : test::test_catalogue().models)
+    if (random() % 2 == 0) scene.models.emplace_back(model.name);
   scene.body = {positive_number(),
                 positive_number(),
                 random() % 2 == 0,

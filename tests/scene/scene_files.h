@@ -8,16 +8,19 @@
 #include <string>
 #include <vector>
 
+#include "app/catalogue.h"
+#include "scene/entries.h"
 #include "scene/read_scene.h"
 #include "scene/user_error.h"
 #include "support/scratch_directory.h"
 
 namespace pseudorigid::scene::test {
 
-/// A catalogue with names of methods and one small system.
+/// A catalogue with names of methods, the models of the program and one small system.
 inline const Catalogue& test_catalogue() {
   static const Catalogue catalogue{
       .methods = {{"rattle", "order 2"}, {"rattle-4", "order 4"}, {"explicit-8", "order 8", false}},
+      .models = app::program_catalogue().models,
       .systems = {
           {.name = "top",
            .file = "top",
@@ -35,6 +38,9 @@ inline const Catalogue& test_catalogue() {
            }}}};
   return catalogue;
 }
+
+/// The scene of defaults.
+inline Scene ball_scene() { return default_scene(test_catalogue()); }
 
 class SceneFiles : public ::testing::Test {
  protected:

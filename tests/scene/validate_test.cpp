@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "subsection Initial state\nset Center = 0, 3, 0\nend\nsubsection Continuum\nset Symmetry = y\nend",
                 {"the plane with normal y", "entry 2 of Initial state/Center is 3"}}));
 
-TEST_F(ValidateTest, TheDefaultSceneIsValid) { EXPECT_NO_THROW(validate(Scene())); }
+TEST_F(ValidateTest, TheDefaultSceneIsValid) { EXPECT_NO_THROW(validate(test::ball_scene())); }
 
 TEST_F(ValidateTest, EquilibriaAndModesOfTheBallAreValid) {
   for (const std::string text :
@@ -184,8 +184,8 @@ TEST_F(ValidateTest, ErrorsCiteOverridesAndDefaults) {
 }
 
 TEST_F(ValidateTest, WhatAModelIgnoresIsNotChecked) {
-  Scene scene;
-  scene.models.continuum = false;
+  Scene scene = test::ball_scene();
+  scene.models = {"reduced"};
   scene.continuum.symmetry = Symmetry::octant;
   scene.initial_state.deformation[0][1] = 1;
   scene.output.samples = 5;
@@ -194,7 +194,7 @@ TEST_F(ValidateTest, WhatAModelIgnoresIsNotChecked) {
 }
 
 TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.body.incompressible = false;
   scene.initial_state.deformation = diagonal(2, 3, 4);
   scene.initial_state.velocity = diagonal(1, 1, 1);
@@ -204,7 +204,7 @@ TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
 }
 
 TEST_F(ValidateTest, TheVelocityIsJudgedInUnitsOfTheScene) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.body.radius = 1e-3;
   scene.body.density = 1000;
   scene.material.shear_modulus = 1e9;  // r/c = 1e-6
@@ -271,7 +271,7 @@ TEST_F(ValidateTest, WhatAnErrorSuggestsIsAccepted) {
 }
 
 TEST_F(ValidateTest, WithinToleranceTheStateIsProjectedAndStaysSo) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.initial_state.deformation = diagonal(1.25, 0.8 * (1 + 5e-9), 1);
   scene.initial_state.velocity = diagonal(0.3, -0.192, 5e-9);
   const Scene once = validate(scene);
@@ -283,7 +283,7 @@ TEST_F(ValidateTest, WithinToleranceTheStateIsProjectedAndStaysSo) {
 }
 
 TEST_F(ValidateTest, BeyondToleranceItIsRefused) {
-  Scene scene;
+  Scene scene = test::ball_scene();
   scene.initial_state.deformation = diagonal(1 + 0.9e-8, 1, 1);
   EXPECT_NO_THROW(validate(scene));
   scene.initial_state.deformation = diagonal(1 + 1.1e-8, 1, 1);

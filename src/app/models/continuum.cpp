@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "app/models/ball_models.h"
+#include "io/trajectory.h"
+#include "scene/discretization.h"
+#include "scene/models.h"
+#include "scene/sector.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using scene::Refusal;
+using scene::Scene;
+
+std::string needed(const Scene& scene) {
+  const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
+  const auto fixed = scene::fixed_discretization(scene);
+  const scene::Sector sector = scene::sector(scene);
+  return fmt::format("continuum: finite elements on the {}, {}",
+                     scene::has_mesh_file(scene) ? "mesh " + scene.continuum.mesh : "builtin mesh",
+                     fixed
+                         ? scene::describe(*fixed)
+                         : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
+                                       found(scene.continuum.degree), found(scene.continuum.refinements),
+                                       scene::print_number(scene.continuum.tolerance))) +
+         (scene.analysis == scene::Analysis::modes ? ", one octant in all its parities"
+          : scene::has_mesh_file(scene)
+              ? ", the whole body"
+              : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
+}
+
+std::string skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
+
+std::optional<Refusal> refuses_discretization(const Scene& scene) {
+  if (scene.body.incompressible && scene.continuum.degree == 1)
+    return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1"};
+  if (!scene::has_mesh_file(scene)) return {};
+  if (scene.continuum.degree == 1)
+    return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1"};
+  if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::none)
+    return Refusal{"Continuum/Symmetry", "a mesh from a file is the whole body; set Symmetry = auto"};
+  return {};
+}
+
+/// What other models have and finite elements have not.
+std::optional<Refusal> refuses_body(const Scene& scene) {
+  const auto others = scene::joined(scene::names_where(scene, [](const auto& model) { return !model.discretized; }));
+  const auto offered_for_others = [&](const char* path, const char* what) {
+    return Refusal{path, fmt::format("{} is offered for the {} model; set Models = {}", what, others, others)};
+  };
+  if (scene.material.law == scene::Law::none)
+    return Refusal{"Material/Law",
+                   "none, a fluid, is not offered for the continuum: elements that preserve volume weakly have nothing "
+                   "that holds a fluid's motions at the level of the mesh; set Models = " +
+                       others};
+  const bool builtin = !scene::has_mesh_file(scene);
+  if (builtin && scene.body.semi_axes != std::vector<double>{1, 1, 1})
+    return offered_for_others("Body/Semi-axes", "a reference body that is not a ball");
+  if (builtin && scene.body.inertia)
+    return offered_for_others("Body/Inertia", "an inertia other than that of the ball");
+  if (scene.gravity_constant != 0) return offered_for_others("Gravity/Constant", "self-gravity");
+  return {};
+}
+
+std::optional<Refusal> refuses_symmetry(const Scene& scene) {
+  const auto planes = scene::planes_of(scene.continuum.symmetry);
+  for (int i = 0; i < 3; ++i) {
+    if (!planes[i]) continue;
+    const auto broken = scene::breaks_plane(scene, i);
+    if (!broken) continue;
+    return Refusal{"Continuum/Symmetry",
+                   fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
+                               "not 0; set Symmetry = auto or leave that plane out",
+                               scene::axis_names[i], *broken)};
+  }
+  return {};
+}
+
+std::optional<Refusal> refuses(const Scene& scene) {
+  for (const auto judge : {refuses_discretization, refuses_body, refuses_symmetry, refuses_motion})
+    if (auto refusal = judge(scene)) return refusal;
+  return {};
+}
+
+}  // namespace
+
+scene::ModelDescription continuum_description() {
+  using Observables = mechanics::ContinuumObservables;
+  return {.name = "continuum",
+          .adjective = "elastic",
+          .documentation =
+              "Finite elements, with a pressure that preserves volume where the body is incompressible: the ball "
+              "itself, to the error of its mesh.",
+          .discretized = true,
+          .has_modes = true,
+          .columns = io::documented_columns<Observables>(),
+          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+          .needed = needed,
+          .skipped = skipped,
+          .refuses = refuses};
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,55 @@
+#include "app/models/ball_models.h"
+#include "app/reduced_scene.h"
+#include "app/refuses_method.h"
+#include "io/trajectory.h"
+#include "materials/eigen_tensor.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// The pseudo-rigid body, in the form that the scene takes, with the method asked for.
+template <bool incompressible>
+std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
+  const ReducedScene s = reduced_scene(scene);
+  if (!materials::admits(s.law, materials::to_tensor(s.start.q)))
+    return scene::Refusal{"Initial state/Deformation", materials::beyond_limit(materials::limit_of(s.law))};
+  switch (form_of(s)) {
+    case ReducedForm::elastic:
+    case ReducedForm::general:
+      return refuses_method(scene, general_body<incompressible>(s));
+    case ReducedForm::diagonal:
+      return refuses_method(scene, system_of<ReducedForm::diagonal, incompressible>(s));
+    case ReducedForm::dissipative:
+      return refuses_method(scene, system_of<ReducedForm::dissipative, incompressible>(s));
+  }
+  return {};
+}
+
+std::string needed(const scene::Scene&) { return "reduced model: the pseudo-rigid body, 9 unknowns"; }
+
+std::string skipped(const scene::Scene& scene) {
+  return scene.analysis == scene::Analysis::modes
+             ? "reduced model: its frequencies are known in closed form (modes.csv)"
+             : "reduced model: not among Models";
+}
+
+}  // namespace
+
+std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene) {
+  return scene.body.incompressible ? refuses_body<true>(scene) : refuses_body<false>(scene);
+}
+
+scene::ModelDescription reduced_description() {
+  using Observables = mechanics::ReducedObservables;
+  return {.name = "reduced",
+          .adjective = "pseudo-rigid",
+          .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 where it is incompressible.",
+          .has_equilibria = true,
+          .columns = io::documented_columns<Observables>(),
+          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+          .needed = needed,
+          .skipped = skipped,
+          .refuses = refuses_motion};
+}
+
+}  // namespace pseudorigid::app

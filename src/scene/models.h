@@ -1,0 +1,59 @@
+#pragma once
+/// The models of a scene, by what their entries in the catalogue say of them.
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/catalogue.h"
+#include "scene/entries.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+inline bool names(const Scene& scene, const ModelDescription& model) {
+  return std::ranges::find(scene.models, model.name) != scene.models.end();
+}
+
+/// Whether the model has the analysis.
+inline bool offers(const ModelDescription& model, Analysis analysis) {
+  switch (analysis) {
+    case Analysis::motion:
+      return true;
+    case Analysis::modes:
+      return model.has_modes;
+    case Analysis::equilibrium:
+      return model.has_equilibria;
+  }
+  return false;
+}
+
+/// Those that the scene names, the poorest in motions first.
+inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
+  std::vector<const ModelDescription*> models;
+  for (const ModelDescription& model : catalogue_of(scene).models)
+    if (names(scene, model)) models.push_back(&model);
+  return models;
+}
+
+/// Whether one of them has elements in space.
+inline bool is_discretized(const Scene& scene) {
+  return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
+}
+
+/// The names of the catalogue's models of which something holds.
+template <class Predicate>
+std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
+  std::vector<std::string_view> found;
+  for (const ModelDescription& model : catalogue_of(scene).models)
+    if (holds(model)) found.push_back(model.name);
+  return found;
+}
+
+/// "the reduced model", "the models a, b".
+inline std::string the_models(const std::vector<std::string_view>& names) {
+  return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
+}
+
+}  // namespace pseudorigid::scene

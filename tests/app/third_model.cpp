@@ -1,0 +1,49 @@
+/// A program with a third model of the ball beside its two: the pseudo-rigid body under another name. It is all that a
+/// new model takes: a description, a function that runs it, and a place in the table.
+
+#include "app/models/ball_models.h"
+#include "app/model_run.h"
+#include "app/program.h"
+#include "app/reduced_model.h"
+#include "app/run_models.h"
+
+namespace pseudorigid::app {
+namespace {
+
+class CopyModel : public ReducedModel<GeneralBody<true>> {
+ public:
+  static constexpr const char* name = "copy";
+  using ReducedModel::ReducedModel;
+};
+
+ModelOutcome run_copy(const RunContext& context) {
+  const ReducedScene scene = reduced_scene(context.scene);
+  CopyModel model(general_body<true>(scene), scene, context);
+  return ModelRun(model, context).run();
+}
+
+scene::ModelDescription copy_description() {
+  scene::ModelDescription copy = reduced_description();
+  copy.name = CopyModel::name;
+  copy.adjective = "copied";
+  copy.documentation = "The pseudo-rigid body once more.";
+  copy.by_default = false;
+  copy.has_equilibria = false;
+  copy.needed = [](const scene::Scene&) { return "copy: the pseudo-rigid body once more"; };
+  copy.skipped = [](const scene::Scene&) { return "copy: not among Models"; };
+  return copy;
+}
+
+}  // namespace
+}  // namespace pseudorigid::app
+
+int main(int argc, char** argv) {
+  using namespace pseudorigid::app;
+  pseudorigid::scene::Catalogue catalogue = program_catalogue();
+  catalogue.models.insert(catalogue.models.begin() + 1, copy_description());
+  return run_program(argc, argv,
+                     {.models = {{"reduced", run_reduced}, {"copy", run_copy}, {"continuum", run_continuum}},
+                      .libraries = {},
+                      .runs_discretized = true,
+                      .catalogue = &catalogue});
+}
