@@ -17,13 +17,22 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 # entry NAME SCENE: the value of an entry outside subsections, if the text sets it.
 entry() { sed -nE "s/^[[:space:]]*set[[:space:]]+$1[[:space:]]*=[[:space:]]*([^#]*[^#[:space:]]).*/\\1/p" "$2"; }
 
-# may_need_continuum SCENE: false only if the text says `set Models = reduced` or sets another System than the ball, and
-# nothing can overrule it.
+# discretized_models: the models that need deal.II, each named as its file in the table of models.
+discretized_models() { grep -l 'discretized = true' "$root"/src/app/models/*.cpp | xargs -n 1 basename -s .cpp; }
+
+# may_need_continuum SCENE: false only if the text sets Models without any that needs it, or another System than the
+# ball, and nothing can overrule it.
 may_need_continuum() {
-  local system
+  local system models model
   if [[ ${options[*]} == *Models* || ${options[*]} == *System* ]] || grep -qiE '^[[:space:]]*include' "$1"; then return 0; fi
   system=$(entry System "$1")
-  [[ ${system:-ball} == ball && $(entry Models "$1") != reduced ]]
+  [[ ${system:-ball} == ball ]] || return 1
+  models=$(entry Models "$1")
+  [[ $models ]] || return 0
+  for model in $(discretized_models); do
+    if [[ $models == *$model* ]]; then return 0; fi
+  done
+  return 1
 }
 
 scenes=()

@@ -5,6 +5,8 @@
 #include "app/models/ball_models.h"
 #include "app/reduced_scene.h"
 #include "app/system_run.h"
+#include "mechanics/field_of.h"
+#include "mechanics/methods.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {

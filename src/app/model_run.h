@@ -1,23 +1,6 @@
 #pragma once
 /// One model's run, the same for all systems: choice of method and step, time loop, CSV rows, pictures, checkpoints,
 /// progress.
-///
-/// A Model offers
-///   using System;  const char* name (static or not);  static constexpr int steps_between_looks;
-///   static constexpr double pilot_reserve;
-///   const System& system() const;  State<System> initial_state() const;
-///   configuration(state) const       what Time/Tolerance speaks of: a vector or matrix of Eigen
-///   double rate(state) const         of the motion itself, beside its largest frequency
-///   double pilot_window(end) const;
-///   std::vector<std::string> columns(quantities) const;
-///   Status row(time, state, system workspace, row);
-///   void report(workspace, statistics) const;
-/// and may offer  void take_up(rows)  for what the rows of an interrupted run know of the past,  Status judge(state)
-/// const for states with which a run ends, asked after every step, with constraints  double constraint_scale() const,
-/// with pictures  Status write_frame(path, state, system workspace),  for reports  shape_columns(), n_shape_rows(),
-/// shape(time, state),  for the message of a run that cannot go on  std::string place_of_least_jacobian(state) const,
-/// with distributed vectors  const Order& rank_order() const and  using MemoryLayout (continuum/rank_order.h). All
-/// ranks run it together; one of them writes.
 
 #include <algorithm>
 #include <chrono>
@@ -33,13 +16,14 @@
 #include "app/model_files.h"
 #include "app/model_stepping.h"
 #include "app/run_context.h"
+#include "app/runnable_model.h"
 #include "io/csv.h"
 #include "io/progress.h"
 #include "mechanics/time_loop.h"
 
 namespace pseudorigid::app {
 
-template <class Model>
+template <RunnableModel Model>
 class ModelRun {
   using System = typename Model::System;
   using State = mechanics::State<System>;

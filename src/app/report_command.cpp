@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "io/files.h"
 #include "io/manifest.h"
@@ -15,8 +16,8 @@
 namespace pseudorigid::app {
 namespace {
 
-std::string system_of_run(const io::RunDirectory& directory) try {
-  return io::system_in(directory.manifest());
+std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
+  return io::movers_in(directory.manifest());
 } catch (const UserError& error) {
   throw UserError(std::string("DIR: expected the directory of a run; ") + error.what());
 }
@@ -31,7 +32,7 @@ bool is_of_the_place(const io::WriteError& error) {
 
 void report_run(const Options& options) {
   const io::RunDirectory directory(options.run_directory);
-  const std::string page = io::report_of(directory, system_of_run(directory));
+  const std::string page = io::report_of(directory, movers_of_run(directory));
   const std::filesystem::path path = options.output.value_or(directory.report());
   try {
     io::write_file_atomically(path, {page});

@@ -133,6 +133,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .system = needs.system ? std::string(needs.system->file) : "",
                        .columns = {},
                        .libraries = executable.libraries,
+                       .ball = needs.models,
                        .models = {}};
   if (needs.system)
     content.columns[content.system + ".csv"] = needs.system->columns;
@@ -142,8 +143,8 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
 }
 
 /// The last file of a run, which shows the others.
-void add_report(const RunContext& context, const io::ManifestFile& manifest) {
-  io::write_report(context.directory, manifest.content().system);
+void add_report(const RunContext& context) {
+  io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());
 }
 
@@ -206,7 +207,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
     const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
                                          : run_whole_sweep(raw, context, executable, *manifest);
-    if (needs.report) add_report(context, *manifest);
+    if (needs.report) add_report(context);
     return code;
   } catch (const std::exception& error) {
     return stop(failure_of(error), context, manifest);

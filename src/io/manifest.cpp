@@ -66,6 +66,9 @@ Json to_json(const Manifest& content) {
   json["skipped"] = content.skipped;
   json["warnings"] = content.warnings;
   for (const auto& [file, columns] : content.columns) json["columns"][file] = to_json(columns);
+  for (const auto* model : content.ball)
+    json["ball"].push_back(
+        {{"name", model->name}, {"adjective", model->adjective}, {"discretized", model->discretized}});
   json["models"] = Json::object();
   for (const auto& [name, model] : content.models)
     json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};
@@ -98,18 +101,22 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 } catch (const std::exception&) {
 }
 
-std::string system_in(const std::filesystem::path& manifest) {
+std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   constexpr bool throws = false;
   const Json json = Json::parse(read_file(manifest), nullptr, throws);
-  const auto text = [&](const char* name) {
-    const auto found = json.find(name);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+  const auto text = [](const Json& object, const char* name) {
+    const auto found = object.find(name);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   };
-  const std::string system = text("system");
-  // It becomes the name of a file in the directory.
-  if (!json.is_object() || text("program") != "pseudorigid" || system.find('/') != system.npos)
-    throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
-  return system;
+  std::vector<std::string> movers;
+  bool sound = json.is_object() && text(json, "program") == "pseudorigid";
+  if (sound && json.contains("system")) movers.push_back(text(json, "system"));
+  if (sound && json.contains("ball"))
+    for (const Json& model : json["ball"]) movers.push_back(text(model, "name"));
+  // They become names of files in the directory.
+  for (const std::string& name : movers) sound = sound && name.find('/') == name.npos;
+  if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
+  return movers;
 }
 
 std::string cpu_model() {

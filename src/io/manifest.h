@@ -26,7 +26,8 @@ struct Manifest {
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< of files that no other page describes, by file
   std::map<std::string, std::string> libraries;               ///< name → version
-  std::map<std::string, Model> models;                        ///< "reduced", "continuum"
+  std::vector<const scene::ModelDescription*> ball;           ///< the models of the ball that are to run
+  std::map<std::string, Model> models;                        ///< what has run, by name
 };
 
 /// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by
@@ -55,9 +56,9 @@ class ManifestFile {
 /// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// What the manifest of an earlier run says of its system: the name of its CSV file, empty for the ball. UserError if
-/// the file is no manifest of this program.
-std::string system_in(const std::filesystem::path& manifest);
+/// What moves, by the manifest of a run: the names of its CSV files, of the system or of the models of the ball.
+/// UserError if the file is no manifest of this program.
+std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();

@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view before_name = "data-file=\"", after_name = "\">", of_system = "{system}";
+constexpr std::string_view before_name = "data-file=\"", after_name = "\">";
 
 /// What cannot be taken for the end of an element.
 std::string escaped(const std::string& text) {
@@ -24,28 +24,36 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-std::string with_system(std::string_view name, const std::string& system) {
-  return name.starts_with(of_system) ? system + std::string(name.substr(of_system.size())) : std::string(name);
+/// The page with an element for the file of each that moves.
+std::string page_of(std::span<const std::string> movers) {
+  constexpr std::string_view begin_of_element = "<script type=\"text/csv\" data-file=\"{mover}", name = "{mover}";
+  const std::string_view page = report_page();
+  const std::size_t begin = page.find(begin_of_element), end = page.find('\n', begin) + 1;
+  std::string text(page.substr(0, begin));
+  for (const std::string& mover : movers)
+    text += std::string(page.substr(begin, end - begin)).replace(begin_of_element.size() - name.size(), name.size(), mover);
+  return text.append(page.substr(end));
 }
 
 }  // namespace
 
-std::string report_of(const RunDirectory& directory, const std::string& system) {
+std::string report_of(const RunDirectory& directory, std::span<const std::string> movers) {
+  const std::string page = page_of(movers);
   std::string report;
-  std::string_view rest = report_page();
+  std::string_view rest = page;
   for (std::size_t at = rest.find(before_name); at != rest.npos; at = rest.find(before_name)) {
     at += before_name.size();
     const std::size_t end = rest.find(after_name, at);
-    const std::string name = with_system(rest.substr(at, end - at), system);
-    report += std::string(rest.substr(0, at)) + name + std::string(after_name);
-    rest.remove_prefix(end + after_name.size());
+    const std::string_view name = rest.substr(at, end - at);
+    report.append(rest.substr(0, end + after_name.size()));
     if (const fs::path path = directory.path() / name; fs::is_regular_file(path)) report += escaped(read_file(path));
+    rest.remove_prefix(end + after_name.size());
   }
   return report.append(rest);
 }
 
-void write_report(const RunDirectory& directory, const std::string& system) {
-  write_file_atomically(directory.report(), {report_of(directory, system)});
+void write_report(const RunDirectory& directory, std::span<const std::string> movers) {
+  write_file_atomically(directory.report(), {report_of(directory, movers)});
 }
 
 }  // namespace pseudorigid::io

@@ -5,6 +5,7 @@
 /// The page has an element  <script type="…" data-file="NAME"></script>  for every file that it can show; in a report
 /// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there.
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -15,10 +16,10 @@ namespace pseudorigid::io {
 /// The page without files.
 std::string_view report_page();
 
-/// The page filled with what the directory holds. `system`: name of the CSV file of a system, empty for the ball.
-std::string report_of(const RunDirectory& directory, const std::string& system);
+/// The page filled with what the directory holds. `movers`: the names of the CSV files of what moves, a system or models.
+std::string report_of(const RunDirectory& directory, std::span<const std::string> movers);
 
 /// Writes it as the directory's report.html.
-void write_report(const RunDirectory& directory, const std::string& system);
+void write_report(const RunDirectory& directory, std::span<const std::string> movers);
 
 }  // namespace pseudorigid::io

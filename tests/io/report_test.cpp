@@ -27,7 +27,7 @@ TEST(Report, HoldsTheFilesOfTheRunInTheirElements) {
   const ScratchDirectory scratch;
   put(scratch / "manifest.json", "{\"title\": \"a < b && c </script>\"}");
   put(scratch / "used.prm", "set Title = x\n");
-  write_report(RunDirectory(scratch.path()), "");
+  write_report(RunDirectory(scratch.path()), {});
   const std::string page = contents(scratch / "report.html");
   const std::string manifest = "{\"title\": \"a &lt; b &amp;&amp; c &lt;/script>\"}";
   EXPECT_EQ(element(page, "manifest.json"), manifest);
@@ -35,16 +35,18 @@ TEST(Report, HoldsTheFilesOfTheRunInTheirElements) {
   EXPECT_EQ(element(page, "comparison.json"), "");
 
   std::string empty(report_page());
-  const std::string of_system = "{system}";
-  for (auto at = empty.find("data-file=\"" + of_system); at != empty.npos; at = empty.find("data-file=\"" + of_system))
-    empty.erase(empty.find(of_system, at), of_system.size());
+  const auto of_mover = empty.find("<script type=\"text/csv\" data-file=\"{mover}");
+  ASSERT_NE(of_mover, empty.npos);
+  empty.erase(of_mover, empty.find('\n', of_mover) + 1 - of_mover);
   EXPECT_EQ(without(without(page, manifest), "set Title = x\n"), empty);
 }
 
-TEST(Report, TakesTheTableOfTheSystem) {
+TEST(Report, TakesTheTablesOfWhatMoves) {
   const ScratchDirectory scratch;
   put(scratch / "torus.csv", "time,theta\n0,1\n");
-  write_report(RunDirectory(scratch.path()), "torus");
+  put(scratch / "copy.csv", "time,Q11\n0,1\n");
+  write_report(RunDirectory(scratch.path()), std::vector<std::string>{"torus", "copy"});
+  EXPECT_EQ(element(contents(scratch / "report.html"), "copy.csv"), "time,Q11\n0,1\n");
   EXPECT_EQ(element(contents(scratch / "report.html"), "torus.csv"), "time,theta\n0,1\n");
 }
 

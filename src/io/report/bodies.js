@@ -75,7 +75,7 @@ function deformationAt(table, i) {
 // The bodies: {key, style, at(j): positions of each patch's points at time j, or null}.
 function bodiesOfRun() {
   const shapes = tables.shapes;
-  const models = MODELS.filter(m => m.table.has("Q11") && (m.key !== "continuum" || shapes));
+  const models = MODELS.filter(m => m.table.has("Q11") && (!m.hasElements || shapes));
   if (!models.length) return null;
   const {patches, rowsPerTime} = shapes ? patchesOfShapes(shapes) : ownPatches();
   const table = models[models.length - 1].table;
@@ -88,7 +88,7 @@ function bodiesOfRun() {
   const bodies = models.map(model => ({...model, at: j => {
     const i = sampleAt(model.table, j);
     if (i < 0) return null;
-    if (model.key === "reduced") {
+    if (!model.hasElements) {
       const Q = deformationAt(model.table, i);
       return patches.map(p => p.X.map(X => times(Q, X)));
     }
@@ -140,7 +140,7 @@ function visitFront(patches, positions, view, f) {
 }
 const closed = corners => corners.map((c, k) => (k ? "L" : "M") + place(c[0], c[1])).join("") + "z";
 
-const BASE = {elastic: [0, 114, 178], "pseudo-rigid": [213, 94, 0]};
+const BASE = {elastic: [0, 114, 178], "pseudo-rigid": [213, 94, 0], "third-model": [0, 132, 95], "fourth-model": [168, 67, 127]};
 function shade(style, light) {
   const t = Math.max(0, Math.min(1, light)), base = BASE[style.replace(" solid", "")];
   const mix = t < 0.55 ? base.map(c => c * (0.55 + 0.45 * t / 0.55)) : base.map(c => c + (255 - c) * 0.62 * (t - 0.55) / 0.45);
@@ -202,7 +202,7 @@ function drawCut(svg, patches, body, positions, plane) {
     }
   });
   for (const {path, n} of border.values()) if (n > 1) elements += path; else rim += path;
-  if (body.key === "continuum") draw(svg, "path", {class: "tint", d: inside});
+  if (body.hasElements) draw(svg, "path", {class: "tint", d: inside});
   draw(svg, "path", {class: `element ${body.style}`, d: elements, "vector-effect": "non-scaling-stroke"});
   draw(svg, "path", {class: `curve ${body.style}`, d: rim, "vector-effect": "non-scaling-stroke"});
 }
@@ -210,7 +210,7 @@ function drawCut(svg, patches, body, positions, plane) {
 // Along axis 2. The stroke of all faces is covered by their filling but for the outer half of the outline.
 const ALONG_2 = [[1, 0, 0], [0, 0, 1], [0, -1, 0]];
 function drawOutline(svg, patches, body, positions, Q) {
-  if (body.key === "reduced") {
+  if (!body.hasElements) {
     const A = Q.map(row => row.map((v, j) => v * semiAxes[j]));
     draw(svg, "path", {class: `curve ${body.style}`, d: outline(A, ALONG_2), "vector-effect": "non-scaling-stroke"});
     return;

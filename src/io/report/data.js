@@ -27,13 +27,14 @@ const manifest = parseJson("manifest.json") || {models: {}, state: "unknown"};
 const scene = manifest.entries || {};  // {"Section/Entry": "value"}
 const comparison = parseJson("comparison.json");
 const systemFile = manifest.system;
-const tables = Object.fromEntries(["reduced", "continuum", "comparison", "shapes", "modes", "equilibria", "sweep"]
-  .concat(systemFile || []).map(name => [name, parseCsv(`${name}.csv`)]));
+const tables = Object.fromEntries(["comparison", "shapes", "modes", "equilibria", "sweep"]
+  .concat(systemFile || [], (manifest.ball || []).map(model => model.name)).map(name => [name, parseCsv(`${name}.csv`)]));
 
-const MODELS = [
-  {key: "continuum", name: "elastic ball", style: "elastic", table: tables.continuum},
-  {key: "reduced", name: "pseudo-rigid ball", style: "pseudo-rigid", table: tables.reduced},
-].filter(model => model.table && model.table.has("time"));
+// The models of the run, the richest in motions first; that with elements is drawn with its own points (shapes.csv).
+const STYLES = ["pseudo-rigid", "third-model", "fourth-model"];
+const MODELS = (manifest.ball || []).map((model, i) => ({key: model.name, name: `${model.adjective} ball`, hasElements: model.discretized,
+  style: model.discretized ? "elastic" : STYLES[i % STYLES.length], table: tables[model.name]}))
+  .filter(model => model.table && model.table.has("time")).reverse();
 if (MODELS.length === 1) MODELS[0].style += " solid";  // dashes are for telling it from the other
 
 const matrix = text => text.split(";").map(row => row.split(",").map(Number));

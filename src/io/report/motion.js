@@ -35,7 +35,8 @@ function section(title, intro, ...content) {
 
 function deformationSections() {
   if (!MODELS.some(m => m.table.has("Q11"))) return [];
-  const meaning = MODELS.some(m => m.key === "continuum") ? " Of the elastic ball Q is the mass moment, the affine motion nearest to its own in the sense of the mass." : "";
+  const withElements = MODELS.find(m => m.hasElements);
+  const meaning = withElements ? ` Of the ${withElements.name} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
     ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, a1 ≥ a2 ≥ a3 at each time.", legend(MODELS), chartsOf(plain(["a1", "a2", "a3"]), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], "")) : []),
@@ -85,7 +86,20 @@ const DIFFERENCES = {
   nonaffine_displacement: "non-affine part of the position (elastic ball)",
 };
 
+// Of several models with the richest of them, a line each.
+function overviewSections() {
+  const rows = Object.entries(comparison.models).map(([name, m]) => {
+    const model = MODELS.find(other => other.key === name), d = m.model_difference;
+    return [model ? model.name : name, d ? show(d.value, 3) : "", m.ratio ? show(m.ratio, 6) : ""];
+  });
+  const reference = MODELS.find(model => model.key === comparison.reference);
+  return section("Difference of the models", `Each compared with the ${reference ? reference.name : comparison.reference}.`,
+    tableOf(["", "largest difference of Q over |Q|", "ratio of frequencies"], rows),
+    ...Object.values(comparison.models).map(m => make("p", {}, m.summary.replaceAll("+-", "±"))));
+}
+
 function differenceSections() {
+  if (comparison && comparison.models) return overviewSections();
   const table = tables.comparison;
   if (!table) return [];
   const x = table.columns.time;
@@ -94,7 +108,7 @@ function differenceSections() {
   const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${show(d.value, 3)} (discretisation error: not estimated).`
     : `${showWithin(d.value, d.uncertainty, 4)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
   const one = n => { const {name, y} = fromFirst(DIFFERENCES[n] || n, table.columns[n]); return chart({title: name, xLabel: timeLabel, series: [{x, y, name: "", style: "other"}]}); };
-  return section("Difference of the models", `Elastic less pseudo-rigid ball. ${verdict}`,
+  return section("Difference of the models", `${MODELS.map((m, i) => i ? m.name : m.name.replace(" ball", "").replace(/^./, c => c.toUpperCase())).join(" less ")}. ${verdict}`,
     make("div", {class: "charts"}, names.map(one)),
     comparison ? differenceTable() : null);
 }
@@ -109,7 +123,7 @@ function nonaffineSections() {
   const model = MODELS.find(m => m.table.has("nonaffine_kinetic_fraction"));
   if (!model) return [];
   const of = (name, title, note) => chart({title, note, xLabel: timeLabel, series: [{x: column(model, "time"), y: column(model, name), name: "", style: "elastic"}]});
-  return section("How far the elastic ball is from an affine motion", "0: it moves as the pseudo-rigid ball can.", make("div", {class: "charts"},
+  return section(`How far the ${model.name} is from an affine motion`, "0: it moves as the pseudo-rigid ball can.", make("div", {class: "charts"},
     of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "1 where the affine motion stands still for a moment."),
     of("nonaffine_displacement", "non-affine part of the position", "Root mean square over the ball, relative."),
     of("min_jacobian", "least det F at the points of integration", "1: volume is preserved there.")));

@@ -45,7 +45,7 @@ function sceneSections() {
   if (!ball) asked.push(...Object.keys(scene).filter(e => e.toLowerCase().startsWith(`${scene.System}/`)).map(e => [e.split("/")[1], e]));
   if (ball && scene.Analysis === "equilibrium") asked.push(["Family", "Equilibrium/Family"], ["Parameter from", "Equilibrium/First"], ["to", "Equilibrium/Last"]);
   if (motion) asked.push(["End", "Time/End"], ["Method", "Time/Method"], ["Tolerance of the time error", "Time/Tolerance"]);
-  if (ball && (scene.Models || "").includes("continuum")) asked.push(["Degree of the finite elements", "Continuum/Degree"], ["Refinements", "Continuum/Refinements"], ["Mesh", "Continuum/Mesh"]);
+  if (ball && (manifest.ball || []).some(model => model.discretized)) asked.push(["Degree of the finite elements", "Continuum/Degree"], ["Refinements", "Continuum/Refinements"], ["Mesh", "Continuum/Mesh"]);
   asked.push(...["Sweep/Parameters"].filter(given).map(e => ["Sweep", e]));
   const rows = asked.filter(([, e]) => given(e)).map(([label, e]) => [label, make("td", {class: "words"}, scene[e])]);
   if (ball) rows.splice(1, 0, ["Volume", make("td", {class: "words"}, incompressible ? "preserved (incompressible)" : `may change (Lamé λ = ${scene["Material/Lame lambda"]})`)]);
@@ -138,7 +138,8 @@ function costSections() {
   const cell = (value, name) => value === undefined ? "" : name.endsWith("_bytes") ? `${show(value / 1048576, 3)} MiB` : Number.isInteger(value) ? value.toLocaleString("en").replaceAll(",", "\u202f") : show(value);
   const rows = [...timers.map(t => [TIMERS[t] || `wall time of ${t.replaceAll("_", " ")} (s)`, ...models.map(([, m]) => t in (m.timers || {}) ? show(m.timers[t], 3) : "")]),
     ...names.map(n => [COUNTERS[n] || n.replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
-  const title = key => key === "continuum" ? "elastic ball" : key === "reduced" ? "pseudo-rigid ball" : key.replaceAll("_", " ");
+  const named = key => (manifest.ball || []).find(model => model.name === key);
+  const title = key => named(key) ? `${named(key).adjective} ball` : key.replaceAll("_", " ");
   return section("Cost", manifest.wall_seconds ? `The whole run took ${show(manifest.wall_seconds, 3)} s on ${manifest.cpu}.` : "", tableOf(["", ...models.map(([key]) => title(key))], rows));
 }
 
