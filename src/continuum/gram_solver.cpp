@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "continuum/dense_gram.h"
 #include "continuum/ranks.h"
@@ -78,7 +79,13 @@ class GramSolver::Impl {
   mechanics::SolveReport iterate(const Vector& r, double tolerance, Vector& lambda) {
     struct Gram {
       Impl& self;
-      void vmult(Vector& result, const Vector& multiplier) const { self.multiply(result, multiplier); }
+      mutable bool asked_of_zero;
+      void vmult(Vector& result, const Vector& multiplier) const {
+        if (std::exchange(asked_of_zero, false))
+          result = 0.0;
+        else
+          self.multiply(result, multiplier);
+      }
     };
     struct Preconditioner {
       const GramPreconditioner& self;
@@ -87,14 +94,15 @@ class GramSolver::Impl {
     using Gmres = dealii::SolverGMRES<Vector>;
     constexpr int n_basis = 40;
     constexpr bool on_the_right = true;
-    const bool dense = method_ == GramMethod::dense;
+    const bool dense = method_ == GramMethod::dense, conjugate = !dense && q1_ == q0_;
+    const Gram gram{*this, !conjugate};  // GMRES first multiplies the start, λ = 0
     dealii::SolverControl control(dense ? n_basis : 200, tolerance, false, false);
     try {
-      if (!dense && q1_ == q0_)
-        dealii::SolverCG<Vector>(control).solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
+      if (conjugate)
+        dealii::SolverCG<Vector>(control).solve(gram, lambda, r, Preconditioner{*preconditioner_});
       else
         Gmres(control, Gmres::AdditionalData(n_basis + 2, on_the_right))
-            .solve(Gram{*this}, lambda, r, Preconditioner{*preconditioner_});
+            .solve(gram, lambda, r, Preconditioner{*preconditioner_});
     } catch (const dealii::SolverControl::NoConvergence&) {
       return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
               static_cast<int>(control.last_step())};
