@@ -7,8 +7,7 @@
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
 ///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        C̄ the mean over time, of the model that varies
-///   more:
-///                               for a sinusoid this is its amplitude, and rotations do not count
+///                               more; for a sinusoid this is its amplitude, and rotations do not count
 ///   a1_difference …             (a_c − a_r) / a_r
 ///   volume_ratio_difference     (vol_c − vol_r), both relative to the reference volume
 ///   kinetic_difference,

@@ -6,12 +6,10 @@
 ///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: the
 ///                 k-th of the rising eigenvalues is zero. A rate of the motion passes through 0; without dissipation
 ///                 the motion need not lose its stability there (Maclaurin–Jacobi: with dissipation it does,
-///                 "secular"). The number also jumps by 2 where J or Z passes through 0, which is no event of the
-///                 motion
+///                 "secular"). The number also jumps by 2 where J or Z passes through 0: no event of the motion
 ///   instability   rates leave the imaginary axis, or come back: two rates of opposite energy meet (Krein), or a pair
-///   ±s
-///                 meets at 0. The largest real part starts there like a square root and is noisy; but for the two that
-///                 meet
+///                 ±s meets at 0. The largest real part starts there like a square root and is noisy; but for the two
+///                 that meet
 ///
 ///     δ = Re (s − s')²
 ///

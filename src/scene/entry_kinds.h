@@ -4,10 +4,10 @@
 ///
 /// Every kind has, for its value type T:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
-///   set std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for
-///   bit std::string expected() const;                                             // "a number > 0" static constexpr
-///   std::string_view type;                                   // "number" std::vector<std::string_view> words() const;
-///   // the words allowed, if they are a list
+///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
+///   std::string expected() const;                                             // "a number > 0"
+///   static constexpr std::string_view type;                                   // "number"
+///   std::vector<std::string_view> words() const;                              // the words allowed, if they are a list
 
 #include <array>
 #include <filesystem>
