@@ -116,6 +116,11 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   // They become names of files in the directory.
   for (const std::string& name : movers) sound = sound && name.find('/') == name.npos;
   if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
+  if (!json.contains("entries"))
+    throw UserError(
+        fmt::format("'{}' is of an earlier version, which did not record the values of the entries; run the "
+                    "scene again, as used.prm beside it says",
+                    manifest.native()));
   return movers;
 }
 

@@ -57,7 +57,7 @@ class ManifestFile {
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
 /// What moves, by the manifest of a run: the names of its CSV files, of the system or of the models of the ball.
-/// UserError if the file is no manifest of this program.
+/// UserError if the file is no manifest of this program, or of a version whose manifests had less than a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.

@@ -130,6 +130,11 @@ class Report(ReportTest, RefusedInputTest):
                 (self.scratch / "run/manifest.json").write_text(text)
                 self.refused("report", "run", fragments=("'run/manifest.json' is not the manifest of a run of pseudorigid",))
 
+    def test_command_on_a_run_of_an_earlier_version(self):
+        (self.scratch / "run").mkdir()
+        (self.scratch / "run/manifest.json").write_text('{"program": "pseudorigid", "state": "done"}')
+        self.refused("report", "run", fragments=("DIR: ", "'run/manifest.json' is of an earlier version", "used.prm"))
+
     def test_command_that_cannot_write(self):
         self.scene(SCENE)
         self.run_done("run", "scene.prm")
