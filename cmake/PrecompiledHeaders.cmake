@@ -23,10 +23,11 @@ function(pseudorigid_precompiled_headers name)
   target_precompile_headers(precompiled_${name} PRIVATE ${SET_HEADERS})
 endfunction()
 
-# pseudorigid_precompiled(TARGET NAME): compiles the target with that set.
+# pseudorigid_precompiled(TARGET NAME): compiles the target with that set, and with the definitions of its libraries.
 function(pseudorigid_precompiled target name)
   if(PSEUDORIGID_PRECOMPILE)
     target_precompile_headers(${target} REUSE_FROM precompiled_${name})
+    target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:precompiled_${name},COMPILE_DEFINITIONS>)
   endif()
 endfunction()
 

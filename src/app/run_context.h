@@ -4,11 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include <spdlog/logger.h>
-
 #include "app/deformation_trace.h"
 #include "app/ranks.h"
 #include "io/csv.h"
+#include "io/log.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
 #include "io/signals.h"
@@ -32,7 +31,7 @@ struct RunContext {
   const scene::Needs& needs;
   const io::RunDirectory& directory;
   io::Units units;
-  std::shared_ptr<spdlog::logger> log;
+  std::shared_ptr<io::Logger> log;
   bool resume;
   bool show_progress;
   io::Table* rows = nullptr;  ///< where the rows go instead of files, and no checkpoint is written (sweeps)

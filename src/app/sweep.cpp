@@ -1,7 +1,6 @@
 #include "app/sweep.h"
 
 #include <fmt/format.h>
-#include <spdlog/sinks/null_sink.h>
 
 #include <algorithm>
 #include <atomic>
@@ -57,12 +56,7 @@ struct RunResult {
 class SweepRun {
  public:
   SweepRun(const scene::ReadScene& raw, RunModel run, const RunContext& context)
-      : raw_(raw),
-        run_(run),
-        context_(context),
-        silent_(std::make_shared<spdlog::logger>("run of a sweep", std::make_shared<spdlog::sinks::null_sink_mt>())) {
-    silent_->set_level(spdlog::level::off);
-  }
+      : raw_(raw), run_(run), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
   RunResult run(int k) const {
     RunResult result;
@@ -119,7 +113,7 @@ class SweepRun {
   const scene::ReadScene& raw_;
   RunModel run_;
   const RunContext& context_;
-  std::shared_ptr<spdlog::logger> silent_;
+  std::shared_ptr<io::Logger> silent_;
 };
 
 /// All runs from `first` on, by several threads that take the next one each.

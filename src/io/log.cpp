@@ -1,5 +1,7 @@
 #include "io/log.h"
 
+#include <fmt/format.h>
+#include <spdlog/logger.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_sinks.h>
@@ -59,19 +61,39 @@ spdlog::sink_ptr file_sink(const std::filesystem::path& path, bool append) try {
   throw WriteError(path, errno);
 }
 
+spdlog::level::level_enum level_of(Logger::Level level) {
+  switch (level) {
+    case Logger::Level::debug:
+      return spdlog::level::debug;
+    case Logger::Level::info:
+      return spdlog::level::info;
+    case Logger::Level::warning:
+      return spdlog::level::warn;
+    case Logger::Level::error:
+      return spdlog::level::err;
+  }
+  return spdlog::level::err;
+}
+
 }  // namespace
 
-std::shared_ptr<spdlog::logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
-                                            bool append) {
+void Logger::write(Level level, fmt::string_view text, fmt::format_args values) {
+  if (logger_->should_log(level_of(level))) write(level, fmt::vformat(text, values));
+}
+
+void Logger::write(Level level, std::string_view message) { logger_->log(level_of(level), message); }
+
+std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
+                                    bool append) {
   std::vector<spdlog::sink_ptr> sinks;
   if (verbosity != Verbosity::silent) sinks.push_back(terminal_sink(verbosity));
   if (log_file) sinks.push_back(file_sink(*log_file, append));
   auto logger = std::make_shared<spdlog::logger>("pseudorigid", sinks.begin(), sinks.end());
-  logger->set_level(spdlog::level::debug);
+  logger->set_level(sinks.empty() ? spdlog::level::off : spdlog::level::debug);
   logger->flush_on(spdlog::level::info);
   // A log that cannot be written must not end a run; a full disk is reported by what matters, the results.
   logger->set_error_handler([](const std::string&) {});
-  return logger;
+  return std::make_shared<Logger>(std::move(logger));
 }
 
 }  // namespace pseudorigid::io

@@ -1,20 +1,61 @@
 #pragma once
 /// What the run says: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
 
-#include <spdlog/logger.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
+
+namespace spdlog {
+class logger;
+}
 
 namespace pseudorigid::io {
 
 /// What reaches the terminal; `silent` is for the ranks of a parallel run that have nothing to say.
 enum class Verbosity { silent, quiet, normal, verbose };
 
+/// Messages with values in the places {…}. They are put together in log.cpp alone: who formats through spdlog compiles
+/// all of the formatting anew.
+class Logger {
+ public:
+  enum class Level { debug, info, warning, error };
+
+  explicit Logger(std::shared_ptr<spdlog::logger> logger) : logger_(std::move(logger)) {}
+
+  template <class First, class... Rest>
+  void debug(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write(Level::debug, text, fmt::make_format_args(first, rest...));
+  }
+  template <class First, class... Rest>
+  void info(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write(Level::info, text, fmt::make_format_args(first, rest...));
+  }
+  template <class First, class... Rest>
+  void warn(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write(Level::warning, text, fmt::make_format_args(first, rest...));
+  }
+  template <class First, class... Rest>
+  void error(fmt::format_string<First, Rest...> text, First&& first, Rest&&... rest) {
+    write(Level::error, text, fmt::make_format_args(first, rest...));
+  }
+  void debug(std::string_view message) { write(Level::debug, message); }
+  void info(std::string_view message) { write(Level::info, message); }
+  void warn(std::string_view message) { write(Level::warning, message); }
+  void error(std::string_view message) { write(Level::error, message); }
+
+ private:
+  void write(Level level, fmt::string_view text, fmt::format_args values);
+  void write(Level level, std::string_view message);
+
+  std::shared_ptr<spdlog::logger> logger_;
+};
+
 /// A logger that is the caller's own (no registry, no global). `log_file` empty: terminal only, as for `check`.
 /// `append` continues the file of a resumed run. WriteError if the file cannot be opened.
-std::shared_ptr<spdlog::logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
-                                            bool append = false);
+std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
+                                    bool append = false);
 
 }  // namespace pseudorigid::io

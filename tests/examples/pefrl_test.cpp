@@ -153,8 +153,10 @@ TEST(Pefrl, ItsStepIsFoundFromATolerance) {
   constexpr double end = 2, tolerance = 1e-8;
   const auto position = [](const mechanics::State<MassPoints>& s) { return s.q; };
   const mechanics::StepRequest request{.end = end, .window = end, .tolerance = tolerance, .rattle_limit = 0.2};
-  mechanics::detail::StepSearch search(points, start, request, position);
-  const auto trial = search.try_method<Pefrl>(mechanics::id_of<mechanics::Rattle>, HUGE_VAL);
+  namespace detail = mechanics::detail;
+  const auto method =
+      detail::fixed_step_method<Pefrl>(mechanics::id_of<mechanics::Rattle>, points, start, request, position);
+  const auto trial = detail::StepSearch(request, true).try_method(method, HUGE_VAL);
   ASSERT_EQ(trial.verdict, mechanics::detail::Trial::Verdict::accepted) << trial.reason;
   const long n_steps = mechanics::SampleTimes{end, 1}.steps_per_interval(trial.step);
   const double error = distance(run<Pefrl>(points, start, end, 1, n_steps).last(),
