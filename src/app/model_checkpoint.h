@@ -42,7 +42,7 @@ inline RunIdentity run_identity(const scene::Scene& scene) {
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.continuum.mesh = mesh_identity(scene);
-  frozen.output.directory = "-";
+  frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow where a literal is assigned
   frozen.sweep_threads.reset();
   frozen.title.clear();
   return {scene::to_prm(frozen), scene::to_prm(stepping)};

@@ -24,15 +24,19 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page with an element for the file of each that moves.
+/// The page with an element for the file of each that moves, in place of the one that stands for all.
 std::string page_of(std::span<const std::string> movers) {
-  constexpr std::string_view begin_of_element = "<script type=\"text/csv\" data-file=\"{mover}", name = "{mover}";
+  constexpr std::string_view element = "<script type=\"text/csv\" data-file=\"", name = "{mover}";
   const std::string_view page = report_page();
-  const std::size_t begin = page.find(begin_of_element), end = page.find('\n', begin) + 1;
+  const std::size_t at = page.find(name), begin = page.rfind(element, at), end = page.find('\n', at) + 1;
   std::string text(page.substr(0, begin));
-  for (const std::string& mover : movers)
-    text += std::string(page.substr(begin, end - begin)).replace(begin_of_element.size() - name.size(), name.size(), mover);
-  return text.append(page.substr(end));
+  for (const std::string& mover : movers) {
+    text += element;
+    text += mover;
+    text += page.substr(at + name.size(), end - at - name.size());
+  }
+  text += page.substr(end);
+  return text;
 }
 
 }  // namespace

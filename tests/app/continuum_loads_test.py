@@ -187,6 +187,22 @@ class ContinuumLoads(StoppedRunTest):
                "Loads/Acceleration")
         refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "free ball")
 
+    def test_principal_stretches(self):
+        """Those of the start are exact; later none of the mean exceeds the largest anywhere (norms are convex)."""
+        tables = self.run_scene({**BOTH, "Initial state/Deformation": "0, 1.25, 0; 0.8, 0, 0; 0, 0, -1",
+                                 "Output/Quantities": "stretches", "Output/Samples": 4})
+        for table in tables:
+            for i, exact in enumerate((1.25, 1, 0.8)):
+                self.assertAlmostEqual(table.column(f"stretch{i + 1}")[0], exact, delta=1e-12)
+        continuum = tables[1]
+        self.assertEqual(tables[0].header + ["max_stretch", "min_stretch"], continuum.header)
+        self.assertAlmostEqual(continuum.column("max_stretch")[0], 1.25, delta=1e-12)
+        self.assertAlmostEqual(continuum.column("min_stretch")[0], 0.8, delta=1e-12)
+        for largest, of_mean, least in zip(*map(continuum.column, ("max_stretch", "stretch1", "min_stretch"))):
+            self.assertGreater(largest, of_mean - 1e-12)
+            self.assertGreater(least, 0)
+        self.assertGreater(continuum.column("max_stretch")[-1], continuum.column("stretch1")[-1] + 1e-4)
+
     def test_a_step_too_long_for_the_viscosity_says_so(self):
         self.scene({**BOTH, "Models": "continuum", "Material/Viscosity": 5, "Time/Step": 0.02, "Time/Method": "rattle",
                     "Initial state/Velocity": "0.3, 0, 0; 0, 0, 0; 0, 0, -0.3"})
