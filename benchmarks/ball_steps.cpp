@@ -53,7 +53,7 @@ void run(const Arguments& arguments, MPI_Comm communicator) {
   const double allocated_before = benchmarks::allocated_bytes();
   const double setup = benchmarks::cpu_seconds([&] {
     made.emplace(continuum::Sector{{true, true, true}}, arguments.degree, arguments.n_refinements,
-                 materials::CiarletGeymonat{1, 0}, continuum::BallLoads{}, communicator, method);
+                 materials::CiarletGeymonat{1, 0}, loads::Loads{}, communicator, method);
   });
   const ElasticBall& ball = *made;
   const Eigen::Matrix3d velocity = Eigen::Vector3d(0.3, 0.3, -0.6).asDiagonal();

@@ -33,7 +33,7 @@ class ContinuumModel {
   explicit ContinuumModel(const RunContext& context)
       : context_(context),
         law_(internal_law(context.scene)),
-        ball_(mesh_of(context), context.discretization.degree, law_, ball_loads(context.scene)),
+        ball_(mesh_of(context), context.discretization.degree, law_, internal_loads(context.scene)),
         rank_order_(ball_.space()),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
@@ -43,9 +43,10 @@ class ContinuumModel {
   using MemoryLayout = continuum::MemoryLayout;
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   State initial_state() const {
-    const InternalLoads loads = internal_loads(context_.scene);
-    return {0, ball_.affine_field(initial_deformation(context_.scene), loads.center),
-            ball_.affine_field(initial_velocity(context_.scene, context_.units), loads.center_velocity)};
+    const scene::Scene& scene = context_.scene;
+    const io::Units& units = context_.units;
+    return {0, ball_.affine_field(initial_deformation(scene), initial_center(scene, units)),
+            ball_.affine_field(initial_velocity(scene, units), initial_center_velocity(scene, units))};
   }
   double constraint_scale() const { return ball_.multiplier_scale(); }  // only called with constraints
   Eigen::Matrix3d configuration(const State& state) const { return ball_.mass_moment(state.q); }
@@ -153,14 +154,6 @@ class ContinuumModel {
     for (const auto& X : body.mesh.vertices) mesh.vertices.emplace_back(X[0], X[1], X[2]);
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
-  }
-  static continuum::BallLoads ball_loads(const scene::Scene& scene) {
-    const InternalLoads loads = internal_loads(scene);
-    return {.quadratic = loads.quadratic,
-            .acceleration = loads.acceleration,
-            .nominal_traction = loads.nominal_traction,
-            .viscosity = loads.viscosity,
-            .drag = loads.drag};
   }
   /// One file, or of several ranks a piece each and beside them the file that names the pieces.
   void write_pieces(std::filesystem::path path, const io::UnstructuredGrid& grid) const {

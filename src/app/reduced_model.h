@@ -33,6 +33,7 @@ class ReducedModel {
       : system_(std::move(system)),
         center_(scene.center),
         drag_on_center_(scene.dissipation.drag != 0),
+        center_is_driven_(loads::depend_on_time(scene.loads)),
         start_(start_of<System>(scene)),
         context_(context),
         request_(context.request()),
@@ -164,19 +165,22 @@ class ReducedModel {
     const double mass = system_.body().reference().mass;
     observables_.center = motion.x;
     observables_.velocity = motion.v;
-    observables_.kinetic += mass * center_.kinetic(motion);
-    observables_.external += mass * center_.potential(motion);
+    const reduced::CenterOfMass& law = center_.law();
+    observables_.kinetic += mass * law.kinetic(motion);
+    observables_.external += mass * law.potential(motion);
+    if (center_is_driven_) observables_.external += mass * law.driven(motion, t);
     if (drag_on_center_) {
-      const auto start = center_.at(0);
-      observables_.dissipated += mass * (center_.kinetic(start) + center_.potential(start) - center_.kinetic(motion) -
-                                         center_.potential(motion));
+      const reduced::CenterOfMass::Motion start{law.position, law.velocity};
+      double lost = law.kinetic(start) + law.potential(start) - law.kinetic(motion) - law.potential(motion);
+      if (center_is_driven_) lost += law.driven(start, 0) - law.driven(motion, t);
+      observables_.dissipated += mass * lost;
     }
     return {};
   }
 
   System system_;
-  reduced::CenterOfMass center_;
-  bool drag_on_center_;
+  reduced::CenterPath center_;
+  bool drag_on_center_, center_is_driven_;
   State start_;
   const RunContext& context_;
   mechanics::ObservableRequest request_;

@@ -18,26 +18,28 @@ reduced::ReferenceBody reference_body(const scene::Scene& scene, const io::Units
 
 ReducedScene reduced_scene(const scene::Scene& scene) {
   const io::Units units = units_of(scene);
-  const InternalLoads loads = internal_loads(scene);
+  loads::Loads loads = internal_loads(scene);
+  if (scene.body.incompressible) loads = loads::at_constant_volume(loads);
+  const loads::Forcing forcing = loads::constant_forcing(loads);
   return {.law = internal_law(scene),
           .body = reference_body(scene, units),
-          .loads = {.gravity_constant = scene.gravity_constant * scene.body.density * units.time * units.time,
-                    .quadratic = loads.quadratic,
-                    .nominal_traction = loads.nominal_traction},
-          .dissipation = {.viscosity = loads.viscosity, .drag = loads.drag},
-          .center = {.position = loads.center,
-                     .velocity = loads.center_velocity,
-                     .acceleration = loads.acceleration,
-                     .quadratic = loads.quadratic,
-                     .drag = loads.drag},
+          .loads = loads,
+          .forcing = forcing,
+          .dissipation = reduced::Dissipation::of(forcing),
+          .center = {.position = initial_center(scene, units),
+                     .velocity = initial_center_velocity(scene, units),
+                     .acceleration = forcing.acceleration,
+                     .quadratic = forcing.quadratic,
+                     .drag = forcing.drag,
+                     .driving = loads},
           .start = {0, initial_deformation(scene), initial_velocity(scene, units)},
           .keeps_diagonal = scene::keeps_diagonal(scene)};
 }
 
 ReducedForm form_of(const ReducedScene& s) {
-  if (s.dissipation.present()) return ReducedForm::dissipative;
+  if (s.dissipation.present() || loads::depend_on_time(s.loads)) return ReducedForm::dissipative;
   if (s.keeps_diagonal) return ReducedForm::diagonal;
-  const bool plain = s.loads.gravity_constant == 0 && s.loads.quadratic.isZero(0) && s.loads.nominal_traction.isZero(0);
+  const bool plain = s.forcing.gravity_constant == 0 && !reduced::ExternalPotential(s.forcing).present();
   return plain && std::holds_alternative<materials::CiarletGeymonat>(s.law) ? ReducedForm::elastic
                                                                             : ReducedForm::general;
 }

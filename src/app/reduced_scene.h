@@ -16,7 +16,8 @@ namespace pseudorigid::app {
 struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
-  reduced::PotentialLoads loads;
+  loads::Loads loads;
+  loads::Forcing forcing;  ///< of those that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
@@ -30,7 +31,7 @@ enum class ReducedForm {
   elastic,     ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
   general,     ///< any sum of potentials
   diagonal,    ///< neither turns nor circulates: three unknowns
-  dissipative  ///< viscosity or drag, and the energy that they take
+  dissipative  ///< viscosity or drag, or loads that depend on time, and the energy that they take or give
 };
 
 template <bool incompressible>
@@ -39,7 +40,7 @@ template <bool incompressible>
 using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
 
 /// All that acts on the body of a scene and has a potential.
-inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.loads}; }
+inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.forcing}; }
 
 template <bool incompressible>
 GeneralBody<incompressible> general_body(const ReducedScene& s) {
@@ -59,7 +60,7 @@ auto system_of(const ReducedScene& s) {
   else if constexpr (form == ReducedForm::diagonal)
     return reduced::DiagonalBody<Body>(general_body<incompressible>(s));
   else
-    return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation);
+    return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation, s.loads);
 }
 
 /// The start in the coordinates of a form.

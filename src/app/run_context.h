@@ -6,12 +6,12 @@
 
 #include "app/deformation_trace.h"
 #include "app/ranks.h"
+#include "entries/units.h"
 #include "io/csv.h"
 #include "io/log.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
 #include "io/signals.h"
-#include "io/units.h"
 #include "mechanics/body_observables.h"
 #include "mechanics/methods.h"
 #include "scene/discretization.h"

@@ -13,8 +13,8 @@
 #include "app/scene_to_model.h"
 #include "app/scene_to_run.h"
 #include "app/sweep_rows.h"
+#include "entries/entry_kinds.h"
 #include "io/signals.h"
-#include "scene/entry_kinds.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {

@@ -10,15 +10,14 @@
 namespace pseudorigid::continuum {
 
 BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
-                   const BallLoads& loads, MPI_Comm communicator)
+                   const loads::Loads& loads, MPI_Comm communicator)
     : BallBody(BallMesh(sector, n_refinements, communicator), degree, law, loads) {}
 
-BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads)
-    : space_(std::move(mesh), degree, loads.dissipative()),
+BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads)
+    : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative()),
       limit_(materials::limit_of(law)),
       kernels_(make_cell_kernels(space_, law)),
       loads_(loads, space_, *kernels_),
-      dissipative_(loads.dissipative()),
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
@@ -48,9 +47,9 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
   return mechanics::Status::failure("an element is turned inside out: " + in_words(jacobian));
 }
 
-mechanics::Status BallBody::applied_force(const Vector& x, const Vector& v, Vector& f) const {
+mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
   if (auto status = judge(kernels_->force(x, f), x); !status) return status;
-  loads_.add(x, v, f);
+  loads_.add(t, x, v, f);
   return {};
 }
 
@@ -87,9 +86,12 @@ Eigen::Vector3d BallBody::mean(const Vector& x) const {
 
 double BallBody::mass() const { return space_.mesh().sector().n_images() * space_.mass().l1_norm() / 3; }
 
-double BallBody::dissipated(const Vector& v) const {
+double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }
+double BallBody::given(const Vector& v) const { return account_entry(v, 1); }
+
+double BallBody::account_entry(const Vector& v, unsigned int component) const {
   const auto entry = space_.account();
-  return sum_over_ranks(entry ? v.local_element(*entry) : 0, space_.communicator());
+  return sum_over_ranks(entry ? v.local_element(*entry + component) : 0, space_.communicator());
 }
 
 Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {

@@ -4,11 +4,12 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// x_h ∈ (Q_k)³ with a lumped mass. With dissipation there is one coordinate s beside the nodes (BallSpace::account),
+/// x_h ∈ (Q_k)³ with a lumped mass. With dissipation, or with loads that depend on time, there is one node more
+/// (BallSpace::account), whose coordinates s and s' obey
 ///
-///   s̈ = power of the dissipation,
+///   s̈ = power that dissipation takes,   s̈' = power that a change of the loads gives:
 ///
-/// whose velocity is the energy that dissipation has taken: every method integrates it with its own order. All in
+/// their velocities are the energies taken and given, and every method integrates them with its own order. All in
 /// internal units; the system is the computed sector, observables are of the whole ball.
 
 #include <Eigen/Core>
@@ -34,15 +35,16 @@ class BallBody {
   /// The sector of the unit ball with degree k = 1 … 8 (with the constraint from 2 on) after n_refinements uniform
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
-           const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
+           const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
   /// The body of a mesh, likewise.
-  BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads = {});
+  BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads = {});
   BallBody(const BallBody&) = delete;  // its parts refer to one another
   BallBody& operator=(const BallBody&) = delete;
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
-  bool velocity_dependent() const { return dissipative_; }
-  bool dissipative() const { return dissipative_; }
+  bool time_dependent() const { return loads_.time_dependent(); }
+  bool velocity_dependent() const { return loads_.dissipative(); }
+  bool dissipative() const { return loads_.dissipative(); }
 
   Vector make_vector() const { return space_.make_vector(); }
 
@@ -52,8 +54,9 @@ class BallBody {
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field; components across a symmetry plane cancel.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// The energy that dissipation has taken, from the velocity.
+  /// The energy that dissipation has taken, and that loads which depend on time have given, from the velocity.
   double dissipated(const Vector& v) const;
+  double given(const Vector& v) const;
 
   /// Inertia, volume and mass of the mesh, whole ball: E₀,h = Σ m_n X_n X_nᵀ.
   const Eigen::Matrix3d& E0() const { return E0_; }
@@ -81,18 +84,18 @@ class BallBody {
 
  protected:
   /// f of all but reactions.
-  mechanics::Status applied_force(const Vector& x, const Vector& v, Vector& f) const;
+  mechanics::Status applied_force(double t, const Vector& x, const Vector& v, Vector& f) const;
   /// `least`: of J and the reserve of the law over the points of this rank. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
 
  private:
+  double account_entry(const Vector& v, unsigned int component) const;
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
   std::string_view limit_;  ///< of the law, as materials::limit_of has it
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
-  bool dissipative_;
   Eigen::Matrix3d E0_;
   double volume_;
 };

@@ -119,7 +119,8 @@ void BallSpace::lump_mass() {
     const bool has_mass = mass_.local_element(i) > 0;
     inverse_mass_.local_element(i) = held || !has_mass ? 0 : 1 / mass_.local_element(i);
   }
-  if (account_) inverse_mass_.local_element(*account_) = 1;
+  if (account_)
+    for (unsigned int c = 0; c < 2; ++c) inverse_mass_.local_element(*account_ + c) = 1;
   inverse_mass_.update_ghost_values();
 }
 

@@ -25,7 +25,7 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `with_account`: the vectors get one further node without mass, for the energy that dissipation takes.
+  /// `with_account`: the vectors get one further node without mass, for energies that are taken and given.
   BallSpace(BallMesh mesh, int degree, bool with_account = false);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -46,7 +46,8 @@ class BallSpace {
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
   const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 where a symmetry plane holds the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// The local entry of the energy's coordinate, on the process that owns it; its inverse mass is 1.
+  /// The local entry of the coordinate of the energy taken, on the process that owns it; that of the energy given is
+  /// the next. Their inverse masses are 1.
   std::optional<unsigned int> account() const { return account_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }

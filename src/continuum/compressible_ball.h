@@ -17,8 +17,8 @@ class CompressibleBall : public BallBody {
 
   using BallBody::BallBody;
 
-  mechanics::Status force(double, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(x, v, f);
+  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
+    return applied_force(t, x, v, f);
   }
   mechanics::Status constraint(const Vector&, Multiplier&) const { return {}; }
   void constraint_rate(const Vector&, const Vector&, Multiplier&) const {}

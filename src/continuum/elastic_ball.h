@@ -3,8 +3,9 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// λ_h ∈ discontinuous P_{k−1} is the Kirchhoff pressure Jp. With ln J in place of J − 1 the second variation of the
-/// constraint has no (div u)² term, and the discrete motion does not depend on the hydrostatic gauge of W.
+/// A pressure on the surface is carried by the constraint and is no force here. λ_h ∈ discontinuous P_{k−1} is the
+/// Kirchhoff pressure Jp. With ln J in place of J − 1 the second variation of the constraint has no (div u)² term, and
+/// the discrete motion does not depend on the hydrostatic gauge of W.
 
 #include <cmath>
 #include <optional>
@@ -26,17 +27,17 @@ class ElasticBall : public BallBody {
 
   /// As BallBody, with a choice of the solver of the Gram systems.
   ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
-              const BallLoads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
+              const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
       : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, law, loads, gram_method) {}
-  ElasticBall(BallMesh mesh, int degree, const materials::AnyLaw& law, const BallLoads& loads = {},
+  ElasticBall(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads = {},
               std::optional<GramMethod> gram_method = std::nullopt)
-      : BallBody(std::move(mesh), degree, law, loads),
+      : BallBody(std::move(mesh), degree, law, loads::at_constant_volume(loads)),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
-  mechanics::Status force(double, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(x, v, f);
+  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
+    return applied_force(t, x, v, f);
   }
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }

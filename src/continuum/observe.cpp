@@ -65,7 +65,9 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
   if (request.energies) {
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
     o.elastic = n_images * sums.elastic;
-    o.external = ball.loads().potential(ball.nodal_moment(state.q, state.q), ball.mass() * o.center, F_integral);
+    o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
+                                        F_integral, n_images * sums.volume);
+    if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
   }
   if (request.momenta) {

@@ -13,8 +13,8 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "entries/wording.h"
 #include "scene/user_error.h"
-#include "scene/wording.h"
 
 namespace pseudorigid::io {
 namespace {

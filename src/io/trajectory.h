@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "io/units.h"
+#include "entries/units.h"
 #include "mechanics/body_observables.h"
 #include "scene/catalogue.h"
 #include "scene/scene.h"

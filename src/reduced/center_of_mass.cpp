@@ -1,6 +1,10 @@
 #include "reduced/center_of_mass.h"
 
+#include <limits>
+#include <optional>
 #include <unsupported/Eigen/MatrixFunctions>
+
+#include "mechanics/dormand_prince_8.h"
 
 namespace pseudorigid::reduced {
 
@@ -16,6 +20,99 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
   start << position, velocity, 1;
   const Eigen::Matrix<double, 7, 1> now = (t * A).exp() * start;
   return {now.head<3>(), now.segment<3>(3)};
+}
+
+namespace {
+
+/// Of a point of unit mass.
+double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
+  return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
+}
+
+/// Whether the centre stays at the origin.
+bool rests(const CenterOfMass& c) {
+  bool pushed = !c.position.isZero(0) || !c.velocity.isZero(0) || !c.acceleration.isZero(0);
+  c.driving.for_each([&]<class L>(const L& load) {
+    if constexpr (loads::DependsOnTime<L>) pushed = pushed || !load.largest_forcing().acceleration.isZero(0);
+  });
+  return !pushed;
+}
+
+}  // namespace
+
+double CenterOfMass::driven(const Motion& m, double t) const {
+  return potential_of(loads::driving(driving, t), m.x) - m.work;
+}
+
+/// q = (x, s), v = (ẋ, w) with ẅ replaced by ẇ = ∂φ/∂t: the work is the velocity of a further coordinate.
+struct CenterPath::Integration {
+  struct Field {
+    using Vector = Eigen::Vector4d;
+    struct Workspace {};
+    const CenterOfMass* center;
+
+    mechanics::Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
+      const loads::Forcing forcing = loads::driving(center->driving, t);
+      const Eigen::Vector3d x = q.head<3>(), xdot = v.head<3>();
+      a.head<3>() = center->acceleration + forcing.acceleration - (center->quadratic + forcing.quadratic) * x -
+                    (center->drag + forcing.drag) * xdot;
+      a[3] = potential_of(loads::driving_rate(center->driving, t), x);
+      return {};
+    }
+    Vector make_vector() const { return Vector::Zero(); }
+    Workspace make_workspace() const { return {}; }
+  };
+  using Method = mechanics::DormandPrince8;
+  using State = mechanics::State<Field>;
+  /// Of the local errors: the next decade is round-off.
+  static constexpr double tolerance = 1e-15;
+  /// Far beyond a step, which is not to know when somebody looks.
+  static constexpr double far = 1e3;
+
+  explicit Integration(const CenterOfMass& center) : field{&center} { begin(); }
+
+  void begin() {
+    next = {0, field.make_vector(), field.make_vector()};
+    next.q.head<3>() = field.center->position;
+    next.v.head<3>() = field.center->velocity;
+    before = next;
+    workspace.emplace(field, tolerance);
+  }
+
+  /// Steps of its own choice until one is beyond t, then from the state before it one that ends at t.
+  CenterOfMass::Motion at(double t) {
+    if (t < before.t) begin();
+    while (next.t <= t) {
+      before = next;
+      if (!Method::step(field, next.t + far, next, *workspace)) return beyond_numbers();
+    }
+    State now = before;
+    Method::Workspace<Field> last(field, 1);
+    last.h = t - before.t;
+    while (now.t < t)
+      if (!Method::step(field, t, now, last)) return beyond_numbers();
+    return {now.q.head<3>(), now.v.head<3>(), now.v[3]};
+  }
+
+  static CenterOfMass::Motion beyond_numbers() {
+    const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return {nowhere, nowhere};
+  }
+
+  Field field;
+  State before, next;
+  std::optional<Method::Workspace<Field>> workspace;
+};
+
+CenterPath::CenterPath(const CenterOfMass& center) : center_(center) {
+  if (loads::depend_on_time(center.driving) && !rests(center)) integration_ = std::make_unique<Integration>(center_);
+}
+CenterPath::CenterPath(CenterPath&& other) noexcept : CenterPath(other.center_) {}
+CenterPath::~CenterPath() = default;
+
+CenterOfMass::Motion CenterPath::at(double t) {
+  if (integration_) return integration_->at(t);
+  return center_.at(t);
 }
 
 }  // namespace pseudorigid::reduced

@@ -1,13 +1,17 @@
 #pragma once
-/// The centre of mass under the loads that the pseudo-rigid body knows: uniform acceleration b, the quadratic potential
-/// ½ xᵀTx per mass and linear drag c. Its law is linear and separate from that of Q,
+/// The centre of mass under loads (loads/forcing.h). Its law is linear and separate from that of Q,
 ///
-///   ẍ = b − T x − c ẋ,
+///   ẍ = b − T x − c ẋ.
 ///
-/// so x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1).
+/// Where no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Else it is integrated to
+/// round-off, and beside it the energy per mass that such loads have given,
+///
+///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
 
 #include <Eigen/Core>
+#include <memory>
 
+#include "loads/list.h"
 #include "mechanics/by_name.h"
 
 namespace pseudorigid::reduced {
@@ -18,17 +22,37 @@ struct CenterOfMass {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
   double drag = 0;                                                                         ///< c
+  loads::Loads driving{};  ///< of these those that depend on time
 
   struct Motion {
     Eigen::Vector3d x, v;
+    double work = 0;  ///< w
   };
 
-  /// Not finite where an unstable T has carried it beyond all numbers.
+  /// Where no load depends on time. Not finite where an unstable T has carried it beyond all numbers.
   Motion at(double t) const;
 
   /// Energies per mass.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
   double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
+  /// Of the loads that depend on time, less what they have given.
+  double driven(const Motion& m, double t) const;
+};
+
+/// The motion at one time after the other. What it says of a time does not depend on those asked for before.
+class CenterPath {
+ public:
+  explicit CenterPath(const CenterOfMass& center);
+  CenterPath(CenterPath&&) noexcept;
+  ~CenterPath();
+
+  const CenterOfMass& law() const { return center_; }
+  CenterOfMass::Motion at(double t);
+
+ private:
+  struct Integration;
+  CenterOfMass center_;
+  std::unique_ptr<Integration> integration_;  ///< null where the motion is known
 };
 
 }  // namespace pseudorigid::reduced

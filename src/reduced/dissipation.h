@@ -10,6 +10,7 @@
 
 #include <Eigen/Dense>
 
+#include "loads/forcing.h"
 #include "mechanics/by_name.h"
 #include "reduced/reference_body.h"
 
@@ -19,6 +20,11 @@ struct Dissipation {
   ByName by_name{};
   double viscosity = 0;  ///< η
   double drag = 0;       ///< c
+
+  /// Of a forcing.
+  static Dissipation of(const loads::Forcing& forcing) {
+    return {.viscosity = forcing.viscosity, .drag = forcing.drag};
+  }
 
   bool present() const { return viscosity != 0 || drag != 0; }
 

@@ -1,15 +1,18 @@
 #pragma once
-/// The pseudo-rigid body with dissipation: M q̈ = f − ∂R/∂Q̇ + Gᵀλ, and beside it the energy D that dissipation has
-/// taken,
+/// The pseudo-rigid body whose energy is not constant: M q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ with dissipation and with loads
+/// V_t(Q, t) that depend on time, and beside it the energy D that dissipation has taken and W that such loads have
+/// given,
 ///
-///   Ḋ = 2R(Q, Q̇),
+///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t,
 ///
-/// written as the velocity of a further coordinate s of unit mass, s̈ = 2R, so that every method integrates D with its
-/// own order: q = [Q | (s, 0, 0)ᵀ], v = [Q̇ | (D, 0, 0)ᵀ].
+/// written as the velocities of further coordinates of unit mass, s̈ = 2R, so that every method integrates them with its
+/// own order: q = [Q | (s, s', 0)ᵀ], v = [Q̇ | (D, W, 0)ᵀ].
 
+#include "loads/list.h"
 #include "mechanics/constrained_system.h"
 #include "mechanics/second_order_field.h"
 #include "reduced/dissipation.h"
+#include "reduced/external_potential.h"
 
 namespace pseudorigid::reduced {
 
@@ -21,18 +24,21 @@ class DissipativeBody {
   using Workspace = typename Body::Workspace;
   static constexpr int n_constraints = Body::n_constraints;
 
-  DissipativeBody(Body body, const Dissipation& dissipation) : body_(std::move(body)), dissipation_(dissipation) {}
+  /// Of the loads, those that depend on time.
+  DissipativeBody(Body body, const Dissipation& dissipation, const loads::Loads& driving = {})
+      : body_(std::move(body)), dissipation_(dissipation), driving_(driving), driven_(loads::depend_on_time(driving)) {}
 
-  bool time_dependent() const { return mechanics::time_dependent(body_); }
-  bool velocity_dependent() const { return true; }
-  bool dissipative() const { return true; }
+  bool time_dependent() const { return driven_ || mechanics::time_dependent(body_); }
+  bool velocity_dependent() const { return dissipation_.present(); }
+  bool dissipative() const { return dissipation_.present(); }
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
     const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
     Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
     if (mechanics::Status status = body_.force(t, Q, Qdot, w, F); !status) return status;
     const double power = dissipation_.add_force(body_.reference(), Q, Qdot, F);
-    f << F, power * Eigen::Vector3d::UnitX();
+    const double given = driven_ ? add_driving(t, Q, F) : 0;
+    f << F, Eigen::Vector3d(power, given, 0);
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
@@ -69,6 +75,12 @@ class DissipativeBody {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 3); }
+  /// V_t − W
+  double driven_energy(const mechanics::VectorState<Vector>& state) const {
+    if (!driven_) return 0;
+    return ExternalPotential(loads::driving(driving_, state.t)).energy(body_.reference(), matrix(state.q)) -
+           state.v(1, 3);
+  }
   /// The state of this form that begins with (Q, Q̇).
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
@@ -78,8 +90,18 @@ class DissipativeBody {
   }
 
  private:
+  /// f ← f − ∂V_t/∂Q; returns ∂V_t/∂t.
+  double add_driving(double t, const Eigen::Matrix3d& Q, Eigen::Matrix3d& f) const {
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    ExternalPotential(loads::driving(driving_, t)).add_gradient(body_.reference(), Q, gradient);
+    f -= gradient;
+    return ExternalPotential(loads::driving_rate(driving_, t)).energy(body_.reference(), Q);
+  }
+
   Body body_;
   Dissipation dissipation_;
+  loads::Loads driving_;
+  bool driven_;
 };
 
 }  // namespace pseudorigid::reduced

@@ -33,6 +33,8 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
     o.elastic = V.elastic;
     o.gravitational = V.gravitational;
     o.external = V.external;
+    if constexpr (requires { system.driven_energy(state); })
+      if (mechanics::time_dependent(system)) o.external += system.driven_energy(state);
     o.dissipated = system.dissipated(state);
   }
   if (request.momenta) {

@@ -1,25 +1,23 @@
 #pragma once
 /// The potential energy of the pseudo-rigid body, a sum of what the scene names (Oliva 5.7.8–5.7.9):
 ///
-///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + ½ tr(T Q E₀ Qᵀ) − Vol P̄:Q
-///          stored      self-gravity          quadratic external dead traction t = P̄N per reference area,
-///                                            potential ½ xᵀTx   ∮P̄N·QX dA = Vol P̄:Q (divergence theorem)
-///                                            per mass (tide,
-///                                            centrifugal force)
+///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
+///          stored      self-gravity          of the loads, external_potential.h
 ///
 /// with a_i the semi-axes of the ellipsoid Q B, the singular values of Q S, and k = (3/5) G M². Parts that the scene
 /// does not name cost nothing but a branch. A body asks for V per reference volume, as it asks a material law for W:
 ///
-///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + T Q E₀] − P̄
+///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
 
 #include <Eigen/Dense>
 #include <optional>
 #include <string_view>
 #include <variant>
 
+#include "loads/forcing.h"
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
-#include "mechanics/by_name.h"
+#include "reduced/external_potential.h"
 #include "reduced/reference_body.h"
 #include "reduced/self_gravity.h"
 
@@ -31,24 +29,20 @@ struct PotentialEnergies {
   double total() const { return elastic + gravitational + external; }
 };
 
-/// What acts on the body beside its stored energy; zero leaves any of them out.
-struct PotentialLoads {
-  ByName by_name{};
-  double gravity_constant = 0;                                 ///< G
-  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
-  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄
-};
-
 class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  Potential(const materials::AnyLaw& law, const ReferenceBody& body, const PotentialLoads& loads = {})
-      : law_(law), limited_(!materials::limit_of(law).empty()), body_(body), spherical_(body.shape.isIdentity(0)) {
-    const double G = loads.gravity_constant;
+  /// Of the forcing, what has a potential in Q.
+  Potential(const materials::AnyLaw& law, const ReferenceBody& body, const loads::Forcing& forcing = {})
+      : law_(law),
+        limited_(!materials::limit_of(law).empty()),
+        body_(body),
+        external_(forcing),
+        loaded_(forcing.gravity_constant != 0 || external_.present()),
+        spherical_(body.shape.isIdentity(0)) {
+    const double G = forcing.gravity_constant;
     if (G != 0) gravity_ = SelfGravity{0.6 * G * body.mass * body.mass};
-    if (!loads.quadratic.isZero(0)) quadratic_ = loads.quadratic;
-    if (!loads.nominal_traction.isZero(0)) nominal_traction_ = loads.nominal_traction;
   }
 
   /// As of a law, materials/law_limits.h.
@@ -59,7 +53,7 @@ class Potential {
   double energy(const Tensor& Q) const { return energies(materials::to_matrix(Q)).total() / body_.volume; }
   Tensor stress(const Tensor& Q) const {
     Tensor P = std::visit([&](const auto& law) { return law.stress(Q); }, law_);
-    if (gravity_ || has_external())
+    if (loaded_)
       P = materials::entrywise([](double a, double b) { return a + b; }, P,
                                materials::to_tensor(loads(materials::to_matrix(Q)) / body_.volume));
     return P;
@@ -69,8 +63,7 @@ class Potential {
     const Tensor q = materials::to_tensor(Q);
     PotentialEnergies V{.elastic = body_.volume * std::visit([&](const auto& law) { return law.energy(q); }, law_)};
     if (gravity_) V.gravitational = gravity_->energy(Q * body_.shape);
-    if (quadratic_) V.external = 0.5 * quadratic_->cwiseProduct(Q * body_.E0 * Q.transpose()).sum();
-    if (nominal_traction_) V.external -= body_.volume * nominal_traction_->cwiseProduct(Q).sum();
+    V.external = external_.energy(body_, Q);
     return V;
   }
 
@@ -84,11 +77,12 @@ class Potential {
     Eigen::Matrix3d D =
         body_.volume * materials::to_matrix(std::visit([&](const auto& law) { return law.tangent(q, h); }, law_));
     if (gravity_) D += gravity_->second_derivative(Q * body_.shape, H * body_.shape) * body_.shape.transpose();
-    if (quadratic_) D += *quadratic_ * H * body_.E0;
+    external_.add_second_derivative(body_, Q, H, D);
     return D;
   }
 
-  bool has_external() const { return quadratic_ || nominal_traction_; }
+  /// Whether a load keeps turns of space from being symmetries.
+  bool depends_on_direction() const { return external_.depends_on_direction(); }
 
   /// First Piola–Kirchhoff stress of the material alone.
   Eigen::Matrix3d material_stress(const Eigen::Matrix3d& Q) const {
@@ -101,8 +95,7 @@ class Potential {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);
     if (gravity_ && !spherical_) f = gravity_->gradient(Q * body_.shape) * body_.shape.transpose();
-    if (quadratic_) f += *quadratic_ * Q * body_.E0;
-    if (nominal_traction_) f -= body_.volume * *nominal_traction_;
+    external_.add_gradient(body_, Q, f);
     return f;
   }
 
@@ -110,7 +103,8 @@ class Potential {
   bool limited_;
   ReferenceBody body_;
   std::optional<SelfGravity> gravity_;
-  std::optional<Eigen::Matrix3d> quadratic_, nominal_traction_;
+  ExternalPotential external_;
+  bool loaded_;     // there is more than stored energy
   bool spherical_;  // S = Id
 };
 

@@ -142,7 +142,7 @@ class PseudoRigidBody {
   /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which
   /// is a symmetry if E₀ ∝ Id and the law is isotropic. External loads leave the turns of space that leave them
   /// unchanged, of which methods need not know.
-  int n_symmetries() const { return has_external_potential() ? 0 : isotropic_ ? 6 : 3; }
+  int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
     if (i < 3) {
@@ -187,8 +187,8 @@ class PseudoRigidBody {
   using Tensor = materials::Tensor<double>;
   static constexpr bool has_parts = requires(const EnergyDensity density, Eigen::Matrix3d Q) { density.energies(Q); };
 
-  bool has_external_potential() const {
-    if constexpr (has_parts) return density_.has_external();
+  bool depends_on_direction() const {
+    if constexpr (has_parts) return density_.depends_on_direction();
     return false;
   }
 

@@ -10,17 +10,11 @@
 #include <utility>
 #include <vector>
 
-#include "scene/entry_kinds.h"
-#include "scene/unit.h"
+#include "entries/about.h"
+#include "entries/entry_kinds.h"
+#include "entries/unit.h"
 
 namespace pseudorigid::scene {
-
-/// Path ("Section/Entry"), unit and documentation in full sentences.
-struct About {
-  std::string_view path;
-  Unit unit;
-  std::string_view documentation;
-};
 
 /// A kind of values (entry_kinds.h) that a text can have, whatever the type of the value: the text itself, in its
 /// canonical form, is what the scene keeps.

@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
+#include "entries/entry_kinds.h"
 #include "scene/catalogue.h"
-#include "scene/entry_kinds.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {

@@ -1,7 +1,8 @@
 #pragma once
-/// Every entry of a parameter file, in one place: name, member of Scene, kind with range, unit and documentation; the
-/// default is the member's own in scene/scene.h. Reading, range checks, used.prm, the suggestions for misspelt names
-/// and all formats of `pseudorigid parameters` derive from here. A new entry is a member of Scene and one call below.
+/// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation; the default is the
+/// member's own in scene/scene.h. Those of a load are with the load, src/loads/. Reading, range checks, used.prm, the
+/// suggestions for misspelt names and all formats of `pseudorigid parameters` derive from here. A new entry is a member
+/// of Scene and one call below.
 
 #include <concepts>
 #include <string_view>
@@ -108,27 +109,7 @@ void visit_material(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_loads(S& scene, Visit& visit) {
-  visit(scene.dissipation.viscosity, not_negative,
-        About{"Material/Viscosity", "pressure*time",
-              "eta of the objective (Kelvin-Voigt) viscosity, Cauchy stress 2 eta d with d the symmetric velocity "
-              "gradient; it leaves rigid motions alone and keeps the angular momentum."});
-  visit(scene.dissipation.drag, not_negative,
-        About{"Material/Drag", "1/time",
-              "c of the force -c (density) (velocity) per volume; it damps every motion, rigid ones as well."});
-  visit(scene.gravity_constant, not_negative,
-        About{"Gravity/Constant", "length^3/mass/time^2",
-              "Newton's constant G: the body attracts itself. 0: it does not."});
-  visit(scene.loads.quadratic, Matrix{},
-        About{"Loads/Tidal matrix", "1/time^2",
-              "Symmetric T of the external potential energy x^T T x/2 per mass: a tide, a centrifugal force, a trap."});
-  visit(scene.loads.acceleration, Numbers{3},
-        About{"Loads/Acceleration", "length/time^2",
-              "Uniform acceleration b; it moves the centre of mass and has the energy -b.x per mass."});
-  visit(scene.loads.nominal_traction, Matrix{},
-        About{"Loads/Nominal traction", "pressure",
-              "Dead traction on the surface: the matrix P of a constant nominal (first Piola-Kirchhoff) stress, which "
-              "gives the traction P N per undeformed area on the surface with the undeformed normal N, the same vector "
-              "however the body moves. Its energy is -P : F per undeformed volume."});
+  loads::visit_entries(scene.loads, visit);
 }
 
 template <SceneOrConst S, class Visit>

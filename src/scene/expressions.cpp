@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "scene/entry_kinds.h"
+#include "entries/entry_kinds.h"
+#include "entries/wording.h"
 #include "scene/user_error.h"
-#include "scene/wording.h"
 
 namespace pseudorigid::scene {
 namespace {

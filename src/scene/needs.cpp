@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "scene/discretization.h"
 #include "scene/entries.h"
-#include "scene/matrix3.h"
 #include "scene/models.h"
 #include "scene/scales.h"
 
@@ -34,6 +34,14 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
                  : "discretisation error: Continuum/Error estimate is none; no companion run");
 }
 
+loads::BodyFacts facts_of_body(const Scene& scene) {
+  const auto& [radius, density, incompressible, a, inertia] = scene.body;
+  const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];
+  const double ellipsoid = density * volume * radius * radius * (a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) / 5;
+  const double trace = inertia ? (*inertia)[0][0] + (*inertia)[1][1] + (*inertia)[2][2] : ellipsoid;
+  return {.incompressible = incompressible, .volume_by_inertia = 3 * volume / trace};
+}
+
 void describe_models(const Scene& scene, Needs& needs) {
   for (const ModelDescription& model : catalogue_of(scene).models)
     if (std::ranges::find(needs.models, &model) != needs.models.end())
@@ -48,14 +56,12 @@ void describe_models(const Scene& scene, Needs& needs) {
                          scene.continuum.degree ? fmt::format("degree {}", *scene.continuum.degree - 1)
                                                 : "one degree less than the displacement"),
              "pressure space: the body is compressible");
-  const bool loaded = largest_entry(scene.loads.quadratic) != 0;
-  const bool pulled = largest_entry(scene.loads.nominal_traction) != 0;
-  sort_out(needs, scene.gravity_constant != 0, "self-gravity of the ellipsoid",
-           "self-gravity: Gravity/Constant is 0; no elliptic integrals");
-  sort_out(needs, loaded, "quadratic external potential", "external potential: Loads/Tidal matrix is 0");
-  sort_out(needs, pulled, "dead traction on the surface", "traction: Loads/Nominal traction is 0");
-  sort_out(needs, scene.dissipation.viscosity != 0 || scene.dissipation.drag != 0,
-           "dissipation, and the energy that it takes", "dissipation: neither viscosity nor drag");
+  const loads::BodyFacts facts = facts_of_body(scene);
+  scene.loads.for_each([&]<class L>(const L& load) {
+    if (!L::skipped.empty()) sort_out(needs, loads::present(load), load.needed(facts), std::string(L::skipped));
+  });
+  sort_out(needs, loads::constant_forcing(scene.loads).dissipative(), "dissipation, and the energy that it takes",
+           "dissipation: neither viscosity nor drag");
   sort_out(needs, needs.comparison,
            fmt::format("comparison of the {} models",
                        needs.models.size() == 2 ? "two" : std::to_string(needs.models.size())),

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "entries/wording.h"
 #include "scene/entries.h"
-#include "scene/wording.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -154,7 +154,8 @@ std::string as_markdown(const Scene& scene) {
     text += fmt::format("| `{}` | {} | {} | {} | {} |\n", entry, value.empty() ? "" : "`" + cell(value) + "`",
                         cell(kind.expected()), cell(about.unit), cell(about.documentation));
   });
-  return text + models_table(catalogue_of(scene)) + methods_table(catalogue_of(scene)) + columns_tables(catalogue_of(scene));
+  return text + models_table(catalogue_of(scene)) + methods_table(catalogue_of(scene)) +
+         columns_tables(catalogue_of(scene));
 }
 
 std::string as_json(const Scene& scene) {

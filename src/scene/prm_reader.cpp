@@ -7,8 +7,8 @@
 #include <fstream>
 #include <vector>
 
+#include "entries/wording.h"
 #include "scene/user_error.h"
-#include "scene/wording.h"
 
 namespace pseudorigid::scene {
 namespace {

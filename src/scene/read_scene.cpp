@@ -7,11 +7,11 @@
 #include <type_traits>
 #include <utility>
 
+#include "entries/wording.h"
 #include "scene/entries.h"
 #include "scene/expressions.h"
 #include "scene/prm_reader.h"
 #include "scene/user_error.h"
-#include "scene/wording.h"
 
 namespace pseudorigid::scene {
 namespace {

@@ -13,8 +13,8 @@
 #include <numbers>
 #include <optional>
 
+#include "entries/matrix3.h"
 #include "scene/catalogue.h"
-#include "scene/matrix3.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::scene {
@@ -22,22 +22,29 @@ namespace pseudorigid::scene {
 inline bool is_fluid(const Scene& scene) { return scene.material.law == Law::none; }
 
 /// Whether nothing acts on the ball but its elasticity and its pressure.
-inline bool is_free(const Scene& scene) {
-  const auto& [quadratic, acceleration, nominal_traction] = scene.loads;
-  return largest_entry(quadratic) == 0 && largest_entry(nominal_traction) == 0 &&
-         acceleration == std::vector<double>{0, 0, 0} && scene.gravity_constant == 0 &&
-         scene.dissipation.viscosity == 0 && scene.dissipation.drag == 0;
+inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }
+
+/// The largest rate at which a load by itself moves the body, apart from self-gravity.
+inline double rate_of_loads(const Scene& scene) {
+  const double inertia = scene.body.density * scene.body.radius * scene.body.radius;
+  double rate = 0;
+  const loads::Loads acting = scene.body.incompressible ? loads::at_constant_volume(scene.loads) : scene.loads;
+  acting.for_each([&](const auto& load) {
+    const loads::Forcing forcing = loads::largest_forcing(load);
+    rate = std::max({rate, std::sqrt(forcing.quadratic.cwiseAbs().maxCoeff()),
+                     std::sqrt(forcing.nominal_traction.cwiseAbs().maxCoeff() / inertia),
+                     std::sqrt(std::abs(forcing.pressure) / inertia)});
+  });
+  return rate;
 }
 
 inline double time_scale(const Scene& scene) {
   const auto& body = scene.body;
-  const double gravity = std::numbers::pi * scene.gravity_constant * body.density;
+  const double gravity = std::numbers::pi * loads::constant_forcing(scene.loads).gravity_constant * body.density;
   if (!is_fluid(scene) && gravity == 0) return body.radius * std::sqrt(body.density / scene.material.shear_modulus);
   const double stiffness =
       is_fluid(scene) ? 0 : scene.material.shear_modulus / (body.density * body.radius * body.radius);
-  const double traction = largest_entry(scene.loads.nominal_traction) / (body.density * body.radius * body.radius);
-  const double rate =
-      std::max({std::sqrt(stiffness + gravity), std::sqrt(largest_entry(scene.loads.quadratic)), std::sqrt(traction)});
+  const double rate = std::max(std::sqrt(stiffness + gravity), rate_of_loads(scene));
   if (rate > 0) return 1 / rate;
   const double motion = largest_entry(scene.initial_state.velocity);
   return motion > 0 ? 1 / motion : scene.time.end;

@@ -2,20 +2,17 @@
 /// What a parameter file says, as plain values with their defaults. The entries themselves (names, ranges, units,
 /// documentation) live in one place, scene/entries.h.
 
-#include <array>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "entries/entry_kinds.h"
+#include "loads/list.h"
 #include "scene/sweep.h"
 
 namespace pseudorigid::scene {
-
-/// Row-major 3×3 matrix; the scene layer needs no linear algebra library.
-using Matrix3 = std::array<std::array<double, 3>, 3>;
-inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 enum class Analysis { motion, modes, equilibrium };
 enum class Law {
@@ -66,8 +63,6 @@ struct Catalogue;
 
 /// The values of the entries `System` and `Time/Method` that stand for none of the catalogue.
 inline constexpr std::string_view ball = "ball", automatic = "auto";
-/// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
-inline constexpr std::string_view builtin_mesh = "builtin";
 
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
@@ -86,15 +81,7 @@ struct Scene {
     Law law = Law::neo_hookean;
     double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5, gent_limit = 10;
   } material;
-  struct Dissipation {
-    double viscosity = 0, drag = 0;
-  } dissipation;  ///< entries of Material
-  double gravity_constant = 0;
-  struct Loads {
-    Matrix3 quadratic{};                        ///< T, per time²
-    std::vector<double> acceleration{0, 0, 0};  ///< b
-    Matrix3 nominal_traction{};                 ///< P̄
-  } loads;
+  loads::Loads loads;  ///< src/loads/, where their entries are
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀
     Matrix3 velocity{};               ///< Q̇₀, per time

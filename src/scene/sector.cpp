@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
-#include "scene/entry_kinds.h"
+#include "entries/about.h"
+#include "entries/entry_kinds.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -18,14 +21,24 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
+/// The values of an entry type of the loads, by path.
+template <class Value>
+std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& scene) {
+  std::vector<std::pair<std::string_view, const Value*>> found;
+  loads::visit_entries(scene.loads, [&](const auto& member, const auto&, const About& about) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Value>) found.emplace_back(about.path, &member);
+  });
+  return found;
+}
+
 /// As breaks_plane, of what moves Q: it is apart from the centre of mass.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
-  const std::pair<const char*, const Matrix3*> matrices[] = {
+  std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},
       {"Initial state/Velocity", &scene.initial_state.velocity},
-      {"Body/Inertia", scene.body.inertia ? &*scene.body.inertia : nullptr},
-      {"Loads/Tidal matrix", &scene.loads.quadratic},
-      {"Loads/Nominal traction", &scene.loads.nominal_traction}};
+      {"Body/Inertia", scene.body.inertia ? &*scene.body.inertia : nullptr}};
+  const auto of_load = of_loads<Matrix3>(scene);
+  matrices.insert(matrices.end(), of_load.begin(), of_load.end());
   for (const auto& [path, matrix] : matrices)
     for (int j = 0; matrix && j < 3; ++j)
       for (const auto& [row, column] : {std::pair{i, j}, std::pair{j, i}})
@@ -75,10 +88,10 @@ std::array<bool, 3> planes_of(Symmetry symmetry) {
 std::optional<std::string> breaks_plane(const Scene& scene, int i) {
   if (auto reason = matrix_breaks_plane(scene, i)) return reason;
   const auto& initial = scene.initial_state;
-  const std::pair<const char*, const std::vector<double>*> vectors[] = {
-      {"Initial state/Center", &initial.center},
-      {"Initial state/Center velocity", &initial.center_velocity},
-      {"Loads/Acceleration", &scene.loads.acceleration}};
+  std::vector<std::pair<std::string_view, const std::vector<double>*>> vectors{
+      {"Initial state/Center", &initial.center}, {"Initial state/Center velocity", &initial.center_velocity}};
+  const auto of_load = of_loads<std::vector<double>>(scene);
+  vectors.insert(vectors.end(), of_load.begin(), of_load.end());
   for (const auto& [path, vector] : vectors)
     if (const double entry = (*vector)[i]; entry != 0)
       return fmt::format("entry {} of {} is {}", i + 1, path, print_number(entry));

@@ -1,8 +1,8 @@
 #pragma once
 /// Which sector of the ball has to be computed. A motion x = x_c + Q(t) X + … keeps the coordinate plane with normal
 /// e_i as a symmetry plane if the reflection S_i = Id - 2 e_i e_i^T leaves the initial state and the loads as they are:
-/// S_i A S_i = A for the matrices Q0, Qdot0, E0, the tidal matrix and the nominal traction, that is, their entries
-/// (i,j) and (j,i), j != i, are zero; and S_i a = a for the centre of mass, its velocity and the acceleration, a_i = 0.
+/// S_i A S_i = A for the matrices Q0, Qdot0, E0 and those of the loads, that is, their entries (i,j) and (j,i), j != i,
+/// are zero; and S_i a = a for the centre of mass, its velocity and the vectors of the loads, a_i = 0.
 
 #include <array>
 #include <optional>

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "scene/entry_kinds.h"
-#include "scene/wording.h"
+#include "entries/entry_kinds.h"
+#include "entries/wording.h"
 
 namespace pseudorigid::scene {
 namespace {

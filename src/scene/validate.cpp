@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "entries/entry_kinds.h"
+#include "entries/matrix3.h"
+#include "entries/units.h"
 #include "scene/discretization.h"
 #include "scene/entries.h"
-#include "scene/entry_kinds.h"
-#include "scene/matrix3.h"
 #include "scene/models.h"
 #include "scene/scales.h"
 #include "scene/user_error.h"
@@ -157,12 +159,10 @@ class Validator {
   void check_equilibrium() const {
     if (scene_.body.inertia || scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse("Body/Semi-axes", "relative equilibria are known for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
-    if (largest_entry(scene_.loads.quadratic) != 0)
-      refuse("Loads/Tidal matrix", "relative equilibria are known without external potential");
-    if (largest_entry(scene_.loads.nominal_traction) != 0)
-      refuse("Loads/Nominal traction", "relative equilibria are known without traction");
-    if (scene_.dissipation.drag != 0) refuse("Material/Drag", "drag leaves no relative equilibrium");
-    if (is_fluid(scene_) && scene_.gravity_constant == 0)
+    scene_.loads.for_each([&]<class L>(const L& load) {
+      if (!L::no_equilibria.empty() && loads::present(load)) refuse(first_entry(load), std::string(L::no_equilibria));
+    });
+    if (is_fluid(scene_) && !loads::present(scene_.loads.get<loads::SelfGravity>()))
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
   }
 
@@ -211,30 +211,41 @@ class Validator {
     if (!definite)
       refuse("Body/Inertia",
              "expected a positive definite matrix with a condition number up to 1e12, got " + print_matrix(E0));
-    if (scene_.gravity_constant != 0)
+    if (loads::present(scene_.loads.get<loads::SelfGravity>()))
       refuse("Body/Inertia", "self-gravity is known for ellipsoids only; set Inertia = auto and give the Semi-axes");
   }
 
+  static double largest(double value) { return std::abs(value); }
+  static double largest(const std::vector<double>& v) {
+    return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  }
+  static double largest(const Matrix3& A) { return largest_entry(A); }
+
+  template <class L>
+  static std::string first_entry(const L& load) {
+    std::string path;
+    const auto note = [&](const auto&, const auto&, const About& about) {
+      if (path.empty()) path = about.path;
+    };
+    L::visit_entries(load, note);
+    return path;
+  }
+
   void check_loads() const {
-    require_symmetric("Loads/Tidal matrix", scene_.loads.quadratic);
-    const auto& loads = scene_.loads;
-    const double t = time_unit(), length = scene_.body.radius;
-    const auto require_moderate = [&](const char* path, double value, double unit) {
-      if (!(value / unit <= largest_stretch))
-        refuse(path, fmt::format("expected values up to {} in the body's own units, got {}",
-                                 print_number(largest_stretch * unit), print_number(value)));
+    const io::Units units = io::ball_units(scene_.body.radius, scene_.body.density, time_unit());
+    const auto require_moderate = [&](std::string_view path, double value, Unit unit) {
+      if (!(units.to_internal(value, unit) <= largest_stretch))
+        refuse(std::string(path),
+               fmt::format("expected values up to {} in the body's own units, got {}",
+                           print_number(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
-    const auto largest = [](const std::vector<double>& v) {
-      return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-    };
-    require_moderate("Loads/Tidal matrix", largest_entry(loads.quadratic), 1 / (t * t));
-    require_moderate("Loads/Nominal traction", largest_entry(loads.nominal_traction),
-                     scene_.body.density * length * length / (t * t));
-    require_moderate("Loads/Acceleration", largest(loads.acceleration), length / (t * t));
-    require_moderate("Initial state/Center", largest(scene_.initial_state.center), length);
-    require_moderate("Initial state/Center velocity", largest(scene_.initial_state.center_velocity), length / t);
-    require_moderate("Material/Viscosity", scene_.dissipation.viscosity, scene_.body.density * length * length / t);
-    require_moderate("Material/Drag", scene_.dissipation.drag, 1 / t);
+    loads::visit_entries(scene_.loads, [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
+      if constexpr (requires { kind.symmetric; })
+        if (kind.symmetric) require_symmetric(std::string(about.path).c_str(), member);
+      require_moderate(about.path, largest(member), about.unit);
+    });
+    require_moderate("Initial state/Center", largest(scene_.initial_state.center), "length");
+    require_moderate("Initial state/Center velocity", largest(scene_.initial_state.center_velocity), "length/time");
   }
 
   void require_symmetric(const char* path, const Matrix3& A) const {

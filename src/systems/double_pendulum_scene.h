@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/chart_field.h"
 #include "mechanics/chart_landscape.h"
 #include "mechanics/constrained_landscape.h"
-#include "scene/entry_kinds.h"
 #include "systems/double_pendulum.h"
 #include "systems/double_pendulum_chart.h"
 #include "systems/system_scene.h"

@@ -15,8 +15,8 @@
 #include <numbers>
 #include <utility>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/chart_field.h"
-#include "scene/entry_kinds.h"
 #include "systems/surfaces.h"
 #include "systems/system_scene.h"
 

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/dormand_prince_8.h"
 #include "mechanics/jacobi_metric.h"
-#include "scene/entry_kinds.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::systems {

@@ -14,8 +14,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/constrained_landscape.h"
-#include "scene/entry_kinds.h"
 #include "systems/mass_points.h"
 #include "systems/system_scene.h"
 

@@ -12,7 +12,7 @@
 #include <initializer_list>
 #include <utility>
 
-#include "scene/entry_kinds.h"
+#include "entries/entry_kinds.h"
 #include "systems/moving_frame.h"
 #include "systems/system_scene.h"
 

@@ -11,8 +11,8 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/constrained_landscape.h"
-#include "scene/entry_kinds.h"
 #include "systems/euler_angles.h"
 #include "systems/euler_top.h"
 #include "systems/mass_distribution.h"

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/chart_field.h"
 #include "mechanics/chart_landscape.h"
-#include "scene/entry_kinds.h"
 #include "systems/system_scene.h"
 #include "systems/torus.h"
 

@@ -15,8 +15,8 @@ scene::Scene diagonal_scene() {
   scene.initial_state.deformation = {{{1.25, 0, 0}, {0, 1, 0}, {0, 0, 0.8}}};
   scene.initial_state.velocity = {{{0.25, 0, 0}, {0, -0.2, 0}, {0, 0, 0}}};
   scene.body.inertia = scene::Matrix3{{{1, 0, 0}, {0, 1.2, 0}, {0, 0, 1.1}}};
-  scene.loads.quadratic = {{{0.3, 0, 0}, {0, 0.1, 0}, {0, 0, -0.2}}};
-  scene.loads.nominal_traction = {{{0.1, 0, 0}, {0, 0.2, 0}, {0, 0, 0.3}}};
+  scene.loads = {loads::Tide{{{{0.3, 0, 0}, {0, 0.1, 0}, {0, 0, -0.2}}}},
+                 loads::Traction{{{{0.1, 0, 0}, {0, 0.2, 0}, {0, 0, 0.3}}}}};
   return scene;
 }
 
@@ -26,7 +26,8 @@ TEST(ReducedForm, IsDiagonalOnlyWhereEveryMatrixIs) {
   EXPECT_EQ(form_of_scene(diagonal_scene()), ReducedForm::diagonal);
   const auto matrices = [](scene::Scene& s) {
     return std::vector<scene::Matrix3*>{&s.initial_state.deformation, &s.initial_state.velocity, &*s.body.inertia,
-                                        &s.loads.quadratic, &s.loads.nominal_traction};
+                                        &s.loads.get<loads::Tide>().tensor,
+                                        &s.loads.get<loads::Traction>().nominal_stress};
   };
   for (std::size_t which = 0; which < 5; ++which)
     for (std::size_t i = 0; i < 3; ++i)
@@ -43,15 +44,15 @@ TEST(ReducedForm, IsDiagonalWhereverTheCentreOfMassGoes) {
   scene::Scene scene = diagonal_scene();
   scene.initial_state.center = {1, 2, 3};
   scene.initial_state.center_velocity = {-1, 0.5, 2};
-  scene.loads.acceleration = {0.1, 0.2, -9.81};
+  scene.loads.get<loads::Acceleration>().acceleration = {0.1, 0.2, -9.81};
   EXPECT_EQ(form_of_scene(scene), ReducedForm::diagonal);
 }
 
 /// Two loads whose forces cancel at the start, T₁₂ E₀ = Vol P̄₁₂, are not absent.
 TEST(ReducedForm, IsNotDiagonalWhereLoadsBalanceAtTheStart) {
   scene::Scene scene = scene::default_scene(program_catalogue());
-  scene.loads.quadratic = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}};
-  scene.loads.nominal_traction = {{{0, 0.2, 0}, {0.2, 0, 0}, {0, 0, 0}}};
+  scene.loads = {loads::Tide{{{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}}},
+                 loads::Traction{{{{0, 0.2, 0}, {0.2, 0, 0}, {0, 0, 0}}}}};
   scene.initial_state.velocity = {{{0.1, 0, 0}, {0, -0.1, 0}, {0, 0, 0}}};
   const ReducedScene reduced = reduced_scene(scene);
   const auto body = general_body<true>(reduced);
@@ -66,9 +67,9 @@ TEST(ReducedForm, IsElasticForStoredEnergyAlone) {
   scene::Scene scene = scene::default_scene(program_catalogue());
   scene.initial_state.velocity = {{{0, 0.1, 0}, {0, 0, 0}, {0, 0, 0}}};
   EXPECT_EQ(form_of_scene(scene), ReducedForm::elastic);
-  scene.gravity_constant = 1e-12;
+  scene.loads.get<loads::SelfGravity>().constant = 1e-12;
   EXPECT_EQ(form_of_scene(scene), ReducedForm::general);
-  scene.dissipation.drag = 1e-12;
+  scene.loads.get<loads::Drag>().drag = 1e-12;
   EXPECT_EQ(form_of_scene(scene), ReducedForm::dissipative);
 }
 

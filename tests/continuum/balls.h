@@ -6,12 +6,12 @@
 #include <random>
 
 #include "continuum/observe.h"
+#include "loads/list.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
 
 using continuum::BallBody;
-using continuum::BallLoads;
 using continuum::CompressibleBall;
 using continuum::ElasticBall;
 using continuum::Sector;
@@ -69,20 +69,32 @@ inline Matrix3d moment_of_force(const BallBody& ball, const continuum::Vector& f
   return ball.nodal_moment(a, ball.space().reference_positions());
 }
 
-/// Loads of every kind.
-inline BallLoads all_loads() {
-  BallLoads loads{.viscosity = 0.07, .drag = 0.11};
-  loads.quadratic << 0.6, 0.1, 0, 0.1, 0.3, -0.15, 0, -0.15, 0.2;
-  loads.acceleration << 0.3, -0.2, 0.1;
-  loads.nominal_traction << 0.4, 0.1, -0.2, 0.3, -0.1, 0.15, 0.05, -0.25, 0.2;
-  return loads;
+inline bool admits_entry(const Sector& sector, int i, int j) {
+  return i == j || !(sector.reflect[i] || sector.reflect[j]);
 }
-/// Those of them that a sector admits.
-inline BallLoads admissible(const Sector& sector, BallLoads loads) {
-  loads.quadratic = admissible(sector, loads.quadratic);
-  loads.nominal_traction = admissible(sector, loads.nominal_traction);
-  for (int i = 0; i < 3; ++i)
-    if (sector.reflect[i]) loads.acceleration[i] = 0;
+
+/// Every load of the list that finite elements know, with irregular values; of them what a sector admits.
+inline loads::Loads all_loads(const Sector& sector = whole) {
+  loads::Loads loads;
+  int n = 0;
+  const auto next = [&n] { return std::cos(1.0 + 2.3 * ++n); };
+  loads::visit_entries(loads, [&]<class Value, class Kind>(Value& member, const Kind& kind, const scene::About&) {
+    if constexpr (std::is_same_v<Value, double>) {
+      member = 0.1 + 0.03 * next();
+    } else if constexpr (std::is_same_v<Value, scene::Matrix3>) {
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const double entry = 0.3 * next();
+          if (admits_entry(sector, i, j)) member[i][j] = entry;
+        }
+      if (kind.symmetric)
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < i; ++j) member[i][j] = member[j][i];
+    } else {
+      for (int i = 0; i < 3; ++i) member[i] = sector.reflect[i] ? 0 : 0.3 * next();
+    }
+  });
+  loads.get<loads::SelfGravity>() = {};
   return loads;
 }
 

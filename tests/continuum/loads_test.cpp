@@ -21,13 +21,13 @@ inline constexpr bool incompressible = std::is_same_v<Ball, ElasticBall>;
 
 /// The ball's pseudo-rigid twin, with the inertia, volume and mass of its mesh.
 template <class Ball>
-auto twin_of(const Ball& ball, const materials::AnyLaw& law, const BallLoads& loads) {
+auto twin_of(const Ball& ball, const materials::AnyLaw& law, loads::Loads loads) {
+  if (incompressible<Ball>) loads = loads::at_constant_volume(loads);
+  const loads::Forcing forcing = loads::constant_forcing(loads);
   const reduced::ReferenceBody reference{ball.E0(), ball.volume(), ball.mass()};
   using Body = reduced::PseudoRigidBody<reduced::Potential, incompressible<Ball>>;
-  return reduced::DissipativeBody<Body>(
-      {reduced::Potential(law, reference, {.quadratic = loads.quadratic, .nominal_traction = loads.nominal_traction}),
-       reference},
-      {.viscosity = loads.viscosity, .drag = loads.drag});
+  return reduced::DissipativeBody<Body>({reduced::Potential(law, reference, forcing), reference},
+                                        reduced::Dissipation::of(forcing), loads);
 }
 
 template <class Ball>
@@ -36,41 +36,45 @@ class LoadedTwin : public ::testing::Test {
   static constexpr double tolerance = 1e-12;
 
   /// The ball and its twin at one state: moment and resultant of the force, power, energies.
-  void compare(const Ball& ball, const materials::AnyLaw& law, const BallLoads& loads, std::mt19937& generator) {
+  void compare(const Ball& ball, const materials::AnyLaw& law, const loads::Loads& loads, std::mt19937& generator) {
     const Sector& sector = ball.space().mesh().sector();
     const Matrix3d Q = admissible(sector, Matrix3d::Identity() + 0.3 * random_matrix(generator));
     const Matrix3d Qdot = admissible(sector, random_matrix(generator));
     Vector3d center = random_matrix(generator).col(0), velocity = random_matrix(generator).col(0);
     for (int i = 0; i < 3; ++i)
       if (sector.reflect[i]) center[i] = velocity[i] = 0;
-    const continuum::BallState state{0, ball.affine_field(Q, center), ball.affine_field(Qdot, velocity)};
+    const double t = 0.4;
+    const continuum::BallState state{t, ball.affine_field(Q, center), ball.affine_field(Qdot, velocity)};
 
     const auto twin = twin_of(ball, law, loads);
-    const auto twin_state = twin.state_of({0, Q, Qdot});
+    const auto twin_state = twin.state_of({t, Q, Qdot});
     typename std::decay_t<decltype(twin)>::Workspace twin_workspace;
     auto expected = twin.make_vector();
-    ASSERT_TRUE(twin.force(0, twin_state.q, twin_state.v, twin_workspace, expected));
+    ASSERT_TRUE(twin.force(t, twin_state.q, twin_state.v, twin_workspace, expected));
     auto workspace = ball.make_workspace();
     Vector f = ball.make_vector();
-    ASSERT_TRUE(ball.force(0, state.q, state.v, workspace, f));
+    ASSERT_TRUE(ball.force(t, state.q, state.v, workspace, f));
     const Matrix3d moment = twin.matrix(expected);
     EXPECT_LT((moment_of_force(ball, f) - moment).norm(), tolerance * (1 + moment.norm()));
 
     ball.apply_inverse_mass(f, f);
+    loads::Forcing forcing = loads::constant_forcing(loads);
+    forcing += loads::driving(loads, t);
     const Vector3d center_acceleration =
-        loads.acceleration - loads.quadratic * center - loads.drag * velocity;  // center_of_mass.h
+        forcing.acceleration - forcing.quadratic * center - forcing.drag * velocity;  // center_of_mass.h
     EXPECT_LT((ball.mean(f) - center_acceleration).norm(), tolerance);
-    const double drag_on_center = loads.drag * ball.mass() * velocity.squaredNorm();
+    const double drag_on_center = forcing.drag * ball.mass() * velocity.squaredNorm();
     EXPECT_NEAR(ball.dissipated(f), expected(0, 3) + drag_on_center, tolerance * (1 + expected(0, 3)));
+    const loads::Forcing rate = loads::driving_rate(loads, t);
+    const double given_to_center =
+        ball.mass() * (0.5 * center.dot(rate.quadratic * center) - rate.acceleration.dot(center));
+    EXPECT_NEAR(ball.given(f), expected(1, 3) + given_to_center, tolerance * (1 + std::abs(expected(1, 3))));
 
     const auto o = observed(ball, state, {.multiplier = false});
     mechanics::ReducedObservables of_twin;
     ASSERT_TRUE(reduced::observe(twin, twin_state, twin_workspace, {.multiplier = false}, of_twin));
-    const reduced::CenterOfMass at_center{.position = center,
-                                          .velocity = velocity,
-                                          .acceleration = loads.acceleration,
-                                          .quadratic = loads.quadratic,
-                                          .drag = loads.drag};
+    const reduced::CenterOfMass at_center{
+        .position = center, .velocity = velocity, .acceleration = forcing.acceleration, .quadratic = forcing.quadratic};
     EXPECT_NEAR(o.elastic, of_twin.elastic, tolerance * (1 + std::abs(of_twin.elastic)));
     EXPECT_NEAR(o.external, of_twin.external + ball.mass() * at_center.potential({center, velocity}), tolerance * 10);
     EXPECT_NEAR(o.kinetic, of_twin.kinetic + 0.5 * ball.mass() * velocity.squaredNorm(), tolerance * 10);
@@ -86,21 +90,18 @@ TYPED_TEST_SUITE(LoadedTwin, BothBalls);
 
 TYPED_TEST(LoadedTwin, EveryLawUnderEachLoadAndAllOfThem) {
   std::mt19937 generator(1);
-  const BallLoads all = all_loads();
-  const BallLoads cases[] = {{},
-                             {.quadratic = all.quadratic},
-                             {.acceleration = all.acceleration},
-                             {.nominal_traction = all.nominal_traction},
-                             {.viscosity = all.viscosity},
-                             {.drag = all.drag},
-                             all};
+  const loads::Loads all = all_loads();
+  std::vector<loads::Loads> cases{{}, all};
+  all.for_each([&](const auto& load) {
+    if (loads::present(load)) cases.emplace_back(load);
+  });
   for (const auto& law : materials::law_table) {
     if (law.name == "none") continue;
     const materials::AnyLaw made = law.make({.shear_modulus = 1.3,
                                              .lame_lambda = 0.8,
                                              .incompressible = incompressible<TypeParam>,
                                              .mooney_fraction = 0.3});
-    for (const BallLoads& loads : cases) {
+    for (const loads::Loads& loads : cases) {
       SCOPED_TRACE(law.name);
       const TypeParam ball(whole, 2, 0, made, loads);
       this->compare(ball, made, loads, generator);
@@ -113,25 +114,43 @@ TYPED_TEST(LoadedTwin, SectorsDegreesAndRefinedMeshes) {
   const materials::AnyLaw law = ciarlet_geymonat;
   for (const Sector& sector : all_sectors)
     for (int degree = incompressible<TypeParam> ? 2 : 1; degree <= 6; ++degree) {
-      const BallLoads loads = admissible(sector, all_loads());
+      const loads::Loads loads = all_loads(sector);
       this->compare(TypeParam(sector, degree, 0, law, loads), law, loads, generator);
     }
-  const BallLoads loads = admissible(octant, all_loads());
+  const loads::Loads loads = all_loads(octant);
   this->compare(TypeParam(octant, 3, 1, law, loads), law, loads, generator);
 }
 
 TYPED_TEST(LoadedTwin, NothingOfTheLoadsIsThereWithoutThem) {
-  const TypeParam plain(octant, 2, 0, neo_hookean), loaded(octant, 2, 0, neo_hookean, {.drag = 0.1});
+  const TypeParam plain(octant, 2, 0, neo_hookean), loaded(octant, 2, 0, neo_hookean, {loads::Drag{0.1}});
   EXPECT_FALSE(plain.dissipative() || plain.velocity_dependent() || plain.space().account());
   EXPECT_TRUE(loaded.dissipative() && loaded.velocity_dependent());
   EXPECT_EQ(loaded.make_vector().size(), plain.make_vector().size() + 3);
 }
 
-/// A compressible ball under all loads, away from affine states, and one step of RATTLE.
+scene::Matrix3 rows(const Matrix3d& A) {
+  scene::Matrix3 result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result[i][j] = A(i, j);
+  return result;
+}
+
+/// A compressible ball under loads of every kind, away from affine states, and one step of RATTLE.
 struct LoadedStep : ::testing::Test {
   static constexpr double h = 0.002;  // the viscous iteration converges
-  const BallLoads loads = all_loads();
-  const CompressibleBall ball{whole, 3, 0, neo_hookean, loads};
+  const loads::Forcing loads{
+      .quadratic = (Matrix3d() << 0.6, 0.1, 0, 0.1, 0.3, -0.15, 0, -0.15, 0.2).finished(),
+      .acceleration = Vector3d(0.3, -0.2, 0.1),
+      .nominal_traction = (Matrix3d() << 0.4, 0.1, -0.2, 0.3, -0.1, 0.15, 0.05, -0.25, 0.2).finished(),
+      .viscosity = 0.07,
+      .drag = 0.11};
+  const CompressibleBall ball{
+      whole,
+      3,
+      0,
+      neo_hookean,
+      {loads::Tide{rows(loads.quadratic)}, loads::Acceleration{{0.3, -0.2, 0.1}},
+       loads::Traction{rows(loads.nominal_traction)}, loads::Viscosity{loads.viscosity}, loads::Drag{loads.drag}}};
   mechanics::RattleWorkspace<CompressibleBall> workspace{ball};
   continuum::BallState before, after;
 
@@ -209,8 +228,8 @@ TEST_F(LoadedStep, MovesTheCenterOfMassAsOnePoint) {
 
 /// The whole ball and the sectors move alike.
 TEST(LoadedSectors, MoveAsTheWholeBall) {
-  BallLoads loads = admissible(quarter, all_loads());
-  loads.viscosity = 0.03;
+  loads::Loads loads = all_loads(quarter);
+  loads.get<loads::Viscosity>().viscosity = 0.03;
   const auto end_of = [&](const Sector& sector) {
     const ElasticBall ball(sector, 2, 0, neo_hookean, loads);
     continuum::BallState start = affine_state(ball, diagonal(1.2, 1, 1 / 1.2), diagonal(0.24, 0.1, -0.3 / 1.2));

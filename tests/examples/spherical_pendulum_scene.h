@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "mechanics/constrained_landscape.h"
-#include "scene/entry_kinds.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::systems {

@@ -61,14 +61,60 @@ TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
     change(scene);
     return sector(scene).name();
   };
-  EXPECT_EQ(name([](Scene& s) { s.loads.quadratic[0][0] = 1; }), "octant");
-  EXPECT_EQ(name([](Scene& s) { s.loads.quadratic[0][1] = s.loads.quadratic[1][0] = 1; }), "half (plane z)");
-  EXPECT_EQ(name([](Scene& s) { s.loads.nominal_traction[2][2] = 1; }), "octant");
-  EXPECT_EQ(name([](Scene& s) { s.loads.nominal_traction[1][2] = 1; }), "half (plane x)");
-  EXPECT_EQ(name([](Scene& s) { s.loads.acceleration[0] = 1; }), "quarter (planes y, z)");
+  EXPECT_EQ(name([](Scene& s) { s.loads.get<loads::Tide>().tensor[0][0] = 1; }), "octant");
+  EXPECT_EQ(name([](Scene& s) {
+              s.loads.get<loads::Tide>().tensor = {{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}};
+            }),
+            "half (plane z)");
+  EXPECT_EQ(name([](Scene& s) { s.loads.get<loads::Traction>().nominal_stress[2][2] = 1; }), "octant");
+  EXPECT_EQ(name([](Scene& s) { s.loads.get<loads::Traction>().nominal_stress[1][2] = 1; }), "half (plane x)");
+  EXPECT_EQ(name([](Scene& s) { s.loads.get<loads::Acceleration>().acceleration[0] = 1; }), "quarter (planes y, z)");
   EXPECT_EQ(name([](Scene& s) { s.initial_state.center[1] = -1; }), "quarter (planes x, z)");
   EXPECT_EQ(name([](Scene& s) { s.initial_state.center_velocity = {1, 1, 1}; }), "full ball");
-  EXPECT_EQ(name([](Scene& s) { s.dissipation = {1, 1}; }), "octant");
+  EXPECT_EQ(name([](Scene& s) { s.loads = {loads::Viscosity{1}, loads::Drag{1}}; }), "octant");
+}
+
+/// Whatever the list holds: numbers break no plane, entries (i, j) of matrices those with the normals i and j, entries
+/// i of vectors that with the normal i.
+TEST(SectorOfLoads, FollowsFromTheKindsOfTheirEntries) {
+  Scene scene = test::ball_scene();
+  const auto broken = [&] {
+    std::array<bool, 3> planes{};
+    for (int i = 0; i < 3; ++i) planes[i] = breaks_plane(scene, i).has_value();
+    return planes;
+  };
+  using Planes = std::array<bool, 3>;
+  int n_entries = 0;
+  loads::visit_entries(scene.loads, [&](auto& member, const auto&, const About& about) {
+    SCOPED_TRACE(about.path);
+    ++n_entries;
+    const auto before = member;
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Matrix3>) {
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          member[i][j] = 1;
+          Planes expected{};
+          if (i != j) expected[i] = expected[j] = true;
+          EXPECT_EQ(broken(), expected);
+          EXPECT_EQ(keeps_diagonal(scene), i == j);
+          member = before;
+        }
+    } else if constexpr (std::is_same_v<std::decay_t<decltype(member)>, std::vector<double>>) {
+      for (int i = 0; i < 3; ++i) {
+        member[i] = 1;
+        Planes expected{};
+        expected[i] = true;
+        EXPECT_EQ(broken(), expected);
+        EXPECT_TRUE(keeps_diagonal(scene));
+        member = before;
+      }
+    } else {
+      member = 1;
+      EXPECT_EQ(broken(), Planes{});
+      member = before;
+    }
+  });
+  EXPECT_GE(n_entries, 6);
 }
 
 TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMesh) {
@@ -131,7 +177,7 @@ TEST(Needs, ACompressibleBodyHasNoConstraint) {
 TEST(Needs, LoadsAreNamedOrSkipped) {
   Scene scene = test::ball_scene();
   EXPECT_TRUE(mentions(needs(scene).skipped, "traction: Loads/Nominal traction is 0"));
-  scene.loads.nominal_traction[0][0] = 1;
+  scene.loads.get<loads::Traction>().nominal_stress[0][0] = 1;
   EXPECT_TRUE(mentions(needs(scene).needed, "dead traction"));
 }
 

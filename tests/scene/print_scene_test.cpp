@@ -62,9 +62,14 @@ Scene any_scene(std::mt19937_64& random) {
                 {positive_number(), positive_number(), positive_number()},
                 {}};
   if (random() % 2 == 0) scene.body.inertia = Matrix3{{{any_number(random), 0, 1}, {0, 2, 0}, {1, 0, 3}}};
-  scene.dissipation = {positive_number(), positive_number()};
-  scene.gravity_constant = positive_number();
-  scene.loads.acceleration = {any_number(random), any_number(random), any_number(random)};
+  loads::visit_entries(scene.loads, [&]<class Kind>(auto& member, const Kind& kind, const About&) {
+    if constexpr (std::is_same_v<Kind, Number>)
+      member = kind.low == 0 ? positive_number() : any_number(random);
+    else if constexpr (std::is_same_v<Kind, Matrix>)
+      for (auto& row : member) row = {any_number(random), any_number(random), any_number(random)};
+    else
+      member = {any_number(random), any_number(random), any_number(random)};
+  });
   scene.initial_state.equilibrium = initial_family_kind.table[random() % initial_family_kind.table.size()].second;
   scene.initial_state.equilibrium_parameter = any_number(random);
   scene.initial_state.center = {any_number(random), 0, any_number(random)};

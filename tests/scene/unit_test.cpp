@@ -1,6 +1,6 @@
 /// Units of entries and columns: words that are checked where they are compiled.
 
-#include "scene/unit.h"
+#include "entries/unit.h"
 
 #include <gtest/gtest.h>
 

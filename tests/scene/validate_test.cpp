@@ -5,8 +5,8 @@
 #include <cmath>
 #include <random>
 
-#include "scene/entry_kinds.h"
-#include "scene/matrix3.h"
+#include "entries/entry_kinds.h"
+#include "entries/matrix3.h"
 #include "scene_files.h"
 
 namespace pseudorigid::scene {

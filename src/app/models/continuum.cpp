@@ -60,7 +60,8 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
     return offered_for_others("Body/Semi-axes", "a reference body that is not a ball");
   if (builtin && scene.body.inertia)
     return offered_for_others("Body/Inertia", "an inertia other than that of the ball");
-  if (scene.gravity_constant != 0) return offered_for_others("Gravity/Constant", "self-gravity");
+  if (loads::present(scene.loads.get<loads::SelfGravity>()))
+    return offered_for_others("Gravity/Constant", "self-gravity");
   return {};
 }
 

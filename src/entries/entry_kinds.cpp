@@ -1,4 +1,4 @@
-#include "scene/entry_kinds.h"
+#include "entries/entry_kinds.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <span>
 
-#include "scene/wording.h"
+#include "entries/wording.h"
 
 namespace pseudorigid::scene {
 namespace {

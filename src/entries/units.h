@@ -5,7 +5,7 @@
 /// quantity of dimension length^a mass^b time^d is multiplied by r^a (ρr³)^b t^d on its way to a file:
 ///   energy  mass·length²/time²     J, Z  mass·length²/time     Q̇  1/time     λ per m̄  1/time²     a_i  length
 
-#include "scene/unit.h"
+#include "entries/unit.h"
 
 namespace pseudorigid::io {
 
@@ -20,6 +20,8 @@ struct Units {
 
   /// A quantity of this unit, given in internal units.
   double to_physical(double internal, scene::Unit unit) const;
+  /// In internal units, a quantity of this unit.
+  double to_internal(double physical, scene::Unit unit) const;
 };
 
 /// The units of a ball with radius r and density ρ, both positive, and this unit of time (scene/scales.h).

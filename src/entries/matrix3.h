@@ -1,12 +1,15 @@
 #pragma once
-/// The little algebra of 3x3 matrices that checking a scene needs.
+/// 3x3 matrices as values of entries, with the little algebra that checking them needs.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "scene/scene.h"
-
 namespace pseudorigid::scene {
+
+/// Row by row; what entries say needs no linear algebra library.
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
 /// cof Q = det(Q) Q^-T. Where Q is diagonal or block diagonal, the zeros of the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {

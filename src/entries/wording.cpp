@@ -1,4 +1,4 @@
-#include "scene/wording.h"
+#include "entries/wording.h"
 
 #include <algorithm>
 #include <cctype>

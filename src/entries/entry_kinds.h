@@ -1,6 +1,7 @@
 #pragma once
 /// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and says
-/// in words what it expects; the entries themselves are in scene/entries.h.
+/// in words what it expects; the entries themselves are in scene/entries.h and in
+/// the headers of src/loads/.
 ///
 /// Every kind has, for its value type T:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
@@ -19,11 +20,14 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene.h"
+#include "entries/matrix3.h"
 
 namespace pseudorigid::scene {
 
 using Problem = std::optional<std::string>;
+
+/// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
+inline constexpr std::string_view builtin_mesh = "builtin";
 
 /// `got "…"`: the problem where nothing better can be said.
 std::string got(std::string_view text);
@@ -122,6 +126,8 @@ struct BuiltinOrMeshFile {
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
+  bool symmetric = false;  ///< asked of the value by scene/validate.h, whose message has the symmetric part
+
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
   std::string print(const Matrix3& value) const { return print_matrix(value); }

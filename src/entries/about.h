@@ -1,0 +1,17 @@
+#pragma once
+/// What is said of an entry of a parameter file.
+
+#include <string_view>
+
+#include "entries/unit.h"
+
+namespace pseudorigid::scene {
+
+/// Path ("Section/Entry"), unit and documentation in full sentences.
+struct About {
+  std::string_view path;
+  Unit unit;
+  std::string_view documentation;
+};
+
+}  // namespace pseudorigid::scene

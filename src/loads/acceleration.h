@@ -1,0 +1,25 @@
+#pragma once
+/// A uniform acceleration b.
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct Acceleration {
+  std::vector<double> acceleration{0, 0, 0};  ///< b
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(self.acceleration, scene::Numbers{3},
+          scene::About{"Loads/Acceleration", "length/time^2",
+                       "Uniform acceleration b; it moves the centre of mass and has the energy -b.x per mass."});
+  }
+
+  static constexpr std::string_view no_equilibria = "";
+  static constexpr std::string_view skipped = "";
+  std::string needed(const BodyFacts&) const { return {}; }
+
+  Forcing forcing() const { return {.acceleration = {acceleration[0], acceleration[1], acceleration[2]}}; }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,26 @@
+#pragma once
+/// Linear drag, the force −cρẋ per volume.
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct Drag {
+  double drag = 0;  ///< c
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(
+        self.drag, scene::not_negative,
+        scene::About{"Material/Drag", "1/time",
+                     "c of the force -c (density) (velocity) per volume; it damps every motion, rigid ones as well."});
+  }
+
+  static constexpr std::string_view no_equilibria = "drag leaves no relative equilibrium";
+  static constexpr std::string_view skipped = "";
+  std::string needed(const BodyFacts&) const { return {}; }
+
+  Forcing forcing() const { return {.drag = drag}; }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,65 @@
+#pragma once
+/// All that can act on an elastic body besides its own stress, as numbers; a load (list.h) is a name for some of them.
+/// Forces on the mass are linear in x and ẋ and tractions on the surface come from stresses that have no divergence, so
+/// that both models of the body know them, with the same work on the motions x = x_c + QX:
+///
+///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag takes c|ẋ|²
+///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
+///                  pressure −p n per current area; energy −P̄:∫F dX + p V
+///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
+///
+/// In the user's units or in internal ones, by who holds it.
+
+#include <Eigen/Core>
+
+#include "entries/matrix3.h"
+#include "mechanics/by_name.h"
+
+namespace pseudorigid::loads {
+
+struct Forcing {
+  ByName by_name{};
+  double gravity_constant = 0;                                 ///< G
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< b
+  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress
+  double pressure = 0;                                         ///< p
+  double viscosity = 0, drag = 0;                              ///< η, c
+
+  Forcing& operator+=(const Forcing& other) {
+    gravity_constant += other.gravity_constant;
+    quadratic += other.quadratic;
+    acceleration += other.acceleration;
+    nominal_traction += other.nominal_traction;
+    pressure += other.pressure;
+    viscosity += other.viscosity;
+    drag += other.drag;
+    return *this;
+  }
+
+  bool dissipative() const { return viscosity != 0 || drag != 0; }
+  /// Whether anything but a pressure acts, which a body that keeps its volume does not feel.
+  bool acts_at_constant_volume() const {
+    return gravity_constant != 0 || !quadratic.isZero(0) || !acceleration.isZero(0) || !nominal_traction.isZero(0) ||
+           dissipative();
+  }
+  bool present() const { return pressure != 0 || acts_at_constant_volume(); }
+
+  /// The energy without self-gravity, of a body with ∫ρ x xᵀ, ∫ρ x, ∫F dX and the volume V; of the rate of a forcing,
+  /// the power that its change gives to the body.
+  double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
+                   const Eigen::Matrix3d& F_integral, double volume) const {
+    const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -
+                          nominal_traction.cwiseProduct(F_integral).sum();
+    return pressure == 0 ? energy : energy + pressure * volume;
+  }
+};
+
+inline Eigen::Matrix3d to_eigen(const scene::Matrix3& m) {
+  Eigen::Matrix3d result;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) result(i, j) = m[i][j];
+  return result;
+}
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,123 @@
+#pragma once
+/// The loads, and what can be asked of all of them. A new load is its header and one line of the list.
+
+#include <tuple>
+#include <type_traits>
+
+#include "loads/acceleration.h"
+#include "loads/drag.h"
+#include "loads/load.h"
+#include "loads/self_gravity.h"
+#include "loads/tide.h"
+#include "loads/traction.h"
+#include "loads/viscosity.h"
+
+namespace pseudorigid::loads {
+
+/// In the order of a parameter file.
+using LoadList = std::tuple<Viscosity,     //
+                            Drag,          //
+                            SelfGravity,   //
+                            Tide,          //
+                            Acceleration,  //
+                            Traction>;
+
+namespace detail {
+template <class L, class... Known>
+consteval bool is_one_of(std::tuple<Known...>*) {
+  return (std::is_same_v<L, Known> || ...);
+}
+template <class... Known>
+consteval bool are_loads(std::tuple<Known...>*) {
+  return (Load<Known> && ...);
+}
+}  // namespace detail
+static_assert(detail::are_loads(static_cast<LoadList*>(nullptr)), "a load of the list leaves out what load.h asks for");
+
+template <class L>
+concept KnownLoad = detail::is_one_of<L>(static_cast<LoadList*>(nullptr));
+
+/// One of each, those that are not named absent: Loads{Tide{T}, Drag{0.1}}.
+class Loads {
+ public:
+  template <KnownLoad... Named>
+  Loads(const Named&... named) {
+    ((get<Named>() = named), ...);
+  }
+
+  template <KnownLoad L>
+  L& get() {
+    return std::get<L>(list_);
+  }
+  template <KnownLoad L>
+  const L& get() const {
+    return std::get<L>(list_);
+  }
+
+  /// Calls visitor(load) for every load, in the order of the list.
+  template <class Visitor>
+  void for_each(Visitor&& visitor) {
+    std::apply([&](auto&... load) { (visitor(load), ...); }, list_);
+  }
+  template <class Visitor>
+  void for_each(Visitor&& visitor) const {
+    std::apply([&](const auto&... load) { (visitor(load), ...); }, list_);
+  }
+
+ private:
+  LoadList list_;
+};
+
+/// Calls visit(member, kind, About) for every entry of every load.
+template <class L, class Visit>
+void visit_entries(L& loads, Visit&& visit) {
+  loads.for_each([&]<class One>(One& load) { std::remove_const_t<One>::visit_entries(load, visit); });
+}
+
+inline bool any_present(const Loads& loads) {
+  bool any = false;
+  loads.for_each([&](const auto& load) { any = any || present(load); });
+  return any;
+}
+
+/// The sum of those that do not depend on time.
+inline Forcing constant_forcing(const Loads& loads) {
+  Forcing sum;
+  loads.for_each([&]<class L>(const L& load) {
+    if constexpr (!DependsOnTime<L>) sum += load.forcing();
+  });
+  return sum;
+}
+
+/// The sum of those that do, and its derivative.
+inline Forcing driving(const Loads& loads, double t) {
+  Forcing sum;
+  loads.for_each([&]<class L>(const L& load) {
+    if constexpr (DependsOnTime<L>) sum += load.forcing(t);
+  });
+  return sum;
+}
+inline Forcing driving_rate(const Loads& loads, double t) {
+  Forcing sum;
+  loads.for_each([&]<class L>(const L& load) {
+    if constexpr (DependsOnTime<L>) sum += load.forcing_rate(t);
+  });
+  return sum;
+}
+inline bool depend_on_time(const Loads& loads) {
+  bool any = false;
+  loads.for_each([&]<class L>(const L& load) {
+    if constexpr (DependsOnTime<L>) any = any || present(load);
+  });
+  return any;
+}
+
+/// Those that move a body which keeps its volume: a pressure alone is carried by its constraint.
+inline Loads at_constant_volume(Loads loads) {
+  loads.for_each([]<class L>(L& load) {
+    if (!largest_forcing(load).acts_at_constant_volume()) load = L{};
+  });
+  return loads;
+}
+
+}  // namespace pseudorigid::loads

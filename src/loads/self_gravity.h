@@ -1,0 +1,25 @@
+#pragma once
+/// Self-gravity of the body, with Newton's constant G.
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct SelfGravity {
+  double constant = 0;  ///< G
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(self.constant, scene::not_negative,
+          scene::About{"Gravity/Constant", "length^3/mass/time^2",
+                       "Newton's constant G: the body attracts itself. 0: it does not."});
+  }
+
+  static constexpr std::string_view no_equilibria = "";
+  static constexpr std::string_view skipped = "self-gravity: Gravity/Constant is 0; no elliptic integrals";
+  std::string needed(const BodyFacts&) const { return "self-gravity of the ellipsoid"; }
+
+  Forcing forcing() const { return {.gravity_constant = constant}; }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,28 @@
+#pragma once
+/// A dead traction P̄N per reference area.
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct Traction {
+  scene::Matrix3 nominal_stress{};  ///< P̄
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(
+        self.nominal_stress, scene::Matrix{},
+        scene::About{"Loads/Nominal traction", "pressure",
+                     "Dead traction on the surface: the matrix P of a constant nominal (first Piola-Kirchhoff) stress, "
+                     "which gives the traction P N per undeformed area on the surface with the undeformed normal N, "
+                     "the same vector however the body moves. Its energy is -P : F per undeformed volume."});
+  }
+
+  static constexpr std::string_view no_equilibria = "relative equilibria are known without traction";
+  static constexpr std::string_view skipped = "traction: Loads/Nominal traction is 0";
+  std::string needed(const BodyFacts&) const { return "dead traction on the surface"; }
+
+  Forcing forcing() const { return {.nominal_traction = to_eigen(nominal_stress)}; }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,26 @@
+#pragma once
+/// Objective viscosity (Kelvin–Voigt), Cauchy stress 2ηd.
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct Viscosity {
+  double viscosity = 0;  ///< η
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(self.viscosity, scene::not_negative,
+          scene::About{"Material/Viscosity", "pressure*time",
+                       "eta of the objective (Kelvin-Voigt) viscosity, Cauchy stress 2 eta d with d the symmetric "
+                       "velocity gradient; it leaves rigid motions alone and keeps the angular momentum."});
+  }
+
+  static constexpr std::string_view no_equilibria = "";
+  static constexpr std::string_view skipped = "";
+  std::string needed(const BodyFacts&) const { return {}; }
+
+  Forcing forcing() const { return {.viscosity = viscosity}; }
+};
+
+}  // namespace pseudorigid::loads

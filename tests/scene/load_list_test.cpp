@@ -1,0 +1,147 @@
+/// What holds of every load of the list: absent by default, named in the lines of `check`, refused by equilibria with
+/// its sentence, converted to internal units by the units of its entries, and its rate the derivative of its forcing.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/scene_to_model.h"
+#include "scene/needs.h"
+#include "scene/scene_files.h"
+#include "scene/validate.h"
+#include "support/differences.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+bool mentions(const std::vector<std::string>& lines, std::string_view text) {
+  return std::ranges::find(lines, text) != lines.end();
+}
+
+/// Calls check(load, filled) for every load, `filled` with diagonal matrices and numbers about 0.1.
+template <class Check>
+void for_each_load(const Check& check) {
+  loads::Loads().for_each([&]<class L>(const L& absent) {
+    L filled = absent;
+    double next = 0.1;
+    const auto fill = [&]<class Value>(Value& member, const auto&, const About& about) {
+      SCOPED_TRACE(about.path);
+      EXPECT_EQ(owner_of(test::test_catalogue(), about.path), ball) << "its section is one of the ball's";
+      if constexpr (std::is_same_v<Value, Matrix3>)
+        for (int i = 0; i < 3; ++i) member[i][i] = next += 0.01;
+      else if constexpr (std::is_same_v<Value, std::vector<double>>)
+        member.assign(3, next += 0.01);
+      else
+        member = next += 0.01;
+    };
+    L::visit_entries(filled, fill);
+    check(absent, filled);
+  });
+}
+
+TEST(EveryLoad, IsAbsentByDefaultAndHasItsLines) {
+  const Scene plain = test::ball_scene();
+  for_each_load([&]<class L>(const L& absent, const L& filled) {
+    EXPECT_FALSE(loads::present(absent));
+    EXPECT_TRUE(loads::present(filled));
+    Scene scene = plain;
+    scene.loads.get<L>() = filled;
+    if (L::skipped.empty()) return;
+    const loads::BodyFacts ball{.incompressible = true, .volume_by_inertia = 5};
+    EXPECT_TRUE(mentions(needs(plain).skipped, L::skipped));
+    EXPECT_TRUE(mentions(needs(scene).needed, filled.needed(ball))) << filled.needed(ball);
+    EXPECT_FALSE(mentions(needs(scene).skipped, L::skipped));
+  });
+}
+
+TEST(EveryLoad, IsKnownToEquilibriaOrRefused) {
+  int n_refused = 0;
+  for_each_load([&]<class L>(const L&, const L& filled) {
+    Scene scene = test::ball_scene();
+    scene.models = {"reduced"};
+    scene.analysis = Analysis::equilibrium;
+    EXPECT_NO_THROW(validate(scene, {}));
+    scene.loads.get<L>() = filled;
+    if (L::no_equilibria.empty()) {
+      EXPECT_NO_THROW(validate(scene, {}));
+      return;
+    }
+    ++n_refused;
+    try {
+      validate(scene, {});
+      ADD_FAILURE() << L::no_equilibria;
+    } catch (const UserError& error) {
+      EXPECT_NE(std::string(error.what()).find(L::no_equilibria), std::string::npos) << error.what();
+    }
+  });
+  EXPECT_GE(n_refused, 3);
+}
+
+TEST(EveryLoad, KeepsModesFromBeingThoseOfTheFreeBall) {
+  for_each_load([&]<class L>(const L&, const L& filled) {
+    Scene scene = test::ball_scene();
+    scene.models = {"continuum"};
+    scene.analysis = Analysis::modes;
+    EXPECT_NO_THROW(validate(scene, {}));
+    scene.loads.get<L>() = filled;
+    EXPECT_THROW(validate(scene, {}), UserError);
+  });
+}
+
+TEST(EveryLoad, HasTheRateOfItsForcing) {
+  for_each_load([&]<class L>(const L&, const L& filled) {
+    if constexpr (loads::DependsOnTime<L>) {
+      const double h = 0.05, t = 0.7;
+      const loads::Forcing rate = filled.forcing_rate(t);
+      const auto derivative = [&](auto member) {
+        return testing::first_difference([&](int k) { return filled.forcing(t + k * h).*member; }, h);
+      };
+      using loads::Forcing;
+      EXPECT_LT((rate.quadratic - Eigen::Matrix3d(derivative(&Forcing::quadratic))).norm(), 1e-10);
+      EXPECT_LT((rate.nominal_traction - Eigen::Matrix3d(derivative(&Forcing::nominal_traction))).norm(), 1e-10);
+      EXPECT_LT((rate.acceleration - Eigen::Vector3d(derivative(&Forcing::acceleration))).norm(), 1e-10);
+      EXPECT_NEAR(rate.pressure, derivative(&Forcing::pressure), 1e-10);
+      for (double time = 0; time < 100; time += 0.37) {
+        EXPECT_LE(filled.forcing(time).quadratic.norm(), filled.largest_forcing().quadratic.norm() + 1e-15);
+        EXPECT_FALSE(filled.forcing(time).dissipative()) << "the energy taken is that of constant coefficients";
+        EXPECT_EQ(filled.forcing(time).gravity_constant, 0);
+      }
+    }
+  });
+}
+
+/// Another choice of units for the same body and the same loads has the same internal values.
+TEST(EveryLoad, HasInternalValuesByTheUnitsOfItsEntries) {
+  const double length = 2.5, density = 3, time = 0.7;
+  const io::Units units = io::ball_units(length, density, time);
+  for_each_load([&]<class L>(const L&, const L& filled) {
+    Scene scene = test::ball_scene();
+    scene.loads.get<L>() = filled;
+    Scene other = scene;
+    other.body.radius *= length;
+    other.body.density *= density;
+    other.material.shear_modulus = units.to_physical(scene.material.shear_modulus, "pressure");
+    const auto scale = [&](auto& member, const auto&, const About& about) {
+      const auto in_these_units = [&](double& value) { value = units.to_physical(value, about.unit); };
+      using Value = std::decay_t<decltype(member)>;
+      if constexpr (std::is_same_v<Value, double>)
+        in_these_units(member);
+      else if constexpr (std::is_same_v<Value, Matrix3>)
+        for (auto& row : member) std::ranges::for_each(row, in_these_units);
+      else
+        std::ranges::for_each(member, in_these_units);
+    };
+    L::visit_entries(other.loads.get<L>(), scale);
+    const auto forcing_of = [](const Scene& s) { return loads::largest_forcing(app::internal_loads(s).get<L>()); };
+    const loads::Forcing a = forcing_of(scene), b = forcing_of(other);
+    EXPECT_LT((a.quadratic - b.quadratic).norm() + (a.nominal_traction - b.nominal_traction).norm(), 1e-14);
+    EXPECT_LT((a.acceleration - b.acceleration).norm(), 1e-14);
+    for (const auto member : {&loads::Forcing::pressure, &loads::Forcing::viscosity, &loads::Forcing::drag,
+                              &loads::Forcing::gravity_constant})
+      EXPECT_NEAR(a.*member, b.*member, 1e-14);
+  });
+}
+
+}  // namespace
+}  // namespace pseudorigid::scene
