@@ -7,6 +7,7 @@
 #include "loads/acceleration.h"
 #include "loads/drag.h"
 #include "loads/load.h"
+#include "loads/pressure.h"
 #include "loads/self_gravity.h"
 #include "loads/tide.h"
 #include "loads/traction.h"
@@ -20,7 +21,8 @@ using LoadList = std::tuple<Viscosity,     //
                             SelfGravity,   //
                             Tide,          //
                             Acceleration,  //
-                            Traction>;
+                            Traction,      //
+                            Pressure>;
 
 namespace detail {
 template <class L, class... Known>

@@ -121,6 +121,33 @@ class ContinuumLoads(StoppedRunTest):
             for name in ("external", "dissipated", "energy"):  # the parts of the centre count in both
                 self.assertAlmostEqual(tables[0].column(name)[0], tables[1].column(name)[0], delta=0.02)
 
+    def test_pressure(self):
+        """A compressible ball at the rest that its law gives, (2/3) W' = -2 p a^2; an incompressible one does not notice."""
+        p, lame = 0.4, 1.5
+        force = lambda a: (a - 1 / a) + lame / 2 * (a**5 - 1 / a) + p * a * a
+        low, high = 0.5, 1
+        while high - low > 1e-15:
+            middle = (low + high) / 2
+            low, high = (low, middle) if force(middle) > 0 else (middle, high)
+        a = repr((low + high) / 2)
+        at_rest = {**BOTH, "Body/Incompressible": "false", "Material/Lame lambda": lame, "Loads/Pressure": p,
+                   "Initial state/Deformation": f"{a}, 0, 0; 0, {a}, 0; 0, 0, {a}", "Time/Step": 0.01, "Time/Method": "rattle"}
+        for table in self.run_scene(at_rest):
+            for q, external in zip(table.column("Q11"), table.column("external")):
+                self.assertAlmostEqual(q, float(a), delta=1e-13)
+            self.assertGreater(external, 0)
+        self.assertIn("follower pressure on the surface", (self.scratch / "output/scene/log.txt").read_text())
+        for table in self.run_scene({**at_rest, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, 0.95"}):
+            self.assert_constant(table.column("energy"), 2e-4 * table.column("energy")[0])
+            self.assertGreater(max(table.column("external")) - min(table.column("external")), 0.05)
+        release = {**BOTH, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, $(1/1.1)", "Time/Step": 0.01,
+                   "Time/Method": "rattle"}
+        without = self.run_scene(release, "without")
+        pressed = self.run_scene({**release, "Loads/Pressure": p}, "pressed")
+        for one, other in zip(without, pressed):
+            self.assertEqual(one.rows, other.rows)
+        self.assertIn("the multiplier 2 higher", (self.scratch / "output/pressed/log.txt").read_text())
+
     def test_any_units_of_loads(self):
         def scene(length, mass, time):
             rate, speed, stress = 1 / time, length / time, mass / (length * time**2)
@@ -131,7 +158,8 @@ class ContinuumLoads(StoppedRunTest):
                     "Material/Drag": repr(0.1 * rate), "Loads/Tidal matrix": f"{0.3 * rate**2!r}, 0, 0; 0, 0, 0; 0, 0, 0",
                     "Loads/Acceleration": row(0.0, 0.0, -0.5 * speed * rate), "Initial state/Center": row(0.0, 0.0, length),
                     "Initial state/Center velocity": row(0.0, 0.0, speed),
-                    "Loads/Nominal traction": f"0, 0, 0; 0, {0.2 * stress!r}, 0; 0, 0, 0", "Time/End": repr(time),
+                    "Loads/Nominal traction": f"0, 0, 0; 0, {0.2 * stress!r}, 0; 0, 0, 0",
+                    "Loads/Pressure": repr(0.3 * stress), "Time/End": repr(time),
                     "Time/Step": repr(0.005 * time), "Time/Method": "rattle"}
         tables = {}
         for name, units in {"reference": (1.0, 1.0, 1.0), "scaled": (1e3, 1e-6, 1e2)}.items():

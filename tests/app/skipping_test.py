@@ -114,6 +114,7 @@ class Skipping(ProgramTest):
         for path, value, words in (
                 ("Loads/Tidal matrix", f"{NOTHING}, 0, 0; 0, 0, 0; 0, 0, 0", "external potential"),
                 ("Loads/Nominal traction", f"{NOTHING}, 0, 0; 0, 0, 0; 0, 0, 0", "traction"),
+                ("Loads/Pressure", NOTHING, "follower pressure"),
                 ("Material/Viscosity", NOTHING, "dissipation"),
                 ("Material/Drag", NOTHING, "dissipation")):
             with self.subTest(path):

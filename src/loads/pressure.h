@@ -1,0 +1,37 @@
+#pragma once
+/// A follower pressure −p n per current area. Its energy is p V, so a body that keeps its volume carries it by its
+/// constraint: λ_h, the pressure inside, is p more everywhere, the multiplier per m̄ is p Vol/m̄ more, and nothing moves.
+
+#include <fmt/format.h>
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct Pressure {
+  double pressure = 0;  ///< p
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(self.pressure, scene::Number{},
+          scene::About{"Loads/Pressure", "pressure",
+                       "Pressure p of the surroundings: the traction -p n per current area on the surface with its "
+                       "current normal n, which follows the body. Its energy is p (current volume). A body that keeps "
+                       "its volume is not moved by it: its multiplier, and its pressure, are higher by what the log "
+                       "says, and their columns are without it."});
+  }
+
+  static constexpr std::string_view no_equilibria = "";
+  static constexpr std::string_view skipped = "follower pressure: Loads/Pressure is 0";
+  std::string needed(const BodyFacts& body) const {
+    if (!body.incompressible) return "follower pressure on the surface";
+    return fmt::format(
+        "follower pressure, as a constant: the body keeps its volume, so there is no force; beyond their columns the "
+        "pressure inside is {:.9g} and the multiplier {:.9g} higher",
+        pressure, pressure * body.volume_by_inertia);
+  }
+
+  Forcing forcing() const { return {.pressure = pressure}; }
+};
+
+}  // namespace pseudorigid::loads
