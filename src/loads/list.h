@@ -7,6 +7,7 @@
 #include "loads/acceleration.h"
 #include "loads/drag.h"
 #include "loads/load.h"
+#include "loads/periodic_tide.h"
 #include "loads/pressure.h"
 #include "loads/self_gravity.h"
 #include "loads/tide.h"
@@ -22,7 +23,8 @@ using LoadList = std::tuple<Viscosity,     //
                             Tide,          //
                             Acceleration,  //
                             Traction,      //
-                            Pressure>;
+                            Pressure,      //
+                            PeriodicTide>;
 
 namespace detail {
 template <class L, class... Known>

@@ -148,6 +148,28 @@ class ContinuumLoads(StoppedRunTest):
             self.assertEqual(one.rows, other.rows)
         self.assertIn("the multiplier 2 higher", (self.scratch / "output/pressed/log.txt").read_text())
 
+    def test_periodic_tide(self):
+        """Both models under a tide that comes and goes, their centre of mass on its own way: x3 of both agree."""
+        for options in ({}, {"Body/Incompressible": "false", "Material/Drag": 0.1}):
+            deformation = "1.05, 0, 0; 0, 1, 0; 0, 0, " + ("0.97" if options else "$(1/1.05)")
+            tables = self.run_scene({**BOTH, **options, "Initial state/Deformation": deformation, "Time/Step": 0.005,
+                                     "Time/Method": "rattle", "Loads/Tidal amplitude": "0.6, 0, 0; 0, -0.3, 0; 0, 0, -0.3",
+                                     "Loads/Tidal frequency": 3, "Loads/Tidal phase": 0.5, "Loads/Acceleration": "0, 0, -0.3",
+                                     "Initial state/Center": "0, 0, 0.5"})
+            for table in tables:
+                energy, external = table.column("energy"), table.column("external")
+                self.assert_constant(energy, 1e-3 * (max(external) - min(external)))
+            for name, tolerance in (("x3", 1e-5), ("v3", 1e-5), ("external", 0.02), ("Q11", 0.02)):
+                for a, b in zip(tables[0].column(name), tables[1].column(name)):
+                    self.assertAlmostEqual(a, b, delta=tolerance, msg=name)
+        self.assertIn("periodic tide, and the energy that it gives", (self.scratch / "output/scene/log.txt").read_text())
+
+    def test_a_driven_run_goes_on_after_an_interrupt(self):
+        scene = {"Models": "reduced", "Time/End": 4e4, "Time/Step": 0.005, "Time/Method": "rattle", "Output/Samples": 100,
+                 "Loads/Tidal amplitude": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1", "Loads/Tidal frequency": 7,
+                 "Initial state/Center": "0, 0, 0.5", "Initial state/Velocity": "0, -0.3, 0; 0.3, 0, 0; 0, 0, 0"}
+        self.check_control_c(scene, "reduced", 0)
+
     def test_any_units_of_loads(self):
         def scene(length, mass, time):
             rate, speed, stress = 1 / time, length / time, mass / (length * time**2)
@@ -159,7 +181,8 @@ class ContinuumLoads(StoppedRunTest):
                     "Loads/Acceleration": row(0.0, 0.0, -0.5 * speed * rate), "Initial state/Center": row(0.0, 0.0, length),
                     "Initial state/Center velocity": row(0.0, 0.0, speed),
                     "Loads/Nominal traction": f"0, 0, 0; 0, {0.2 * stress!r}, 0; 0, 0, 0",
-                    "Loads/Pressure": repr(0.3 * stress), "Time/End": repr(time),
+                    "Loads/Pressure": repr(0.3 * stress), "Loads/Tidal frequency": repr(2 * rate),
+                    "Loads/Tidal amplitude": f"0, 0, 0; 0, {0.4 * rate**2!r}, 0; 0, 0, 0", "Time/End": repr(time),
                     "Time/Step": repr(0.005 * time), "Time/Method": "rattle"}
         tables = {}
         for name, units in {"reference": (1.0, 1.0, 1.0), "scaled": (1e3, 1e-6, 1e2)}.items():
@@ -214,6 +237,12 @@ class ContinuumLoads(StoppedRunTest):
         refuse({"Loads/Acceleration": "1, 0, 0", "Continuum/Symmetry": "octant"}, "Continuum/Symmetry", "normal x",
                "Loads/Acceleration")
         refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "free ball")
+        tide = {"Models": "reduced", "Loads/Tidal amplitude": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1"}
+        refuse({**tide, "Time/Method": "symmetric-8"}, "Time/Method", "depend on the position alone")
+        refuse({**tide, "Time/Method": "energy-momentum"}, "Time/Method", "energy-momentum")
+        refuse({**tide, "Analysis": "equilibrium"}, "Loads/Tidal amplitude", "no body is in equilibrium")
+        refuse({"Models": "reduced", "Loads/Tidal amplitude": "0, 1, 0; 0, 0, 0; 0, 0, 0"}, "Loads/Tidal amplitude",
+               "symmetric")
 
     def test_principal_stretches(self):
         """Those of the start are exact; later none of the mean exceeds the largest anywhere (norms are convex)."""

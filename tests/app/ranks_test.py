@@ -44,7 +44,8 @@ class Ranks(RanksTest):
             "Models": "continuum", "Body/Incompressible": "false", "Material/Law": "ciarlet-geymonat",
             "Material/Lame lambda": 2, "Material/Viscosity": 0.01, "Material/Drag": 0.1, "Continuum/Degree": 2,
             "Continuum/Refinements": 0, "Loads/Tidal matrix": "0.1, 0.02, 0; 0.02, 0, 0; 0, 0, -0.2",
-            "Loads/Pressure": 0.2, "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
+            "Loads/Pressure": 0.2, "Loads/Tidal amplitude": "0.2, 0, 0; 0, 0.1, 0; 0, 0, 0", "Loads/Tidal frequency": 3,
+            "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
             "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 10})
 
     def test_mesh_from_a_file(self):

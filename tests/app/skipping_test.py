@@ -115,6 +115,7 @@ class Skipping(ProgramTest):
                 ("Loads/Tidal matrix", f"{NOTHING}, 0, 0; 0, 0, 0; 0, 0, 0", "external potential"),
                 ("Loads/Nominal traction", f"{NOTHING}, 0, 0; 0, 0, 0; 0, 0, 0", "traction"),
                 ("Loads/Pressure", NOTHING, "follower pressure"),
+                ("Loads/Tidal amplitude", f"{NOTHING}, 0, 0; 0, 0, 0; 0, 0, 0", "periodic tide"),
                 ("Material/Viscosity", NOTHING, "dissipation"),
                 ("Material/Drag", NOTHING, "dissipation")):
             with self.subTest(path):

@@ -1,0 +1,39 @@
+#pragma once
+/// A tide that comes and goes, the potential ½ xᵀTx cos(ωt + φ) per mass.
+
+#include <cmath>
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct PeriodicTide {
+  scene::Matrix3 amplitude{};       ///< T
+  double frequency = 1, phase = 0;  ///< ω, φ
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(
+        self.amplitude, scene::Matrix{.symmetric = true},
+        scene::About{"Loads/Tidal amplitude", "1/time^2",
+                     "Symmetric T of the external potential energy x^T T x/2 cos(w t + p) per mass: a tide that comes "
+                     "and goes. The energy that it gives to the body is counted in the column external, so that the "
+                     "energy is constant."});
+    visit(self.frequency, scene::Number{},
+          scene::About{"Loads/Tidal frequency", "1/time", "w of the tide with an amplitude."});
+    visit(self.phase, scene::Number{}, scene::About{"Loads/Tidal phase", "", "p of the tide with an amplitude."});
+  }
+
+  static constexpr std::string_view no_equilibria = "no body is in equilibrium under a tide that comes and goes";
+  static constexpr std::string_view skipped = "periodic tide: Loads/Tidal amplitude is 0";
+  std::string needed(const BodyFacts&) const { return "periodic tide, and the energy that it gives"; }
+
+  Forcing forcing(double t) const { return times(std::cos(frequency * t + phase)); }
+  Forcing forcing_rate(double t) const { return times(-frequency * std::sin(frequency * t + phase)); }
+  Forcing largest_forcing() const { return times(1); }
+
+ private:
+  Forcing times(double factor) const { return {.quadratic = factor * to_eigen(amplitude)}; }
+};
+
+}  // namespace pseudorigid::loads
