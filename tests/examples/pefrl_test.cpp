@@ -7,6 +7,7 @@
 #include "mechanics/chart_field.h"
 #include "mechanics/field_of.h"
 #include "mechanics/memory.h"
+#include "mechanics/step_search.h"
 #include "mechanics/step_size.h"
 #include "support/conserved.h"
 #include "support/order_test.h"
