@@ -217,7 +217,7 @@ class ReducedRun(ProgramTest):
             name = entry["entry"].split("/")[-1]
             self.assertIn(f"| `{name}` | ", markdown)
             self.assertIn(f"set {name} = {entry['default']}".rstrip(), prm)
-        of_entries = markdown[:markdown.index("\n## Methods\n")]  # after it: methods and columns
+        of_entries = markdown[:markdown.index("\n## Models\n")]  # after it: models, methods and columns
         self.assertEqual(of_entries.count("\n| `"), len(entries))
         self.assertIn(markdown.strip(), (SOURCE / "docs/parameters.md").read_text(), "docs/parameters.md is out of date")
 

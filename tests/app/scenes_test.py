@@ -143,7 +143,7 @@ class Scenes(ProgramTest):
         self.assertEqual(reduced[:1] + reduced[2:], [0, 0, 0, 0])
         files = [f"graphics/modes-{j:06}.vtu" for j in range(3)]
         self.assertEqual(self.pvd(folder / "modes.pvd"), list(zip((1, 2, 3), files)))
-        self.check_pictures(folder, files, self.expected_grid("continuum", {"Degree": 3, "Refinements": 0}),
+        self.check_pictures(folder, files, self.expected_grid("continuum", 3, 0),
                             {"displacement": [3]})
         self.assertFalse((folder / "continuum.csv").exists() or (folder / "reduced.csv").exists())
         log = (folder / "log.txt").read_text()
@@ -166,7 +166,7 @@ class Scenes(ProgramTest):
         self.run_done("run", "scene.prm")
         folder = self.scratch / "output/scene"
         self.assertEqual(self.pvd(folder / "continuum.pvd"), [(0.02, "graphics/continuum-000000.vtu")])
-        grid = self.expected_grid("continuum", {"Degree": 2, "Refinements": 1})
+        grid = self.expected_grid("continuum", 2, 1)
         self.assertEqual(grid, (32 * 8 * 27, 32 * 8 * 8, 12))
         self.check_pictures(folder, ["graphics/continuum-000000.vtu"], grid)
         self.assertIn("half (plane z)", (folder / "log.txt").read_text())
