@@ -263,12 +263,13 @@ function bodiesFigure() {
   return make("div", {}, legend(bodies), figure);
 }
 
+const ALL_OF = ["", "the body", "both", "all"];
 function captionOf(bodies, plane) {
   const below = plane
-    ? `Below: ${bodies.length > 1 ? "both" : "the body"} cut along the plane x${plane} = 0, x${PLANE_AXES[plane][0] + 1} to the right and x${PLANE_AXES[plane][1] + 1} up.`
-    : `Below: the outline${bodies.length > 1 ? "s of both" : ""} seen along axis 2, x1 to the right and x3 up.`;
+    ? `Below: ${ALL_OF[Math.min(bodies.length, 3)]} cut along the plane x${plane} = 0, x${PLANE_AXES[plane][0] + 1} to the right and x${PLANE_AXES[plane][1] + 1} up.`
+    : `Below: the outline${bodies.length > 1 ? `s of ${ALL_OF[Math.min(bodies.length, 3)]}` : ""} seen along axis 2, x1 to the right and x3 up.`;
   const lines = tables.shapes ? "edges of the finite elements" : "material lines";
-  return `${bodies.map((b, k) => `${["Above", "In the middle"][k]}: the ${b.name} from outside, x3 up`).join(". ")}. ${below} `
+  return `${bodies.map((b, k) => `${["Above", "In the middle"][k] || "Under it"}: the ${b.name} from outside, x3 up`).join(". ")}. ${below} `
     + `Thin lines: ${lines}${bodies.length > 1 && tables.shapes ? ", the same material lines in both bodies" : ""}. Dashed: the undeformed body. Drag a body to look at it from elsewhere.`;
 }
 
