@@ -46,7 +46,6 @@ scene::Scene scene_that_runs(const scene::ReadScene& raw) {
 }
 
 bool is_positive(double x) { return x > 0 && std::isfinite(x); }
-bool is_not_negative(double x) { return x >= 0 && std::isfinite(x); }
 
 void expect_in_range(const scene::Scene& s) {
   EXPECT_TRUE(is_positive(s.body.radius) && is_positive(s.body.density) && is_positive(s.material.shear_modulus));
