@@ -137,9 +137,13 @@ class ContinuumLoads(StoppedRunTest):
                 self.assertAlmostEqual(q, float(a), delta=1e-13)
             self.assertGreater(external, 0)
         self.assertIn("follower pressure on the surface", (self.scratch / "output/scene/log.txt").read_text())
-        for table in self.run_scene({**at_rest, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, 0.95"}):
-            self.assert_constant(table.column("energy"), 2e-4 * table.column("energy")[0])
-            self.assertGreater(max(table.column("external")) - min(table.column("external")), 0.05)
+        moving = {**at_rest, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, 0.95"}
+        for coarse, fine in zip(self.run_scene(moving), self.run_scene({**moving, "Time/Step": 0.005})):
+            self.assertGreater(max(fine.column("external")) - min(fine.column("external")), 0.05)
+            # RATTLE is of order 2: the energy comes and goes a quarter as much with half the step.
+            variations = [max(table.column("energy")) - min(table.column("energy")) for table in (coarse, fine)]
+            self.assertAlmostEqual(variations[0] / variations[1], 4, delta=0.2)
+            self.assertLess(variations[1], 1e-3)
         release = {**BOTH, "Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, $(1/1.1)", "Time/Step": 0.01,
                    "Time/Method": "rattle"}
         without = self.run_scene(release, "without")
@@ -159,9 +163,10 @@ class ContinuumLoads(StoppedRunTest):
             for table in tables:
                 energy, external = table.column("energy"), table.column("external")
                 self.assert_constant(energy, 1e-3 * (max(external) - min(external)))
-            for name, tolerance in (("x3", 1e-5), ("v3", 1e-5), ("external", 0.02), ("Q11", 0.02)):
-                for a, b in zip(tables[0].column(name), tables[1].column(name)):
-                    self.assertAlmostEqual(a, b, delta=tolerance, msg=name)
+            # The balls answer each in their own way, their centres of mass alike, to the error of the step.
+            for name in "x3", "v3":
+                for a, b in zip(*(table.column(name) for table in tables)):
+                    self.assertAlmostEqual(a, b, delta=1e-5, msg=name)
         self.assertIn("periodic tide, and the energy that it gives", (self.scratch / "output/scene/log.txt").read_text())
 
     def test_a_driven_run_goes_on_after_an_interrupt(self):
