@@ -156,8 +156,9 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
-  double constraint_tolerance;  // |g|_∞ and |G v|_∞ that may be left: the system's, unless somebody asks for less
-  double pending_weight = 0;    // half steps since the last projection, whose reaction is still to come
+  double constraint_tolerance;   // |g|_∞ and |G v|_∞ that may be left: the system's, unless somebody asks for less
+  double pending_weight = 0;     // half steps since the last projection, whose reaction is still to come
+  double acceleration_time = 0;  // at which a force that depends on time was evaluated
   bool acceleration_known = false;
   Counters counters;
 
@@ -233,11 +234,13 @@ struct Rattle {
  private:
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
-    if (w.acceleration_known) return {};
+    // The time loop sets the time anew after a step, by round-off another one; a resumed run knows that one alone.
+    if (w.acceleration_known && (!time_dependent(system) || w.acceleration_time == state.t)) return {};
     if (Status status = system.force(state.t, state.q, state.v, w.system, w.acceleration); !status) return status;
     system.apply_inverse_mass(w.acceleration, w.acceleration);
     ++w.counters.n_force;
     w.acceleration_known = true;
+    w.acceleration_time = state.t;
     return {};
   }
 
