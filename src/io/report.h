@@ -16,7 +16,8 @@ namespace pseudorigid::io {
 /// The page without files.
 std::string_view report_page();
 
-/// The page filled with what the directory holds. `movers`: the names of the CSV files of what moves, a system or models.
+/// The page filled with what the directory holds. `movers`: the names of the CSV files of what moves, a system or
+/// models.
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers);
 
 /// Writes it as the directory's report.html.

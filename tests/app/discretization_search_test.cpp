@@ -2,7 +2,6 @@
 
 #include "app/discretization_search.h"
 
-
 #include <gtest/gtest.h>
 
 #include <cmath>
