@@ -21,9 +21,9 @@
 #include <string_view>
 #include <vector>
 
-#include "continuum/largest_eigenpairs.h"
-#include "continuum/modes.h"
-#include "continuum/petsc_session.h"
+#include "continuum/modes/largest_eigenpairs.h"
+#include "continuum/modes/modes.h"
+#include "continuum/parallel/petsc_session.h"
 #include "materials/law_table.h"
 #include "measuring.h"
 

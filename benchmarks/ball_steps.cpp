@@ -22,11 +22,11 @@
 #include <vector>
 
 #include "allocated_memory.h"
-#include "continuum/elastic_ball.h"
-#include "continuum/ranks.h"
+#include "continuum/body/elastic_ball.h"
+#include "continuum/parallel/ranks.h"
 #include "measuring.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/steps/largest_frequency.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
-#include "continuum/ball_mesh.h"
-#include "continuum/types.h"
+#include "continuum/mesh/ball_mesh.h"
+#include "continuum/parallel/types.h"
 #include "materials/ciarlet_geymonat.h"
 
 namespace pseudorigid::benchmarks {

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "continuum/elastic_ball.h"
+#include "continuum/body/elastic_ball.h"
 #include "continuum/sheared.h"
 #include "measuring.h"
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/composition.h"
-#include "mechanics/dormand_prince_8.h"
-#include "mechanics/energy_momentum.h"
-#include "mechanics/symmetric_multistep.h"
+#include "mechanics/methods/composition.h"
+#include "mechanics/methods/dormand_prince_8.h"
+#include "mechanics/methods/energy_momentum.h"
+#include "mechanics/methods/symmetric_multistep.h"
 #include "own_methods.h"
 #include "rivals.h"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "continuum/pressure_basis.h"
-#include "continuum/sum_factorization.h"
+#include "continuum/kernels/pressure_basis.h"
+#include "continuum/kernels/sum_factorization.h"
 #include "materials/ciarlet_geymonat.h"
 
 namespace pseudorigid::benchmarks {

@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "allocated_memory.h"
-#include "continuum/cell_kernels.h"
+#include "continuum/kernels/cell_kernels.h"
 #include "fe_evaluation_force.h"
 #include "kernel_cost.h"
 #include "machine_limits.h"

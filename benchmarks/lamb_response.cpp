@@ -16,11 +16,11 @@
 #include <string_view>
 #include <vector>
 
-#include "continuum/elastic_ball.h"
+#include "continuum/body/elastic_ball.h"
 #include "continuum/lamb_modes.h"
 #include "measuring.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/steps/largest_frequency.h"
 
 namespace {
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/composition.h"
-#include "mechanics/energy_momentum.h"
-#include "mechanics/symmetric_multistep.h"
-#include "mechanics/time_loop.h"
+#include "mechanics/methods/composition.h"
+#include "mechanics/methods/energy_momentum.h"
+#include "mechanics/methods/symmetric_multistep.h"
+#include "mechanics/methods/time_loop.h"
 #include "reduced/observe.h"
 #include "work_precision.h"
 

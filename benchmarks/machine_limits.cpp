@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "continuum/lanes.h"
+#include "continuum/kernels/lanes.h"
 #include "measuring.h"
 
 namespace pseudorigid::benchmarks {

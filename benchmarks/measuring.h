@@ -7,7 +7,7 @@
 #include <ctime>
 #include <vector>
 
-#include "mechanics/status.h"
+#include "mechanics/core/status.h"
 
 namespace pseudorigid::benchmarks {
 

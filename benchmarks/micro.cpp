@@ -3,8 +3,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "mechanics/composition.h"
-#include "mechanics/dormand_prince_8.h"
+#include "mechanics/methods/composition.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "problems.h"
 
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 /// Runs of the program's own methods by its own time loop.
 
-#include "mechanics/time_loop.h"
+#include "mechanics/methods/time_loop.h"
 #include "work_precision.h"
 
 namespace pseudorigid::benchmarks {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "materials/ciarlet_geymonat.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "problem_data.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "systems/double_pendulum.h"

@@ -54,7 +54,7 @@ def octant():
 
 
 def position(cell, xi):
-    """The point ξ of a coarse cell of the unit ball, as src/continuum/ball_mesh.h has it."""
+    """The point ξ of a coarse cell of the unit ball, as src/continuum/mesh/ball_mesh.h has it."""
     inside, cube, s = [0, 0, 0], [0, 0, 0], 0
     for v, (corner, on_sphere) in enumerate(zip(*cell)):
         weight = math.prod(xi[d] if v >> d & 1 else 1 - xi[d] for d in range(3))

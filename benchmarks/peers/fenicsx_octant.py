@@ -1,4 +1,4 @@
-"""The octant of the unit ball for FEniCSx: the four cells and the map of src/continuum/ball_mesh.h, with geometry of any
+"""The octant of the unit ball for FEniCSx: the four cells and the map of src/continuum/mesh/ball_mesh.h, with geometry of any
 degree. The scripts of this folder know nothing else of pseudorigid."""
 import basix
 import dolfinx

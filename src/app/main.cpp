@@ -1,6 +1,6 @@
-#include "app/libraries.h"
-#include "app/program.h"
-#include "app/run_models.h"
+#include "app/commands/libraries.h"
+#include "app/commands/program.h"
+#include "app/run/run_models.h"
 #include "io/standard_streams.h"
 
 int main(int argc, char** argv) {

@@ -11,11 +11,11 @@
 #include <optional>
 #include <string>
 
-#include "app/launch.h"
-#include "app/libraries.h"
-#include "app/on_all_ranks.h"
-#include "app/program.h"
-#include "app/run_models.h"
+#include "app/commands/libraries.h"
+#include "app/commands/program.h"
+#include "app/ranks/launch.h"
+#include "app/ranks/on_all_ranks.h"
+#include "app/run/run_models.h"
 #include "io/manifest.h"
 #include "io/run_lock.h"
 #include "io/standard_streams.h"

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "mechanics/principal_axes.h"
+#include "mechanics/core/principal_axes.h"
 
 namespace pseudorigid::io {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "entries/units.h"
-#include "mechanics/body_observables.h"
+#include "mechanics/core/body_observables.h"
 #include "scene/catalogue.h"
 #include "scene/scene.h"
 

@@ -13,7 +13,7 @@
 #include <Eigen/Core>
 
 #include "entries/matrix3.h"
-#include "mechanics/by_name.h"
+#include "mechanics/core/by_name.h"
 
 namespace pseudorigid::loads {
 

@@ -15,7 +15,7 @@
 #include "materials/mooney_rivlin.h"
 #include "materials/saint_venant_kirchhoff.h"
 #include "materials/saint_venant_kirchhoff_as_printed.h"
-#include "mechanics/by_name.h"
+#include "mechanics/core/by_name.h"
 
 namespace pseudorigid::materials {
 

@@ -20,7 +20,7 @@
 #include <array>
 #include <cmath>
 
-#include "mechanics/principal_axes.h"
+#include "mechanics/core/principal_axes.h"
 
 namespace pseudorigid::reduced {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "mechanics/dormand_prince_8.h"
+#include "mechanics/methods/dormand_prince_8.h"
 
 namespace pseudorigid::reduced {
 

@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "loads/list.h"
-#include "mechanics/by_name.h"
+#include "mechanics/core/by_name.h"
 
 namespace pseudorigid::reduced {
 

@@ -14,8 +14,8 @@
 #include <cassert>
 #include <cmath>
 
-#include "mechanics/conservative_system.h"
-#include "mechanics/second_order_field.h"
+#include "mechanics/core/conservative_system.h"
+#include "mechanics/core/second_order_field.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::reduced {

@@ -11,7 +11,7 @@
 #include <Eigen/Dense>
 
 #include "loads/forcing.h"
-#include "mechanics/by_name.h"
+#include "mechanics/core/by_name.h"
 #include "reduced/reference_body.h"
 
 namespace pseudorigid::reduced {

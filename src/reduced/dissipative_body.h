@@ -9,8 +9,8 @@
 /// own order: q = [Q | (s, s', 0)ᵀ], v = [Q̇ | (D, W, 0)ᵀ].
 
 #include "loads/list.h"
-#include "mechanics/constrained_system.h"
-#include "mechanics/second_order_field.h"
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/second_order_field.h"
 #include "reduced/dissipation.h"
 #include "reduced/external_potential.h"
 

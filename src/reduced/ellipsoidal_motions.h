@@ -28,7 +28,7 @@
 
 #include <string>
 
-#include "mechanics/status.h"
+#include "mechanics/core/status.h"
 #include "reduced/bracketed_root.h"
 #include "reduced/steady_motion.h"
 

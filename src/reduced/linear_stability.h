@@ -30,7 +30,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/status.h"
+#include "mechanics/core/status.h"
 #include "reduced/steady_motion.h"
 
 namespace pseudorigid::reduced {

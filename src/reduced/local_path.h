@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 
 namespace pseudorigid::reduced {
 

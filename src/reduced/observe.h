@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "mechanics/body_observables.h"
-#include "mechanics/principal_axes.h"
+#include "mechanics/core/body_observables.h"
+#include "mechanics/core/principal_axes.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
 #include "reduced/pseudo_rigid_body.h"

@@ -12,8 +12,8 @@
 #include <limits>
 #include <string>
 
-#include "mechanics/automatic_differentiation.h"
-#include "mechanics/status.h"
+#include "mechanics/core/automatic_differentiation.h"
+#include "mechanics/core/status.h"
 #include "reduced/steady_motion.h"
 
 namespace pseudorigid::reduced {

@@ -17,7 +17,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "mechanics/principal_axes.h"
+#include "mechanics/core/principal_axes.h"
 #include "reduced/ellipsoid_integrals.h"
 
 namespace pseudorigid::reduced {

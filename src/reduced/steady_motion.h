@@ -19,8 +19,8 @@
 
 #include "materials/eigen_tensor.h"
 #include "materials/law_limits.h"
-#include "mechanics/body_observables.h"
-#include "mechanics/status.h"
+#include "mechanics/core/body_observables.h"
+#include "mechanics/core/status.h"
 
 namespace pseudorigid::reduced {
 

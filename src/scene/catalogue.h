@@ -1,7 +1,7 @@
 #pragma once
 /// What other layers bring into a parameter file: the names of the methods, the models of the ball, and the systems
-/// other than the ball with their entries and columns. The program hands the catalogue to read_scene (app/catalogue.h);
-/// the scene layer itself knows only what a ball is.
+/// other than the ball with their entries and columns. The program hands the catalogue to read_scene
+/// (app/models/catalogue.h); the scene layer itself knows only what a ball is.
 
 #include <functional>
 #include <optional>

@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
-#include "mechanics/any_field.h"
-#include "mechanics/any_landscape.h"
-#include "mechanics/any_system.h"
-#include "mechanics/vector_space.h"
+#include "mechanics/core/any_field.h"
+#include "mechanics/core/any_system.h"
+#include "mechanics/core/vector_space.h"
+#include "mechanics/equilibria/any_landscape.h"
 #include "scene/catalogue.h"
 
 namespace pseudorigid::systems {
@@ -81,9 +81,10 @@ class AnyModel {
   template <class System>
   static Form form_of(const System& system) {
     using namespace mechanics;
-    static_assert(ConstrainedSystem<System> || SecondOrderField<System>,
-                  "no method can run this system: a member of ConstrainedSystem (mechanics/constrained_system.h) or of "
-                  "SecondOrderField (mechanics/second_order_field.h) is missing or misspelt");
+    static_assert(
+        ConstrainedSystem<System> || SecondOrderField<System>,
+        "no method can run this system: a member of ConstrainedSystem (mechanics/core/constrained_system.h) or of "
+        "SecondOrderField (mechanics/core/second_order_field.h) is missing or misspelt");
     if constexpr (!ConstrainedSystem<System>)
       return AnyField(system);
     else if constexpr (unconstrained<System>)

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "mechanics/status.h"
+#include "mechanics/core/status.h"
 #include "systems/central_force.h"
 
 namespace pseudorigid::systems {

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-#include "mechanics/status.h"
+#include "mechanics/core/status.h"
 
 namespace pseudorigid::systems {
 

@@ -11,7 +11,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/conservative_system.h"
 
 namespace pseudorigid::systems {
 

@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/chart_field.h"
-#include "mechanics/chart_landscape.h"
-#include "mechanics/constrained_landscape.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/equilibria/chart_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/double_pendulum.h"
 #include "systems/double_pendulum_chart.h"
 #include "systems/system_scene.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <utility>
 
-#include "mechanics/second_order_field.h"
+#include "mechanics/core/second_order_field.h"
 #include "systems/body_loads.h"
 
 namespace pseudorigid::systems {

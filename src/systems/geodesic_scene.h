@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/chart_field.h"
+#include "mechanics/core/chart_field.h"
 #include "systems/surfaces.h"
 #include "systems/system_scene.h"
 

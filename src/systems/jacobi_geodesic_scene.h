@@ -1,6 +1,6 @@
 #pragma once
-/// Geodesics of the Jacobi metric of a particle of unit mass in the plane (mechanics/jacobi_metric.h; Oliva, Geometric
-/// Mechanics, 5.2) in parameter files,
+/// Geodesics of the Jacobi metric of a particle of unit mass in the plane (mechanics/core/jacobi_metric.h; Oliva,
+/// Geometric Mechanics, 5.2) in parameter files,
 ///
 ///   g_h = 2(h − U) |dq|²,   U = ½k|q|²  or  −μ/|q|,
 ///
@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/dormand_prince_8.h"
-#include "mechanics/jacobi_metric.h"
+#include "mechanics/core/jacobi_metric.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::systems {

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/conservative_system.h"
 #include "systems/central_force.h"
 #include "systems/invariant_axes.h"
 

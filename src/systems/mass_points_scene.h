@@ -15,7 +15,7 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/constrained_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/mass_points.h"
 #include "systems/system_scene.h"
 

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-#include "mechanics/second_order_field.h"
+#include "mechanics/core/second_order_field.h"
 #include "systems/central_force.h"
 
 namespace pseudorigid::systems {

@@ -16,8 +16,8 @@
 #include <string>
 #include <utility>
 
-#include "mechanics/body_observables.h"
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/body_observables.h"
+#include "mechanics/core/conservative_system.h"
 #include "systems/body_loads.h"
 #include "systems/body_symmetries.h"
 #include "systems/mass_distribution.h"

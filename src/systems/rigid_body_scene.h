@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/constrained_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/euler_angles.h"
 #include "systems/euler_top.h"
 #include "systems/mass_distribution.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/automatic_differentiation.h"
+#include "mechanics/core/automatic_differentiation.h"
 
 namespace pseudorigid::systems {
 

@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/chart_field.h"
-#include "mechanics/chart_landscape.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/equilibria/chart_landscape.h"
 #include "systems/system_scene.h"
 #include "systems/torus.h"
 

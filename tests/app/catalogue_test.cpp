@@ -1,6 +1,6 @@
 /// The program's own catalogue of methods and systems, and the reference page made from it.
 
-#include "app/catalogue.h"
+#include "app/models/catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/scene_to_model.h"
+#include "app/run/scene_to_model.h"
 #include "scene/entries.h"
 #include "scene/print_scene.h"
 

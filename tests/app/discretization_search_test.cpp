@@ -1,14 +1,14 @@
 /// The search for a discretisation, on runs whose errors are known.
 
-#include "app/discretization_search.h"
+#include "app/search/discretization_search.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "app/catalogue.h"
-#include "app/error_estimate.h"
+#include "app/models/catalogue.h"
+#include "app/search/error_estimate.h"
 #include "support/scratch_directory.h"
 
 namespace pseudorigid::app {

@@ -1,6 +1,6 @@
 // What launchers leave in the environment, and what an exception means for the exit code.
 
-#include "app/launch.h"
+#include "app/ranks/launch.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "app/failure.h"
-#include "app/on_all_ranks.h"
+#include "app/ranks/failure.h"
+#include "app/ranks/on_all_ranks.h"
 #include "io/files.h"
 #include "scene/user_error.h"
 

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/catalogue.h"
-#include "app/reduced_scene.h"
+#include "app/models/catalogue.h"
+#include "app/reduced/reduced_scene.h"
 #include "scene/entries.h"
 
 namespace pseudorigid::app {

@@ -1,11 +1,11 @@
 /// A program with a third model of the ball beside its two: the pseudo-rigid body under another name. It is all that a
 /// new model takes: a description, a function that runs it, and a place in the table.
 
-#include "app/model_run.h"
+#include "app/commands/program.h"
 #include "app/models/ball_models.h"
-#include "app/program.h"
-#include "app/reduced_model.h"
-#include "app/run_models.h"
+#include "app/reduced/reduced_model.h"
+#include "app/run/model_run.h"
+#include "app/run/run_models.h"
 
 namespace pseudorigid::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "continuum/observe.h"
+#include "continuum/output/observe.h"
 #include "loads/list.h"
 #include "support/runs.h"
 

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "continuum/balls.h"
-#include "continuum/nodal_fields.h"
+#include "continuum/output/nodal_fields.h"
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/step_size.h"
+#include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/step_size.h"
 
 namespace pseudorigid::testing {
 namespace {

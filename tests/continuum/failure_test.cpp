@@ -7,7 +7,7 @@
 #include <string>
 
 #include "continuum/balls.h"
-#include "mechanics/largest_frequency.h"
+#include "mechanics/steps/largest_frequency.h"
 
 namespace pseudorigid::testing {
 namespace {

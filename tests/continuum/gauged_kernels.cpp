@@ -1,7 +1,7 @@
 #include "continuum/gauged_kernels.h"
 
-#include "continuum/cell_kernels_impl.h"
-#include "continuum/point_law_impl.h"
+#include "continuum/kernels/cell_kernels_impl.h"
+#include "continuum/kernels/point_law_impl.h"
 
 namespace pseudorigid::testing {
 namespace {

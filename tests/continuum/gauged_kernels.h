@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "continuum/cell_kernels.h"
+#include "continuum/kernels/cell_kernels.h"
 
 namespace pseudorigid::testing {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "continuum/balls.h"
-#include "continuum/gram_solver.h"
+#include "continuum/constraint/gram_solver.h"
 
 namespace pseudorigid::testing {
 namespace {

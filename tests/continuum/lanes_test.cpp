@@ -1,7 +1,7 @@
 /// Logarithms of SIMD lanes against the standard library, to 2 units in the last place. Compiled like the kernels, so
 /// that the widest vectors of the machine are the ones tested.
 
-#include "continuum/lanes.h"
+#include "continuum/kernels/lanes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "continuum/balls.h"
-#include "continuum/nodal_fields.h"
+#include "continuum/output/nodal_fields.h"
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
 #include "support/differences.h"

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "continuum/balls.h"
-#include "continuum/ghost_values.h"
-#include "continuum/node_gradients.h"
+#include "continuum/kernels/node_gradients.h"
+#include "continuum/parallel/ghost_values.h"
 #include "materials/eigen_tensor.h"
-#include "mechanics/automatic_differentiation.h"
+#include "mechanics/core/automatic_differentiation.h"
 
 namespace pseudorigid::testing {
 

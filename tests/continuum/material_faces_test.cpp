@@ -1,6 +1,6 @@
 /// The surfaces that a picture shows: where they lie in the undeformed body, and where an affine motion carries them.
 
-#include "continuum/material_faces.h"
+#include "continuum/output/material_faces.h"
 
 #include <gtest/gtest.h>
 

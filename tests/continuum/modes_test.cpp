@@ -1,6 +1,6 @@
 /// Modes of the ball at rest against the exact frequencies of the elastic sphere (PHYSICS 3 and 7.6).
 
-#include "continuum/modes.h"
+#include "continuum/modes/modes.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <string>
 
 #include "analysis/order_fit.h"
-#include "continuum/elastic_ball.h"
+#include "continuum/body/elastic_ball.h"
 
 namespace pseudorigid::testing {
 namespace {

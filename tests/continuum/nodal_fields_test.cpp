@@ -1,7 +1,7 @@
 /// Graphics fields: the grid fills the ball, affine states have their exact displacement and stress, a known pressure
 /// is found, sectors show the same ball, failures are values.
 
-#include "continuum/nodal_fields.h"
+#include "continuum/output/nodal_fields.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// The product with a packed symmetric matrix. Where it is wrong, the Krylov iteration around it only takes longer.
 
-#include "continuum/packed_symmetric.h"
+#include "continuum/constraint/packed_symmetric.h"
 
 #include <gtest/gtest.h>
 

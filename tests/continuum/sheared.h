@@ -1,7 +1,7 @@
 #pragma once
 /// A deformation far from affine, for solves with the Gram operator. It does not keep the volume: G is there at any x.
 
-#include "continuum/ball_body.h"
+#include "continuum/body/ball_body.h"
 
 namespace pseudorigid::testing {
 

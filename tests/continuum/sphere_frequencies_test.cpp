@@ -1,6 +1,6 @@
 /// The exact frequencies of the sphere: against tables, and against each other where one equation becomes the other.
 
-#include "continuum/sphere_frequencies.h"
+#include "continuum/modes/sphere_frequencies.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// The faces of the free surface and the Gauss rule on them, on balls and sectors of known area.
 
-#include "continuum/surface_faces.h"
+#include "continuum/mesh/surface_faces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// The stretch ratio of the surface against affine deformations, where it is known at every point of the sphere.
 
-#include "continuum/surface_stretch.h"
+#include "continuum/output/surface_stretch.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 
 #include "analysis/order_fit.h"
 #include "continuum/balls.h"
-#include "continuum/parity_sector.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/step_size.h"
+#include "continuum/modes/parity_sector.h"
+#include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/step_size.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/pseudo_rigid_body.h"
 

@@ -12,7 +12,7 @@
 #include <array>
 #include <cmath>
 
-#include "mechanics/rattle.h"
+#include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::mechanics {
 

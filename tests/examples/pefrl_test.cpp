@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/chart_field.h"
-#include "mechanics/field_of.h"
-#include "mechanics/memory.h"
-#include "mechanics/step_search.h"
-#include "mechanics/step_size.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/core/memory.h"
+#include "mechanics/steps/step_search.h"
+#include "mechanics/steps/step_size.h"
 #include "support/conserved.h"
 #include "support/order_test.h"
 #include "systems/double_pendulum.h"

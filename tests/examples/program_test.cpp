@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/refuses_method.h"
-#include "app/system_run.h"
+#include "app/run/refuses_method.h"
+#include "app/systems/system_run.h"
 #include "examples/spherical_pendulum_scene.h"
 #include "io/csv.h"
 #include "io/log.h"

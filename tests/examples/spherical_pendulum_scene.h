@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "entries/entry_kinds.h"
-#include "mechanics/constrained_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::systems {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "examples/spherical_pendulum_scene.h"
-#include "mechanics/critical_points.h"
-#include "mechanics/methods.h"
+#include "mechanics/equilibria/critical_points.h"
+#include "mechanics/methods/methods.h"
 #include "support/conserved.h"
 #include "support/order_test.h"
 #include "systems/conservative_checks.h"

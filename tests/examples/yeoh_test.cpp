@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "continuum/lanes.h"
+#include "continuum/kernels/lanes.h"
 #include "materials/law_checks.h"
 #include "reduced/turning_point.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/central_difference.h"
-#include "mechanics/chart_field.h"
+#include "mechanics/core/central_difference.h"
+#include "mechanics/core/chart_field.h"
 #include "support/surface_curves.h"
 #include "systems/torus.h"
 

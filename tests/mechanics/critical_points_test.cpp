@@ -1,6 +1,6 @@
 /// Critical points of potentials, in charts and with constraints: where they are, their indices and spectra.
 
-#include "mechanics/critical_points.h"
+#include "mechanics/equilibria/critical_points.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <complex>
 #include <vector>
 
-#include "mechanics/chart_landscape.h"
-#include "mechanics/constrained_landscape.h"
+#include "mechanics/equilibria/chart_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
 #include "mechanics/sphere_particle.h"
 #include "systems/double_pendulum.h"
 #include "systems/mass_points.h"

@@ -1,12 +1,12 @@
 /// The conserving method on small systems: what it keeps, its order and those of its compositions, failures.
 
-#include "mechanics/energy_momentum.h"
+#include "mechanics/methods/energy_momentum.h"
 
 #include <gtest/gtest.h>
 
-#include "mechanics/composition.h"
 #include "mechanics/conservative_systems.h"
-#include "mechanics/memory.h"
+#include "mechanics/core/memory.h"
+#include "mechanics/methods/composition.h"
 #include "support/conserved.h"
 #include "support/order_test.h"
 #include "systems/sample_systems.h"

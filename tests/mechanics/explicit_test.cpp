@@ -8,9 +8,9 @@
 
 #include "analysis/order_fit.h"
 #include "materials/ciarlet_geymonat.h"
-#include "mechanics/dormand_prince_8.h"
-#include "mechanics/explicit_multiplier.h"
-#include "mechanics/memory.h"
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/core/memory.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "mechanics/toy_systems.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"

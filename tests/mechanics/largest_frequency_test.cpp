@@ -1,6 +1,6 @@
 /// largest_frequency against dense eigenvalue problems.
 
-#include "mechanics/largest_frequency.h"
+#include "mechanics/steps/largest_frequency.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Traits, reversibility, energy and failures of every method on small systems.
 
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
 
 #include <gtest/gtest.h>
 

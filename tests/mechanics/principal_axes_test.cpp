@@ -1,6 +1,6 @@
 /// The parts of the principal axes: the closed form from which the rotations start, so that few of them are needed.
 
-#include "mechanics/principal_axes.h"
+#include "mechanics/core/principal_axes.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "mechanics/central_difference.h"
 #include "mechanics/conservative_systems.h"
-#include "mechanics/step_size.h"
+#include "mechanics/core/central_difference.h"
+#include "mechanics/steps/step_size.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {

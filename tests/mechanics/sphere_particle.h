@@ -3,7 +3,7 @@
 
 #include <Eigen/Dense>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/conservative_system.h"
 #include "systems/surfaces.h"
 
 namespace pseudorigid::testing {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "materials/ciarlet_geymonat.h"
-#include "mechanics/chart_field.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/sphere_particle.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"

@@ -1,7 +1,7 @@
 /// Sample times, whole numbers of steps, interruption and resumption.
 
-#include "mechanics/time_loop.h"
-#include "mechanics/memory.h"
+#include "mechanics/methods/time_loop.h"
+#include "mechanics/core/memory.h"
 
 #include <gtest/gtest.h>
 

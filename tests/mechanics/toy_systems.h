@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "mechanics/constrained_system.h"
+#include "mechanics/core/constrained_system.h"
 
 namespace pseudorigid::testing {
 

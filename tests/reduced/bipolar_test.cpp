@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/bipolar_path.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/potentials.h"
 #include "support/conserved.h"
 #include "support/integrate.h"

@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "analysis/order_fit.h"
-#include "mechanics/explicit_multiplier.h"
-#include "mechanics/largest_frequency.h"
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/steps/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"

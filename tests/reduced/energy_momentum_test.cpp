@@ -1,12 +1,12 @@
 /// The conserving method on the pseudo-rigid body: SL(3) and GL⁺(3), any step, relative equilibria and their
 /// neighbourhood, order, failures.
 
-#include "mechanics/energy_momentum.h"
+#include "mechanics/methods/energy_momentum.h"
 
 #include <gtest/gtest.h>
 
 #include "materials/saint_venant_kirchhoff_as_printed.h"
-#include "mechanics/composition.h"
+#include "mechanics/methods/composition.h"
 #include "reduced/bodies.h"
 #include "support/conserved.h"
 #include "support/order_test.h"

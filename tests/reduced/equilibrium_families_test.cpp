@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/steady_bodies.h"
 #include "support/continuation.h"
 #include "support/index_symbols.h"

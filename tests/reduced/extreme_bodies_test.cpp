@@ -9,8 +9,8 @@
 #include <cmath>
 #include <string>
 
-#include "mechanics/explicit_multiplier.h"
-#include "mechanics/field_of.h"
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/core/field_of.h"
 #include "reduced/diagonal_body.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/largest_frequency.h"
+#include "mechanics/steps/largest_frequency.h"
 #include "reduced/potentials.h"
 #include "reduced/turning_point.h"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "mechanics/largest_frequency.h"
+#include "mechanics/steps/largest_frequency.h"
 #include "reduced/bodies.h"
 #include "reduced/turning_point.h"
 

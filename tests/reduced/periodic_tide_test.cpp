@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "analysis/order_fit.h"
-#include "mechanics/declared_dependence.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/declared_dependence.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/center_of_mass.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/potentials.h"
 #include "support/conserved.h"
 #include "support/integrate.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/carlson_gravity.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"

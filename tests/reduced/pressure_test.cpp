@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "loads/list.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/equilibrium_families.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"

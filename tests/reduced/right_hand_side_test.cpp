@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "mechanics/second_order_field.h"
+#include "mechanics/core/second_order_field.h"
 #include "reduced/samples.h"
 
 namespace pseudorigid::testing {

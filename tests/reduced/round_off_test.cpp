@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "mechanics/composition.h"
+#include "mechanics/methods/composition.h"
 #include "reduced/bodies.h"
 
 namespace pseudorigid::testing {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "analysis/order_fit.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/samples.h"
 #include "support/integrate.h"
 #include "systems/euler_top.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <complex>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/samples.h"
 #include "support/differences.h"
 #include "support/integrate.h"

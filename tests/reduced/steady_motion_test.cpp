@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/explicit_multiplier.h"
 #include "reduced/samples.h"
 #include "reduced/steady_bodies.h"
 #include "support/index_symbols.h"

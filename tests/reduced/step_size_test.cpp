@@ -1,13 +1,13 @@
 /// choose_step on the reduced body: the tolerance is met, the cost is near the least, hopeless requests are told.
 
-#include "mechanics/step_size.h"
+#include "mechanics/steps/step_size.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "mechanics/largest_frequency.h"
+#include "mechanics/steps/largest_frequency.h"
 #include "reduced/bodies.h"
 
 namespace pseudorigid::testing {

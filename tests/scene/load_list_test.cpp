@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/scene_to_model.h"
+#include "app/run/scene_to_model.h"
 #include "scene/needs.h"
 #include "scene/scene_files.h"
 #include "scene/validate.h"

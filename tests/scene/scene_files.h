@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/catalogue.h"
+#include "app/models/catalogue.h"
 #include "scene/entries.h"
 #include "scene/read_scene.h"
 #include "scene/user_error.h"

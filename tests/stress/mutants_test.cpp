@@ -12,10 +12,10 @@
 #include <random>
 #include <set>
 
-#include "app/catalogue.h"
-#include "app/mesh_file.h"
-#include "app/scene_to_run.h"
-#include "app/sweep.h"
+#include "app/commands/scene_to_run.h"
+#include "app/commands/sweep.h"
+#include "app/models/catalogue.h"
+#include "app/run/mesh_file.h"
 #include "entries/matrix3.h"
 #include "io/checkpoint.h"
 #include "io/gmsh.h"

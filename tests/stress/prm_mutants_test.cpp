@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "app/catalogue.h"
+#include "app/models/catalogue.h"
 #include "scene/entries.h"
 #include "stress/mutants.h"
 #include "support/prm_oracle.h"

@@ -11,10 +11,10 @@
 #include <random>
 #include <string>
 
-#include "mechanics/field_of.h"
-#include "mechanics/largest_frequency.h"
-#include "mechanics/step_size.h"
-#include "mechanics/time_loop.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/methods/time_loop.h"
+#include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/step_size.h"
 #include "reduced/bodies.h"
 #include "systems/double_pendulum.h"
 #include "systems/mass_points.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/conservative_system.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {

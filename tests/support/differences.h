@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "mechanics/central_difference.h"
+#include "mechanics/core/central_difference.h"
 
 namespace pseudorigid::testing {
 

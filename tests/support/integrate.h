@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "mechanics/dormand_prince_8.h"
+#include "mechanics/methods/dormand_prince_8.h"
 
 namespace pseudorigid::testing {
 

@@ -10,7 +10,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
 
 namespace pseudorigid::testing {
 

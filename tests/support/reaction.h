@@ -10,7 +10,7 @@
 
 #include <utility>
 
-#include "mechanics/conservative_system.h"
+#include "mechanics/core/conservative_system.h"
 
 namespace pseudorigid::mechanics {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "mechanics/field_of.h"
-#include "mechanics/methods.h"
-#include "mechanics/time_loop.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/methods/time_loop.h"
 
 namespace pseudorigid::testing {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "mechanics/chart.h"
+#include "mechanics/core/chart.h"
 
 namespace pseudorigid::testing {
 

@@ -11,8 +11,8 @@
 #include <limits>
 #include <string>
 
-#include "mechanics/critical_point.h"
-#include "mechanics/dormand_prince_8.h"
+#include "mechanics/equilibria/critical_point.h"
+#include "mechanics/methods/dormand_prince_8.h"
 
 namespace pseudorigid::mechanics {
 

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "examples/spherical_pendulum_scene.h"
-#include "mechanics/any_field.h"
-#include "mechanics/any_system.h"
-#include "mechanics/chart_field.h"
-#include "mechanics/field_of.h"
-#include "mechanics/methods.h"
+#include "mechanics/core/any_field.h"
+#include "mechanics/core/any_system.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/methods/methods.h"
 #include "systems/sample_systems.h"
 #include "systems/torus.h"
 

@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "mechanics/energy_momentum.h"
+#include "mechanics/methods/energy_momentum.h"
 
 namespace pseudorigid::testing {
 

@@ -1,6 +1,6 @@
 /// A system that says nothing of the velocity or the time has a force without them: what it forgets is found.
 
-#include "mechanics/declared_dependence.h"
+#include "mechanics/core/declared_dependence.h"
 
 #include <gtest/gtest.h>
 

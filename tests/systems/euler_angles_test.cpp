@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
 #include "support/runs.h"
 #include "systems/conservative_checks.h"
 #include "systems/sample_systems.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/jacobi_metric.h"
+#include "mechanics/core/jacobi_metric.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum_chart.h"

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/chart_field.h"
-#include "mechanics/chart_landscape.h"
-#include "mechanics/constrained_landscape.h"
-#include "mechanics/critical_points.h"
-#include "mechanics/explicit_multiplier.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/equilibria/chart_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
+#include "mechanics/equilibria/critical_points.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum.h"

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
 #include "support/order_test.h"
 #include "systems/conservative_checks.h"
 #include "systems/sample_systems.h"

@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "mechanics/body_observables.h"
+#include "mechanics/core/body_observables.h"
 #include "support/integrate.h"
 #include "systems/conservative_checks.h"
 

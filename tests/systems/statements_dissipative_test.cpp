@@ -8,9 +8,9 @@
 #include <numbers>
 #include <random>
 
-#include "mechanics/chart_landscape.h"
-#include "mechanics/constrained_landscape.h"
-#include "mechanics/critical_points.h"
+#include "mechanics/equilibria/chart_landscape.h"
+#include "mechanics/equilibria/constrained_landscape.h"
+#include "mechanics/equilibria/critical_points.h"
 #include "mechanics/sphere_particle.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"

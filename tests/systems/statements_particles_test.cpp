@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/methods.h"
+#include "mechanics/methods/methods.h"
 #include "support/integrate.h"
 #include "support/runs.h"
 #include "systems/sample_systems.h"

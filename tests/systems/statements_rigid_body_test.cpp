@@ -8,8 +8,8 @@
 #include <cmath>
 #include <vector>
 
-#include "mechanics/explicit_multiplier.h"
-#include "mechanics/methods.h"
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/methods/methods.h"
 #include "support/integrate.h"
 #include "support/runs.h"
 #include "systems/conservative_checks.h"

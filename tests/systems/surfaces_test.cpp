@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/chart_field.h"
+#include "mechanics/core/chart_field.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
 

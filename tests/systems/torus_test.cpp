@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "mechanics/chart_landscape.h"
-#include "mechanics/critical_points.h"
+#include "mechanics/equilibria/chart_landscape.h"
+#include "mechanics/equilibria/critical_points.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
 

@@ -1,6 +1,6 @@
 #include "app/models/ball_models.h"
-#include "app/reduced_scene.h"
-#include "app/refuses_method.h"
+#include "app/reduced/reduced_scene.h"
+#include "app/run/refuses_method.h"
 #include "io/trajectory.h"
 #include "materials/eigen_tensor.h"
 

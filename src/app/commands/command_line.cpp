@@ -1,0 +1,96 @@
+#include "app/commands/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// CLI11's own text for a wrong command line may have several lines; the contract is one sentence.
+std::string one_sentence(std::string text) {
+  for (char& c : text)
+    if (c == '\n') c = ' ';
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text + "; see pseudorigid --help";
+}
+
+std::string names_a_file(const std::string& scene) {
+  return scene.empty() ? "expected the name of a parameter file, got nothing" : "";
+}
+
+std::string names_a_directory(const std::string& directory) {
+  return directory.empty() ? "expected the directory of a run, got nothing" : "";
+}
+
+scene::Format format_of(const std::string& name) {
+  if (name == "prm") return scene::Format::prm;
+  if (name == "markdown") return scene::Format::markdown;
+  if (name == "json") return scene::Format::json;
+  throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
+}
+
+}  // namespace
+
+Options parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app{"An elastic ball and its pseudo-rigid (ellipsoidal) reduction, run from one parameter file",
+               "pseudorigid"};
+  app.set_version_flag("--version", "version");
+  app.require_subcommand(0, 1);
+  app.footer(
+      "Exit codes: 0 done; 2 the input is wrong; 3 the run could not go on or was interrupted (--resume\n"
+      "continues it); 1 a defect of the program.");
+
+  bool quiet = false, verbose = false;
+  auto* run = app.add_subcommand("run", "Run a scene and write its results");
+  run->add_option("SCENE", options.scene, "parameter file")->required()->check(names_a_file);
+  run->add_option("--set", options.overrides, "\"Section/Entry=value\" in place of what the file says (repeatable)")
+      ->allow_extra_args(false);
+  run->add_option("--output", options.output, "directory of the results, in place of <Output/Directory>/<scene name>");
+  run->add_flag("--resume", options.resume, "go on from the last checkpoint");
+  auto* quiet_flag = run->add_flag("--quiet", quiet, "print warnings and errors only");
+  run->add_flag("--verbose", verbose, "print all that goes into the log")->excludes(quiet_flag);
+
+  auto* check = app.add_subcommand("check", "Validate a scene; print what it needs and what is skipped");
+  check->add_option("SCENE", options.scene, "parameter file")->required()->check(names_a_file);
+  check->add_option("--set", options.overrides, "as for run")->allow_extra_args(false);
+
+  auto* parameters = app.add_subcommand("parameters", "Print every entry: default, range, unit, documentation");
+  parameters
+      ->add_option_function<std::string>(
+          "--format", [&](const std::string& name) { options.format = format_of(name); },
+          "prm, markdown (default) or json")
+      ->option_text("FORMAT");
+
+  auto* report = app.add_subcommand("report", "Write report.html of a run from the files in its directory");
+  report->add_option("DIR", options.run_directory, "directory of the results of a run")
+      ->required()
+      ->check(names_a_directory);
+  report->add_option("--output", options.output, "name of the page, in place of DIR/report.html");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto chosen = app.get_subcommands();
+    options.help = chosen.empty() ? app.help() : chosen.front()->help(app.get_name());
+    return options;
+  } catch (const CLI::CallForVersion&) {
+    options.command = Command::version;
+    return options;
+  } catch (const CLI::ParseError& error) {
+    throw UserError(one_sentence(error.what()));
+  }
+  if (quiet) options.verbosity = io::Verbosity::quiet;
+  if (verbose) options.verbosity = io::Verbosity::verbose;
+  options.command = run->parsed()          ? Command::run
+                    : check->parsed()      ? Command::check
+                    : parameters->parsed() ? Command::parameters
+                    : report->parsed()     ? Command::report
+                                           : Command::help;
+  options.help = app.help();
+  return options;
+}
+
+}  // namespace pseudorigid::app

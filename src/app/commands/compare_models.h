@@ -1,0 +1,16 @@
+#pragma once
+/// The comparison of the models of a run: each with the last of them, the richest in motions. Of two models the files
+/// are comparison.csv and comparison.json; of more, comparison-<model>.csv and .json for each, and comparison.json has
+/// an overview of them.
+
+#include <string>
+
+#include "app/run/run_context.h"
+
+namespace pseudorigid::app {
+
+/// Compares what the models that ran have written. Returns why the table could not be printed, if it could not; it is
+/// in the files as well.
+std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet);
+
+}  // namespace pseudorigid::app

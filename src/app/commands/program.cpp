@@ -1,0 +1,140 @@
+#include "app/commands/program.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+
+#include "app/commands/command_line.h"
+#include "app/commands/report_command.h"
+#include "app/commands/run_command.h"
+#include "app/commands/scene_to_run.h"
+#include "app/commands/sweep.h"
+#include "app/ranks/failure.h"
+#include "app/ranks/launch.h"
+#include "app/ranks/on_all_ranks.h"
+#include "app/run/mesh_file.h"
+#include "app/search/effort.h"
+#include "io/build_info.h"
+#include "io/standard_streams.h"
+#include "scene/models.h"
+#include "scene/print_scene.h"
+#include "scene/read_scene.h"
+#include "scene/user_error.h"
+#include "scene/validate.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// Becomes pseudorigid-continuum, which stands beside this executable, with the same arguments.
+[[noreturn]] void become_continuum_executable(char** argv) {
+  const std::filesystem::path program =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "pseudorigid-continuum";
+  std::fflush(nullptr);
+  execv(program.c_str(), argv);
+  throw UserError("the scene needs the continuum model, but " + program.string() + " cannot be started (" +
+                  std::strerror(errno) + "); build the preset release, or set Models = reduced");
+}
+
+/// The scene as it was read and as it can be run; of a sweep, the first run, after the ends of its ranges have been
+/// checked.
+struct Input {
+  scene::ReadScene raw, read;
+};
+
+Input read_and_validate(const Options& options, const Executable& executable, int n_ranks) {
+  Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue), {}};
+  input.read = input.raw;
+  input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
+  check_sweep(input.raw);
+  const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
+  if (n_ranks != Launch::unknown)
+    require_memory(input.read.scene, input.read.origins, n_coarse_cells,
+                   static_cast<double>(Launch().n_ranks_here) / n_ranks);
+  return input;
+}
+
+/// Of several processes pseudorigid, which has no MPI, leaves it to pseudorigid-continuum to say how many they are.
+int n_ranks_known(const Executable& executable, const Launch& launch) {
+  if (executable.runs_discretized) return executable.ranks->size();
+  return launch.n_ranks == 1 ? 1 : Launch::unknown;
+}
+
+/// Processes that were started together compute together only if MPI knows of all of them.
+void require_mpi_of(const Launch& launch, const Ranks& ranks) {
+  if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
+  throw UserError(
+      fmt::format("the process of rank {} finds {} rank{} of MPI; the launcher must be that of the MPI which "
+                  "pseudorigid is linked with (its mpirun, or srun --mpi=pmix)",
+                  launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
+}
+
+int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
+  const Ranks& ranks = *executable.ranks;
+  if (executable.runs_discretized) require_mpi_of(launch, ranks);
+  Input input;
+  on_all_ranks(ranks, [&] { input = read_and_validate(options, executable, n_ranks_known(executable, launch)); });
+  const scene::ReadScene& read = input.read;
+  if (!scene::is_discretized(read.scene))
+    return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+  if (!executable.runs_discretized) become_continuum_executable(argv);
+  if (launch.rank > 0) return assist_scene(read, options, executable);
+  // However the run ends, the other ranks are told.
+  struct Dismissal {
+    const Ranks& ranks;
+    ~Dismissal() { ranks.of_first(false); }
+  } const dismissal{ranks};
+  return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+}
+
+int dispatch(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
+  switch (options.command) {
+    case Command::run:
+      return run(options, argc, argv, executable, launch);
+    case Command::check: {
+      const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
+      io::print(scene::describe(read.scene, needs_with_effort(read.scene)));
+      return exit_done;
+    }
+    case Command::parameters:
+      io::print(scene::parameters(options.format, *executable.catalogue));
+      return exit_done;
+    case Command::report:
+      if (launch.rank == 0) report_run(options);
+      return exit_done;
+    case Command::version: {
+      const io::BuildInfo build = io::build_info();
+      io::print(fmt::format("pseudorigid {} ({})\n", build.version, build.git_hash));
+      return exit_done;
+    }
+    case Command::help:
+      io::print(options.help);
+      return exit_done;
+  }
+  return exit_defect;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, const Executable& executable) {
+  const Launch launch;
+  try {
+    return dispatch(parse_command_line(argc, argv), argc, argv, executable, launch);
+  } catch (const std::exception& error) {
+    const Failure failure = failure_of(error);
+    const Ranks& ranks = *executable.ranks;
+    // What all ranks have the first says; what another has alone would leave the first waiting.
+    const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
+    const bool unconnected = executable.runs_discretized && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
+    const bool is_first = ranks.rank() == 0 && launch.rank == 0;
+    if (is_first || unconnected || alone) std::fprintf(stderr, "error: %s\n", failure.message.c_str());
+    if (alone) ranks.abort(failure.exit_code);
+    return failure.exit_code;
+  }
+}
+
+}  // namespace pseudorigid::app

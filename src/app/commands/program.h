@@ -1,0 +1,28 @@
+#pragma once
+/// The program behind both executables: `pseudorigid` (no deal.II, no MPI in the process) and `pseudorigid-continuum`,
+/// which it becomes for a scene with a discretized model.
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "app/models/catalogue.h"
+#include "app/run/run_context.h"
+
+namespace pseudorigid::app {
+
+using RunModel = ModelOutcome (*)(const RunContext&);
+
+/// What an executable was linked with.
+struct Executable {
+  std::map<std::string_view, RunModel> models;   ///< those that it can run, by their names in the catalogue
+  std::map<std::string, std::string> libraries;  ///< name → version, for the manifest
+  bool runs_discretized = false;                 ///< it is pseudorigid-continuum
+  const Ranks* ranks = &one_rank();
+  const scene::Catalogue* catalogue = &program_catalogue();
+};
+
+/// Runs the command line and returns the exit code: 0 done, 2 wrong input, 3 could not go on, 1 a defect.
+int run_program(int argc, char** argv, const Executable& executable);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,12 @@
+#pragma once
+/// `pseudorigid report DIR`: report.html of a run that was made without it, that is still at work, or that was killed.
+
+#include "app/commands/command_line.h"
+
+namespace pseudorigid::app {
+
+/// Writes the page and prints its name. Throws UserError if the directory is not that of a run, or if the page cannot
+/// have the place that was named.
+void report_run(const Options& options);
+
+}  // namespace pseudorigid::app

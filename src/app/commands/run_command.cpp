@@ -1,0 +1,237 @@
+#include "app/commands/run_command.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "app/commands/compare_models.h"
+#include "app/commands/sweep.h"
+#include "app/commands/sweep_rows.h"
+#include "app/ranks/failure.h"
+#include "app/ranks/on_all_ranks.h"
+#include "app/reduced/ball_equilibria.h"
+#include "app/run/model_checkpoint.h"
+#include "app/run/run_models.h"
+#include "app/run/scene_to_model.h"
+#include "app/search/discretization_search.h"
+#include "app/search/effort.h"
+#include "io/csv.h"
+#include "io/files.h"
+#include "io/progress.h"
+#include "io/report.h"
+#include "io/signals.h"
+#include "io/standard_streams.h"
+#include "scene/needs.h"
+#include "scene/print_scene.h"
+#include "scene/scales.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// Runs one model and notes it in the manifest. False: the run ends here.
+bool run_model(const std::string& name, RunModel run, const RunContext& context, io::ManifestFile& manifest,
+               std::string& message, bool& interrupted) {
+  ModelOutcome outcome = run(context);
+  if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // an equilibrium has none
+    context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
+                      context.resume ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
+  manifest.content().models[name] = std::move(outcome.statistics);
+  interrupted = outcome.state == ModelOutcome::State::interrupted;
+  message = std::move(outcome.message);
+  return outcome.state == ModelOutcome::State::finished;
+}
+
+/// What may leave files of its own name: the models, and every system of the catalogue.
+std::vector<std::string> movers(const scene::Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const scene::ModelDescription& model : catalogue.models) names.emplace_back(model.name);
+  for (const scene::SystemDescription& system : catalogue.systems) names.emplace_back(system.file);
+  return names;
+}
+
+/// The checkpoints that a run of the scene may leave.
+std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : movers(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
+  for (const char* name : {SweepRows::name, DiscretizationSearch::checkpoint_name})
+    paths.push_back(directory.checkpoint(name));
+  std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
+  return paths;
+}
+
+bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
+
+/// The context in which a model runs: several processes share one that is discretized. The modes of one octant are
+/// found in one process.
+RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
+  RunContext of_model = context;
+  if (model.discretized && context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
+    of_model.ranks = executable.ranks;
+  return of_model;
+}
+
+int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
+  std::string message;
+  bool interrupted = false, complete = true;
+  if (const auto* system = context.needs.system)
+    complete = run_model(std::string(system->file), run_system, context, manifest, message, interrupted);
+  for (const scene::ModelDescription* model : context.needs.models)
+    if (complete)
+      complete = run_model(std::string(model->name), executable.models.at(model->name),
+                           context_of(*model, context, executable), manifest, message, interrupted);
+  std::string not_printed;
+  if (context.needs.comparison && !interrupted) not_printed = compare_models(context, manifest.content(), quiet);
+  if (complete) {
+    context.log->info("results are in {}", context.directory.path().string());
+    if (!not_printed.empty()) {
+      context.log->error("{}; the results are complete", not_printed);
+      manifest.finish("failed", exit_stopped, not_printed);
+      return exit_stopped;
+    }
+    manifest.finish("done", exit_done);
+    return exit_done;
+  }
+  context.log->error("{}{}", message,
+                     !is_resumable(context) ? ""
+                     : interrupted          ? " (--resume goes on from there)"
+                                            : " (--resume goes on from there, with a smaller Time/Step perhaps)");
+  manifest.finish(interrupted ? "interrupted" : "failed", exit_stopped, message);
+  return exit_stopped;
+}
+
+int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
+                    io::ManifestFile& manifest) {
+  const RunModel run = context.needs.system ? run_system : executable.models.at(context.needs.models.front()->name);
+  ModelOutcome outcome = run_sweep(raw, run, context);
+  manifest.content().models["sweep"] = std::move(outcome.statistics);
+  if (outcome.state == ModelOutcome::State::finished) {
+    context.log->info("results are in {}", context.directory.path().string());
+    manifest.finish("done", exit_done);
+    return exit_done;
+  }
+  if (outcome.state == ModelOutcome::State::failed) {
+    context.log->error("{}", outcome.message);
+    manifest.finish("failed", exit_wrong_input, outcome.message);
+    return exit_wrong_input;
+  }
+  context.log->error("{} (--resume goes on from there)", outcome.message);
+  manifest.finish("interrupted", exit_stopped, outcome.message);
+  return exit_stopped;
+}
+
+io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, const std::vector<std::string>& command,
+                         const Executable& executable) {
+  io::Manifest content{.build = io::build_info(),
+                       .command = command,
+                       .title = scene.title,
+                       .scene = scene::summary(scene, needs),
+                       .entries = scene::used_values(scene),
+                       .needed = needs.needed,
+                       .skipped = needs.skipped,
+                       .warnings = needs.warnings,
+                       .system = needs.system ? std::string(needs.system->file) : "",
+                       .columns = {},
+                       .libraries = executable.libraries,
+                       .ball = needs.models,
+                       .models = {}};
+  if (needs.system)
+    content.columns[content.system + ".csv"] = needs.system->columns;
+  else if (scene.analysis == scene::Analysis::equilibrium)
+    content.columns["equilibria.csv"] = ball_equilibria_columns();
+  return content;
+}
+
+/// The last file of a run, which shows the others.
+void add_report(const RunContext& context) {
+  io::write_report(context.directory, io::movers_in(context.directory.manifest()));
+  context.log->info("the report is {}", context.directory.report().string());
+}
+
+/// What was thrown on the way ends the run, which says so wherever it can.
+int stop(const Failure& failure, const RunContext& context, std::optional<io::ManifestFile>& manifest) {
+  const bool goes_on = failure.exit_code == exit_stopped && is_resumable(context);
+  context.log->error("{}{}", failure.message,
+                     goes_on ? "; what was written before is kept, and --resume goes on from the last checkpoint" : "");
+  try {
+    if (manifest) manifest->finish("failed", failure.exit_code, failure.message);
+  } catch (const io::WriteError&) {  // has been said
+  }
+  return failure.exit_code;
+}
+
+/// Every checkpoint in the directory can be read and belongs to this scene.
+void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
+  for (const auto& path : checkpoints(directory, scene))
+    if (io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
+      throw UserError("the checkpoint in " + directory.path().string() +
+                      " is of another scene; only Time/Step, Time/Method and Time/Tolerance may change");
+}
+
+/// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
+io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
+  constexpr const char* entry = "Output/Directory";
+  try {
+    io::RunLock lock =
+        options.resume ? directory.prepare_resume() : directory.prepare_fresh(movers(*read.scene.catalogue));
+    if (options.resume) require_same_scene(directory, read.scene);
+    if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
+    return lock;
+  } catch (const UserError& error) {
+    const std::string origin = options.resume   ? "--resume"
+                               : options.output ? "--output"
+                                                : read.origins.of(entry) + ": " + entry;
+    throw UserError(origin + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
+              const std::vector<std::string>& command, const Executable& executable) {
+  const scene::Scene& scene = read.scene;
+  const scene::Needs needs = needs_with_effort(scene);
+  const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
+  io::install_signal_handlers();
+  const io::RunLock lock = prepare(directory, read, options);
+  const bool quiet = options.verbosity == io::Verbosity::quiet;
+  const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
+  const RunContext context{
+      scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
+  std::optional<io::ManifestFile> manifest;
+  try {
+    io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
+    manifest.emplace(directory.manifest(), manifest_of(scene, needs, command, executable));
+    log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
+    log->debug("{}", scene::describe(scene, needs));
+    for (const std::string& warning : needs.warnings) log->warn("{}", warning);
+    const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
+                                         : run_whole_sweep(raw, context, executable, *manifest);
+    if (needs.report) add_report(context);
+    return code;
+  } catch (const std::exception& error) {
+    return stop(failure_of(error), context, manifest);
+  }
+}
+
+int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable) {
+  const scene::Scene& scene = read.scene;
+  const scene::Needs needs = needs_with_effort(scene);
+  const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
+  io::install_signal_handlers();
+  RunContext context{
+      scene,          needs, directory, units_of(scene), io::make_logger(io::Verbosity::silent, std::nullopt),
+      options.resume, false};
+  context.ranks = executable.ranks;
+  int code = exit_done;
+  auto model = std::ranges::find_if(needs.models, &scene::ModelDescription::discretized);
+  while (executable.ranks->of_first(false)) try {
+      if (executable.models.at((*model)->name)(context).state != ModelOutcome::State::finished) code = exit_stopped;
+      model = std::find_if(model + 1, needs.models.end(), [](const auto* next) { return next->discretized; });
+    } catch (const FailureOnAllRanks& error) {
+      code = error.failure().exit_code;
+    }
+  return code;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,16 @@
+#pragma once
+/// From a scene as it was read to the one that runs: checked, its initial state found and made exact.
+
+#include "app/reduced/ball_equilibria.h"
+#include "scene/validate.h"
+
+namespace pseudorigid::app {
+
+/// Throws UserError.
+inline scene::Scene scene_to_run(const scene::Scene& read, const scene::Origins& origins) {
+  scene::Scene scene = scene::validate(read, origins);
+  if (scene.initial_state.equilibrium == scene::Family::none) return scene;
+  return scene::validate(with_equilibrium(std::move(scene), origins), origins);
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,222 @@
+#include "app/commands/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "app/commands/scene_to_run.h"
+#include "app/commands/sweep_rows.h"
+#include "app/run/scene_to_model.h"
+#include "entries/entry_kinds.h"
+#include "io/signals.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+std::string describe_values(const scene::ParameterValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, scene::print_number(value));
+  return text;
+}
+
+scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values) {
+  return scene_to_run(scene::with_parameters(raw.scene, values, raw.origins), raw.origins);
+}
+
+std::string describe_run(const scene::Sweep& sweep, int k) {
+  return fmt::format("run {} of the sweep, {}", k + 1, describe_values(scene::values_of_run(sweep, k)));
+}
+
+/// The runs in which each parameter has its first or its last value.
+std::set<int> corners(const scene::Sweep& sweep) {
+  std::set<int> runs{0};
+  for (const scene::SweepParameter& parameter : sweep) {
+    std::set<int> with_this_one;
+    for (const int k : runs)
+      for (const int i : {0, parameter.size() - 1}) with_this_one.insert(k * parameter.size() + i);
+    runs = std::move(with_this_one);
+  }
+  return runs;
+}
+
+/// What one run has to say.
+struct RunResult {
+  io::Table rows;
+  ModelOutcome outcome;
+};
+
+class SweepRun {
+ public:
+  SweepRun(const scene::ReadScene& raw, RunModel run, const RunContext& context)
+      : raw_(raw), run_(run), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
+
+  RunResult run(int k) const {
+    RunResult result;
+    const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
+    const RunContext context{scene, context_.needs, context_.directory, units_of(scene), silent_,
+                             false, false,          &result.rows};
+    result.outcome = run_(context);
+    return result;
+  }
+
+  /// The columns of sweep.csv.
+  std::vector<std::string> columns() const {
+    const std::vector<std::string> of_model = columns_of_model();
+    std::vector<std::string> names{"run"};
+    for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
+    names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
+    for (std::size_t i = 1; i < of_model.size(); ++i)
+      for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
+    return names;
+  }
+
+  std::vector<std::string> columns_of_model() const {
+    if (!context_.needs.system) return context_.needs.models.front()->header(context_.needs.quantities);
+    std::vector<std::string> names{"time"};
+    for (const scene::Column& column : context_.needs.system->columns_of(context_.scene)) names.push_back(column.name);
+    return names;
+  }
+
+  std::vector<double> row(int k, const RunResult& result) const {
+    std::vector<double> row{k + 1.0};
+    const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
+    for (const auto& parameter : raw_.scene.sweep) row.push_back(values.at(parameter.name));
+    const io::Table& table = result.rows;
+    const std::size_t n = table.n_rows();
+    row.push_back(result.outcome.state == ModelOutcome::State::finished);
+    row.push_back(n > 0 ? table.row(n - 1)[0] : 0);
+    const auto& counters = result.outcome.statistics.counters;
+    for (const char* name : {"steps", "forces", "estimated_time_error"}) {
+      const auto found = counters.find(name);
+      row.push_back(found != counters.end() ? found->second : 0);
+    }
+    for (std::size_t c = 1; c < table.columns.size(); ++c) {
+      double least = n > 0 ? table.row(0)[c] : 0, most = least;
+      for (std::size_t i = 1; i < n; ++i) {
+        least = std::min(least, table.row(i)[c]);
+        most = std::max(most, table.row(i)[c]);
+      }
+      row.insert(row.end(), {n > 0 ? table.row(n - 1)[c] : 0, least, most});
+    }
+    return row;
+  }
+
+ private:
+  const scene::ReadScene& raw_;
+  RunModel run_;
+  const RunContext& context_;
+  std::shared_ptr<io::Logger> silent_;
+};
+
+/// All runs from `first` on, by several threads that take the next one each.
+class Workers {
+ public:
+  Workers(const SweepRun& sweep, const scene::Sweep& parameters, const RunContext& context, SweepRows& rows)
+      : sweep_(sweep), parameters_(parameters), context_(context), rows_(rows), next_(rows.n_written()) {}
+
+  void work(int n_threads) {
+    {
+      std::vector<std::jthread> threads;
+      for (int i = 1; i < n_threads; ++i) threads.emplace_back([this] { work_alone(); });
+      work_alone();
+    }
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  int n_failed() const { return n_failed_; }
+  /// The first run whose input is wrong, and what is wrong with it.
+  const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
+
+ private:
+  void work_alone() {
+    const int n = scene::n_runs(parameters_);
+    int k = 0;
+    try {
+      for (k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
+        const RunResult result = sweep_.run(k);
+        if (result.outcome.state == ModelOutcome::State::interrupted) return;
+        if (result.outcome.state == ModelOutcome::State::failed) note_failure(k, result.outcome.message);
+        rows_.deliver(k, sweep_.row(k, result));
+      }
+    } catch (const UserError& error) {
+      const std::lock_guard lock(mutex_);
+      if (!wrong_input_ || k < wrong_input_->first) wrong_input_ = {k, error.what()};
+      next_ = n;
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!error_) error_ = std::current_exception();
+      next_ = n;
+    }
+  }
+
+  void note_failure(int k, const std::string& message) {
+    const std::lock_guard lock(mutex_);
+    if (++n_failed_ <= 10)
+      context_.log->warn("run {} ({}): {}{}", k + 1, describe_values(scene::values_of_run(parameters_, k)), message,
+                         n_failed_ == 10 ? " (further failures are only in the column finished)" : "");
+  }
+
+  const SweepRun& sweep_;
+  const scene::Sweep& parameters_;
+  const RunContext& context_;
+  SweepRows& rows_;
+  std::atomic<int> next_;
+  std::mutex mutex_;
+  std::exception_ptr error_;
+  std::optional<std::pair<int, std::string>> wrong_input_;
+  int n_failed_ = 0;
+};
+
+int n_threads_of(const scene::Scene& scene) {
+  if (scene.sweep_threads) return *scene.sweep_threads;
+  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+}  // namespace
+
+void check_sweep(const scene::ReadScene& raw) {
+  if (raw.scene.sweep.empty()) return;
+  for (const int k : corners(raw.scene.sweep)) try {
+      scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
+    } catch (const UserError& error) {
+      throw UserError(fmt::format("{} (in {})", error.what(), describe_run(raw.scene.sweep, k)));
+    }
+}
+
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context) {
+  const auto start = std::chrono::steady_clock::now();
+  const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
+  const SweepRun sweep(raw, run, context);
+  SweepRows rows(context, sweep.columns(), n);
+  Workers workers(sweep, raw.scene.sweep, context, rows);
+  workers.work(n_threads);
+  rows.finish();
+
+  ModelOutcome outcome;
+  if (const auto& wrong = workers.wrong_input()) {
+    outcome.state = ModelOutcome::State::failed;
+    outcome.message = fmt::format("{} (in {}); the {} rows before are kept", wrong->second,
+                                  describe_run(raw.scene.sweep, wrong->first), rows.n_written());
+  } else if (rows.n_written() < n) {
+    outcome.state = ModelOutcome::State::interrupted;
+    outcome.message = fmt::format("sweep interrupted after {} of {} runs", rows.n_written(), n);
+  }
+  auto& statistics = outcome.statistics;
+  statistics.counters["runs"] = rows.n_written();
+  statistics.counters["failed_runs"] = workers.n_failed();
+  statistics.counters["threads"] = n_threads;
+  statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  context.log->info("sweep: {} runs, {} of them stopped early, {} thread{}, {:.3g} s", rows.n_written(),
+                    workers.n_failed(), n_threads, n_threads == 1 ? "" : "s", statistics.timers["run"]);
+  return outcome;
+}
+
+}  // namespace pseudorigid::app

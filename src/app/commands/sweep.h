@@ -1,0 +1,24 @@
+#pragma once
+/// A sweep: the scene once for every combination of its parameters (scene/sweep.h), all cores, no files but sweep.csv
+/// with a row for each run:
+///
+///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error, and of every column c
+///   of the model's own CSV file  c_end, c_min, c_max  over the samples.
+///
+/// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
+/// last row.
+
+#include "app/commands/program.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// `raw` is the scene as it was read, before validation, which belongs to each run. Throws UserError, before anything
+/// is written, if a combination of first and last values is not a scene that can run. Others are judged as their turn
+/// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
+void check_sweep(const scene::ReadScene& raw);
+
+/// `context` is that of the first run, `run` runs what moves.
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,189 @@
+#pragma once
+/// The finite-element ball of a scene, incompressible or compressible, as ModelRun wants it.
+
+#include <fmt/format.h>
+
+#include "app/continuum/wrinkling_watch.h"
+#include "app/ranks/on_all_ranks.h"
+#include "app/run/mesh_file.h"
+#include "app/run/model_run.h"
+#include "app/run/scene_to_model.h"
+#include "continuum/output/material_faces.h"
+#include "continuum/output/nodal_fields.h"
+#include "continuum/output/observe.h"
+#include "continuum/output/rank_order.h"
+#include "io/trajectory.h"
+#include "io/vtu.h"
+
+namespace pseudorigid::app {
+
+/// `Ball` is a continuum::ElasticBall or continuum::CompressibleBall.
+template <class Ball>
+class ContinuumModel {
+ public:
+  using System = Ball;
+  using State = mechanics::State<System>;
+  using Workspace = typename System::Workspace;
+  static constexpr const char* name = "continuum";
+  static constexpr int steps_between_looks = 1;
+  /// In its first half pulsation a ball released from rest gathers as little as 0.45 of the mean growth of its time
+  /// error (measured at Time/Tolerance = 1e-3 and 1e-4, t = 10), so the pilot gets this part of the tolerance.
+  static constexpr double pilot_reserve = 0.4;
+
+  explicit ContinuumModel(const RunContext& context)
+      : context_(context),
+        law_(internal_law(context.scene)),
+        ball_(mesh_of(context), context.discretization.degree, law_, internal_loads(context.scene)),
+        rank_order_(ball_.space()),
+        request_(context.request()),
+        trajectory_(context.needs.quantities, context.units),
+        wrinkling_(context, law_) {}
+
+  const System& system() const { return ball_; }
+  using MemoryLayout = continuum::MemoryLayout;
+  const continuum::RankOrder& rank_order() const { return rank_order_; }
+  State initial_state() const {
+    const scene::Scene& scene = context_.scene;
+    const io::Units& units = context_.units;
+    return {0, ball_.affine_field(initial_deformation(scene), initial_center(scene, units)),
+            ball_.affine_field(initial_velocity(scene, units), initial_center_velocity(scene, units))};
+  }
+  double constraint_scale() const { return ball_.multiplier_scale(); }  // only called with constraints
+  Eigen::Matrix3d configuration(const State& state) const { return ball_.mass_moment(state.q); }
+  double rate(const State& state) const {
+    return mechanics::affine_rate(ball_.mass_moment(state.q), ball_.mass_moment(state.v));
+  }
+  /// About half a pulsation: by then the shear front from the surface has crossed the ball.
+  double pilot_window(double end) const { return std::min(end, 1.0); }
+
+  /// Collective.
+  std::string place_of_least_jacobian(const State& state) const {
+    return "least " + continuum::in_words(ball_.least_jacobian(state.q));
+  }
+
+  const std::vector<std::string>& columns() const { return trajectory_.names(); }
+
+  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
+    trajectory_.row(time, observables_, row);
+    if (context_.trace) (*context_.trace)[sample_at(time)] = configuration(state);
+    wrinkling_.look(time, ball_.space(), state.q);
+    return {};
+  }
+  void take_up(const io::Table& rows) {
+    if (!context_.trace || !rows.has_column("Q11")) return;
+    const std::size_t first = rows.column_index("Q11");
+    for (std::size_t n = 0; n < rows.n_rows(); ++n)
+      (*context_.trace)[sample_at(rows.row(n)[0])] =
+          Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
+  }
+
+  mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
+    if (reference_.points.empty()) reference_ = continuum::nodal_grid(ball_.space());
+    continuum::NodalFields fields;
+    mechanics::Status status = continuum::nodal_fields(ball_, law_, state, workspace, fields);
+    if (context_.ranks->any(!status))
+      return status ? mechanics::Status::failure("there is no stress to draw on another rank") : status;
+    const io::Units& units = context_.units;
+    io::UnstructuredGrid grid{.points = reference_.points,
+                              .connectivity = reference_.connectivity,
+                              .fields = {{"displacement", 3, scaled(fields.displacement, units.length)},
+                                         {"pressure", 1, scaled(fields.pressure, units.stress())},
+                                         {"jacobian", 1, std::move(fields.jacobian)},
+                                         {"von_mises", 1, scaled(fields.von_mises, units.stress())}}};
+    // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
+    for (std::size_t i = 0; i < grid.points.size(); ++i)
+      grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
+    on_all_ranks(*context_.ranks, [&] { write_pieces(path, grid); });
+    return {};
+  }
+
+  std::vector<std::string> shape_columns() const {
+    std::vector<std::string> columns{"time"};
+    columns.insert(columns.end(), continuum::MaterialFaces::columns.begin(), continuum::MaterialFaces::columns.end());
+    return columns;
+  }
+  std::size_t n_shape_rows() const { return faces().n_points(); }
+  /// The rows of shapes.csv at a time, on the first rank. Collective.
+  std::vector<std::vector<double>> shape(double time, const State& state) const {
+    constexpr std::size_t n_columns = continuum::MaterialFaces::columns.size();
+    const std::vector<double> points = faces().rows(state.q);
+    std::vector<std::vector<double>> rows;
+    for (std::size_t i = 0; i < points.size(); i += n_columns) {
+      auto& row = rows.emplace_back(1, time);
+      for (std::size_t c = 0; c < n_columns; ++c)
+        row.push_back(points[i + c] * (c < continuum::MaterialFaces::first_length ? 1 : context_.units.length));
+    }
+    return rows;
+  }
+
+  template <class MethodWorkspace>
+  void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
+    auto& c = statistics.counters;
+    c["cells"] = static_cast<double>(ball_.space().n_global_cells());
+    c["unknowns"] = 3.0 * static_cast<double>(ball_.space().n_global_nodes());
+    c["images"] = ball_.space().mesh().sector().n_images();
+    if constexpr (!mechanics::unconstrained<System>) {
+      c["multipliers"] = static_cast<double>(ball_.space().n_global_cells()) * ball_.space().n_pressure();
+      c["gram_iterations"] = static_cast<double>(w.counters.n_gram_iterations);
+      const auto gram = w.system.gram.statistics();
+      c["gram_solves"] = static_cast<double>(gram.n_solves);
+      c["gram_iterations_at_most"] = static_cast<double>(gram.n_iterations_at_most);
+      c["gram_renewals"] = static_cast<double>(gram.n_renewals);
+      c["gram_bytes"] = static_cast<double>(gram.memory);
+    }
+    c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
+    wrinkling_.report(statistics);
+  }
+
+ private:
+  long sample_at(double time) const {
+    return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
+  }
+  static continuum::BallMesh mesh_of(const RunContext& context) {
+    const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
+    const int n_refinements = context.discretization.refinements;
+    if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
+    const CenteredMesh body = read_mesh_file(context.scene);
+    if (body.is_moved)
+      context.log->info(
+          "continuum: the body of {} is moved by ({:.6g}, {:.6g}, {:.6g}), so that its centre of mass is "
+          "the origin",
+          context.scene.continuum.mesh, -body.center[0], -body.center[1], -body.center[2]);
+    continuum::CoarseMesh mesh;
+    for (const auto& X : body.mesh.vertices) mesh.vertices.emplace_back(X[0], X[1], X[2]);
+    mesh.cells = body.mesh.cells;
+    return {mesh, n_refinements, communicator};
+  }
+  /// One file, or of several ranks a piece each and beside them the file that names the pieces.
+  void write_pieces(std::filesystem::path path, const io::UnstructuredGrid& grid) const {
+    const int n_ranks = context_.ranks->size();
+    if (n_ranks == 1) return io::write_vtu(path, grid);
+    std::vector<std::filesystem::path> pieces;
+    for (int rank = 0; rank < n_ranks; ++rank)
+      pieces.push_back(path.parent_path() / fmt::format("{}-{:04}.vtu", path.stem().string(), rank));
+    io::write_vtu(pieces[context_.ranks->rank()], grid);
+    if (context_.ranks->is_first()) io::write_pvtu(path.replace_extension("pvtu"), grid, pieces);
+  }
+  const continuum::MaterialFaces& faces() const {
+    if (!faces_) faces_.emplace(ball_.space());
+    return *faces_;
+  }
+  static std::vector<double> scaled(std::vector<double> values, double unit) {
+    for (double& value : values) value *= unit;
+    return values;
+  }
+
+  const RunContext& context_;
+  materials::AnyLaw law_;
+  System ball_;
+  continuum::RankOrder rank_order_;
+  mechanics::ObservableRequest request_;
+  mechanics::ContinuumObservables observables_;
+  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
+  WrinklingWatch wrinkling_;
+  continuum::NodalGrid reference_;                         ///< empty until the first frame
+  mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,25 @@
+#include "app/continuum/continuum_model.h"
+#include "app/continuum/run_compressible.h"
+#include "app/continuum/run_modes.h"
+#include "app/run/run_models.h"
+#include "app/search/discretization_search.h"
+#include "app/search/error_estimate.h"
+
+namespace pseudorigid::app {
+namespace {
+
+ModelOutcome run_ball(const RunContext& context) {
+  if (!context.scene.body.incompressible) return run_compressible(context);
+  ContinuumModel<continuum::ElasticBall> model(context);
+  return ModelRun(model, context).run();
+}
+
+}  // namespace
+
+ModelOutcome run_continuum(const RunContext& context) {
+  if (context.scene.analysis == scene::Analysis::modes) return run_modes(context);
+  return scene::fixed_discretization(context.scene) ? run_with_estimate(context, run_ball)
+                                                    : DiscretizationSearch(context, run_ball).run();
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,47 @@
+#pragma once
+/// Reports the first sample at which the surface of an incompressible ball has reached the limit that its law declares
+/// (continuum/output/surface_stretch.h), Biot's for neo-Hookean and Mooney–Rivlin bodies: from there on the exact
+/// motion has waves of every length that grow on the surface, and the finite elements show those that the mesh can
+/// carry. Looked at samples only. A resumed run looks from its resume on; what was reported before is in the log.
+
+#include <algorithm>
+#include <optional>
+
+#include "app/run/run_context.h"
+#include "continuum/output/surface_stretch.h"
+#include "materials/law_table.h"
+
+namespace pseudorigid::app {
+
+class WrinklingWatch {
+ public:
+  WrinklingWatch(const RunContext& context, const materials::AnyLaw& law) : context_(context) {
+    if (context.scene.body.incompressible && !context.rows) limit_ = materials::surface_limit(law);
+  }
+
+  void look(double time, const continuum::BallSpace& space, const continuum::Vector& x) {
+    if (!limit_) return;
+    const continuum::LeastPlace surface = continuum::least_surface_stretch(space, x);
+    least_ = std::min(least_, surface.value);
+    if (first_ || surface.value > *limit_) return;
+    first_ = time;
+    context_.log->warn(
+        "continuum: the surface reaches Biot's limit at t = {:.6g}: its stretch along the surface is {:.3g} of that "
+        "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below {:.4f} a smooth surface is unstable to wrinkles "
+        "whose length the mesh decides, so compare with finer elements what is seen near it",
+        time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
+  }
+
+  void report(io::Manifest::Model& statistics) const {
+    if (limit_ && least_ < 1) statistics.counters["least_surface_stretch_ratio"] = least_;
+    if (first_) statistics.counters["surface_limit_time"] = *first_;
+  }
+
+ private:
+  const RunContext& context_;
+  std::optional<double> limit_;  ///< nothing is looked at without
+  double least_ = 1;
+  std::optional<double> first_;
+};
+
+}  // namespace pseudorigid::app

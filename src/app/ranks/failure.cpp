@@ -1,0 +1,33 @@
+#include "app/ranks/failure.h"
+
+#include <new>
+#include <stdexcept>
+#include <system_error>
+
+#include "app/ranks/on_all_ranks.h"
+#include "io/files.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+template <class Error>
+bool is(const std::exception& error) {
+  return dynamic_cast<const Error*>(&error) != nullptr;
+}
+
+}  // namespace
+
+Failure failure_of(const std::exception& error) {
+  if (const auto* agreed = dynamic_cast<const FailureOnAllRanks*>(&error)) return agreed->failure();
+  if (is<UserError>(error)) return {exit_wrong_input, error.what()};
+  if (is<io::WriteError>(error)) return {exit_stopped, error.what()};
+  // A vector that is asked for more than could ever be had says length_error.
+  if (is<std::bad_alloc>(error) || is<std::length_error>(error))
+    return {exit_stopped, "the memory does not suffice for this scene"};
+  // Files that cannot be looked at or removed, threads that cannot be had.
+  if (is<std::system_error>(error)) return {exit_stopped, std::string("the system refuses: ") + error.what()};
+  return {exit_defect, std::string("a defect of pseudorigid, please report it: ") + error.what()};
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,228 @@
+#include "app/reduced/ball_equilibria.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+#include "app/reduced/reduced_scene.h"
+#include "app/run/scene_to_model.h"
+#include "io/csv.h"
+#include "reduced/equilibrium_families.h"
+#include "scene/entries.h"
+#include "scene/user_error.h"
+#include "systems/system_scene.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using reduced::EquilibriumFamily;
+using reduced::EquilibriumPoint;
+using scene::Family;
+
+/// What a family needs of a scene: the potential and the body that refers to it.
+class FamilyMaker {
+ public:
+  explicit FamilyMaker(const scene::Scene& scene)
+      : scene_(reduced_scene(scene)),
+        potential_(potential_of(scene_)),
+        body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
+
+  /// `range` in the family's own parameter, in the user's units of spin if it is one.
+  EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
+    switch (family) {
+      case Family::none:
+        break;
+      case Family::maclaurin:
+        return reduced::spheroids(body_, reduced::SpheroidParameter::eccentricity, range);
+      case Family::spheroids:
+        return reduced::spheroids(body_, reduced::SpheroidParameter::polar_axis, range);
+      case Family::spinning: {
+        range.first *= time_unit;
+        range.last *= time_unit;
+        EquilibriumFamily found = reduced::spheroids_of_spin(body_, range);
+        for (EquilibriumPoint& point : found.points) point.parameter /= time_unit;
+        for (auto& special : found.special) special.point.parameter /= time_unit;
+        for (auto& missing : found.missing) missing.parameter /= time_unit;
+        return found;
+      }
+      case Family::jacobi:
+        return reduced::jacobi(body_, range);
+      case Family::dedekind:
+        return reduced::dedekind(body_, range);
+      case Family::riemann_s:
+      case Family::riemann_s_dual:
+        return reduced::type_s(body_, range, ratio, family == Family::riemann_s_dual);
+      case Family::riemann_planar:
+      case Family::riemann_planar_dual:
+        return reduced::planar(body_, range, ratio, family == Family::riemann_planar_dual);
+    }
+    return {};
+  }
+
+ private:
+  ReducedScene scene_;
+  reduced::Potential potential_;
+  reduced::IsotropicBody<reduced::Potential> body_;
+};
+
+constexpr int most_rates = 10;  // a spheroid has 10, others 8; 0 fills the rest
+
+enum Kind { member = 0 };  // special points: 1 + SpecialKind
+
+std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p,
+                                   const std::vector<scene::Column>& columns, const systems::Scales& scales,
+                                   double parameter) {
+  const reduced::SteadyMotion& m = p.motion;
+  std::vector<double> row{static_cast<double>(index), static_cast<double>(kind)};
+  const auto add = [&](const Eigen::Vector3d& v) { row.insert(row.end(), {v[0], v[1], v[2]}); };
+  row.push_back(0);  // the parameter, whose unit depends on the family
+  add(m.omega);
+  add(m.Lambda);
+  add(p.semi_axes);
+  row.insert(row.end(), {p.kinetic, p.potential, p.energy()});
+  add(p.angular_momentum);
+  add(p.circulation);
+  row.push_back(m.lambda);
+  add(p.vorticity);
+  row.insert(row.end(), {p.vorticity_ratio(), p.stability.growth_rate, p.stability.stable ? 1.0 : 0.0,
+                         static_cast<double>(p.stability.n_negative)});
+  auto rates = p.stability.rates;
+  std::sort(rates.begin(), rates.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
+                                                        : a.s.imag() > b.s.imag();
+  });
+  for (std::size_t k = 0; k < most_rates; ++k)
+    row.insert(row.end(), {k < rates.size() ? rates[k].s.real() : 0, k < rates.size() ? rates[k].s.imag() : 0});
+  row.push_back(p.residual);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
+  row[2] = parameter;
+  for (double& value : row)
+    if (!std::isfinite(value)) value = 0;  // a ratio without meaning
+  return row;
+}
+
+void write_family(const EquilibriumFamily& family, const RunContext& context) {
+  const std::vector<scene::Column> columns = ball_equilibria_columns();
+  std::vector<std::string> names;
+  for (const scene::Column& column : columns) names.push_back(column.name);
+  const systems::Scales scales{context.units.length, context.units.mass, context.units.time};
+
+  std::vector<std::pair<int, const EquilibriumPoint*>> rows;
+  for (const EquilibriumPoint& point : family.points) rows.emplace_back(member, &point);
+  for (const auto& special : family.special) rows.emplace_back(1 + static_cast<int>(special.kind), &special.point);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.second->parameter < b.second->parameter; });
+  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
+  int index = 0;
+  for (const auto& [kind, point] : rows)
+    csv.append(equilibria_row(++index, kind, *point, columns, scales, point->parameter));
+  csv.flush();
+}
+
+std::string parameter_name(Family family) {
+  switch (family) {
+    case Family::maclaurin:
+      return "e";
+    case Family::spheroids:
+      return "a3/r";
+    case Family::spinning:
+      return "spin";
+    default:
+      return "a2/a1";
+  }
+}
+
+}  // namespace
+
+std::vector<scene::Column> ball_equilibria_columns() {
+  std::vector<scene::Column> columns{
+      {"index", "", "number of the row, by rising parameter"},
+      {"kind", "",
+       "0: a member of the family; special points of it, between two members: 1 fold (its spin or circulation has an "
+       "extremum), 3 index (n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth "
+       "rate begins or ends)"},
+      {"parameter", "",
+       "the family's: eccentricity (maclaurin), a3 in radii (spheroids), spin [1/time] (spinning), a2/a1 of the "
+       "others"}};
+  const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
+    for (int i = 1; i <= 3; ++i)
+      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "likewise"});
+  };
+  vector("omega", "1/time", "rate at which the figure turns in space, along its axis 1");
+  vector("Lambda", "1/time", "rate of the motion within, Q(t) = exp(t omega^) diag(a) exp(-t Lambda^), along axis 1");
+  vector("a", "length", "semi-axis along axis 1");
+  columns.insert(columns.end(), {{"kinetic", "mass*length^2/time^2", "kinetic energy"},
+                                 {"potential", "mass*length^2/time^2", "potential energy"},
+                                 {"energy", "mass*length^2/time^2", "their sum"}});
+  vector("J", "mass*length^2/time", "angular momentum");
+  vector("Z", "mass*length^2/time", "circulation");
+  columns.push_back({"multiplier", "1/time^2", "multiplier per m_bar"});
+  vector("zeta", "1/time", "vorticity of the motion within, seen from the figure");
+  columns.insert(
+      columns.end(),
+      {{"f", "", "zeta3/omega3, Riemann's ratio; 0 where the figure does not turn about axis 3"},
+       {"growth_rate", "1/time", "largest real part of the rates; 0 if stable"},
+       {"stable", "", "1: no disturbance grows; to first order, among affine ones"},
+       {"n_negative", "", "negative directions of the energy at fixed J and Z; 0: stable even with dissipation"}});
+  for (int k = 1; k <= most_rates; ++k) {
+    columns.push_back(
+        {fmt::format("rate_{}_re", k), "1/time",
+         k > 1 ? "as for rate_1_re"
+               : "real part of a rate s of small motions exp(s t) in the turning frame, those of turns left "
+                 "out; by rising frequency, 0 beyond the last"});
+    columns.push_back({fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "its imaginary part"});
+  }
+  columns.push_back({"residual", "", "what is left of the equations of the steady motion, in their largest term"});
+  return columns;
+}
+
+ModelOutcome run_ball_equilibria(const RunContext& context) {
+  const scene::Scene::Equilibria& asked = context.scene.equilibria;
+  const FamilyMaker maker(context.scene);
+  const EquilibriumFamily family =
+      maker.make(asked.family, {asked.first, asked.last, asked.number}, asked.ratio, context.units.time);
+  ModelOutcome outcome;
+  const std::string name = parameter_name(asked.family);
+  for (const auto& missing : family.missing)
+    context.log->warn("no equilibrium at {} = {:.9g}: {}", name, missing.parameter, missing.reason);
+  if (family.points.empty()) {
+    outcome.state = ModelOutcome::State::failed;
+    outcome.message = "the family has no member in this range";
+    return outcome;
+  }
+  write_family(family, context);
+  const auto n_stable = std::count_if(family.points.begin(), family.points.end(),
+                                      [](const EquilibriumPoint& p) { return p.stability.stable; });
+  context.log->info("{} equilibria, {} of them stable", family.points.size(), n_stable);
+  for (const auto& special : family.special)
+    context.log->info("  {} at {} = {:.10g}", reduced::name_of(special.kind), name, special.point.parameter);
+  outcome.statistics.counters["equilibria"] = static_cast<double>(family.points.size());
+  outcome.statistics.counters["special_points"] = static_cast<double>(family.special.size());
+  return outcome;
+}
+
+scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins) {
+  auto& initial = scene.initial_state;
+  if (initial.equilibrium == Family::none) return scene;
+  const io::Units units = units_of(scene);
+  const double parameter = initial.equilibrium_parameter;
+  const EquilibriumFamily family =
+      FamilyMaker(scene).make(initial.equilibrium, {parameter, parameter, 1}, scene.equilibria.ratio, units.time);
+  if (family.points.empty())
+    throw UserError(fmt::format("{}: Initial state/Equilibrium parameter: there is no such equilibrium: {}",
+                                origins.of("Initial state/Equilibrium parameter"),
+                                family.missing.empty() ? "the family is empty" : family.missing.front().reason));
+  const reduced::SteadyMotion& m = family.points.front().motion;
+  const Eigen::Matrix3d D = to_eigen(initial.deformation), Q = D * m.A,
+                        Qdot = D * m.co_moving_velocity() / units.time + to_eigen(initial.velocity);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) {
+      initial.deformation[i][j] = Q(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      initial.velocity[i][j] = Qdot(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    }
+  initial.equilibrium = Family::none;
+  return scene;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,196 @@
+#pragma once
+/// The pseudo-rigid body of a scene, in one of its forms, as ModelRun wants it.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "app/reduced/reduced_scene.h"
+#include "app/reduced/tension_watch.h"
+#include "app/run/run_context.h"
+#include "io/ellipsoid_surface.h"
+#include "io/trajectory.h"
+#include "mechanics/core/principal_axes.h"
+#include "mechanics/steps/step_size.h"
+#include "reduced/observe.h"
+#include "scene/scales.h"
+
+namespace pseudorigid::app {
+
+template <class BodySystem>
+class ReducedModel {
+ public:
+  using System = BodySystem;
+  using State = mechanics::State<System>;
+  using Workspace = typename System::Workspace;
+  static constexpr const char* name = "reduced";
+  /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
+  static constexpr int steps_between_looks = 256;
+  static constexpr double pilot_reserve = 1;
+
+  ReducedModel(System system, const ReducedScene& scene, const RunContext& context)
+      : system_(std::move(system)),
+        center_(scene.center),
+        drag_on_center_(scene.dissipation.drag != 0),
+        center_is_driven_(loads::depend_on_time(scene.loads)),
+        start_(start_of<System>(scene)),
+        context_(context),
+        request_(context.request()),
+        trajectory_(context.needs.quantities, context.units),
+        tension_(context, scene::is_fluid(context.scene)) {
+    request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
+  }
+
+  const System& system() const { return system_; }
+  State initial_state() const { return start_; }
+  double constraint_scale() const { return 1; }
+  Eigen::Matrix3d configuration(const State& state) const { return system_.motion(state).q; }
+  double rate(const State& state) const {
+    const auto motion = system_.motion(state);
+    return mechanics::affine_rate(motion.q, motion.v);
+  }
+  /// About ten pulsations: from there on the time error of regular motions grows linearly.
+  double pilot_window(double end) const { return std::min(end, 20.0); }
+
+  const std::vector<std::string>& columns() const { return trajectory_.names(); }
+
+  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (auto status = check_size(state); !status) return status;
+    if (auto status = system_.body().admissible(system_.motion(state).q); !status) return status;
+    if (auto status = reduced::observe(system_, state, workspace, request_, observables_); !status) return status;
+    if (request_.bipolar)
+      if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
+        return status;
+    if (auto status = add_center_of_mass(state.t); !status) return status;
+    tension_.look(time, observables_.multiplier * context_.units.multiplier());
+    note_motion(configuration(state));
+    trajectory_.row(time, observables_, row);
+    return {};
+  }
+
+  /// Looked at after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
+  /// and Young): where the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
+  /// A body that keeps its volume has no collapse.
+  mechanics::Status judge(const State& state) const requires mechanics::unconstrained<System> {
+    const Eigen::Matrix3d Q = configuration(state);
+    const double tolerance = context_.scene.time.tolerance;
+    // det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 spare most steps the singular values.
+    if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
+    const double least = mechanics::principal_axes(Q).a.minCoeff();
+    if (least > tolerance) return {};
+    return mechanics::Status::failure(fmt::format(
+        "the body collapses: its least stretch {:.2g} is within the error {:.2g} that Time/Tolerance allows to "
+        "Q, which cannot tell what comes after; give a smaller tolerance to follow it further",
+        least, tolerance));
+  }
+
+  /// Goes on with what the rows of an interrupted run say of the past.
+  void take_up(const io::Table& rows) {
+    const auto row = rows.row(rows.n_rows() - 1);
+    if (request_.bipolar) {
+      bipolar_.emplace();
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          const std::string place = std::to_string(i + 1) + std::to_string(j + 1);
+          bipolar_->T(i, j) = row[rows.column_index("T" + place)];
+          bipolar_->S(i, j) = row[rows.column_index("S" + place)];
+        }
+    }
+    knows_motion_ = rows.has_column("Q11");
+    if (knows_motion_)
+      for (std::size_t n = 0; n < rows.n_rows(); ++n)
+        note_motion(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + rows.column_index("Q11")));
+    if (tension_.watches() && rows.has_column("multiplier"))
+      tension_.take_up(rows.column("time"), rows.column("multiplier"));
+  }
+
+  mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
+    double Lambda = 0;
+    if constexpr (!mechanics::unconstrained<System>)
+      if (auto status = mechanics::multiplier_of_motion(system_, state, workspace, Lambda); !status) return status;
+    const auto& body = system_.body();
+    const Eigen::Matrix3d Q = system_.motion(state).q;
+    const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar()) * context_.units.stress();
+    if (!sphere_) sphere_.emplace(12);
+    io::write_ellipsoid_vtu(path, *sphere_,
+                            {.Q = Q,
+                             .shape = body.reference().shape,
+                             .cauchy_stress = stress,
+                             .center = center_.at(state.t).x * context_.units.length,
+                             .radius = context_.units.length});
+    return {};
+  }
+
+  template <class MethodWorkspace>
+  void report(const MethodWorkspace&, io::Manifest::Model& statistics) const {
+    tension_.report(statistics);
+    warn_of_resolution(statistics);
+  }
+
+ private:
+  void note_motion(const Eigen::Matrix3d& Q) {
+    motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
+    size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
+  }
+
+  /// A motion about rest that is hardly larger than the errors of Q has energies without a right digit.
+  void warn_of_resolution(const io::Manifest::Model& statistics) const {
+    if (!knows_motion_ || size_ == 0) return;
+    constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
+    const auto estimate = statistics.counters.find("estimated_time_error");
+    const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
+    // A body at rest in equilibrium moves by round-off alone, and nobody expects more of it.
+    const double round_off = 16 * epsilon * size_;
+    const bool rests = start_.v.isZero(0) && motion_ <= round_off;
+    if (rests || motion_ > well_above * error) return;
+    context_.log->warn(
+        "reduced: Q moves by no more than {:.2g}, and its error is about {:.2g}: velocities and energies of this "
+        "motion are not resolved; {}",
+        motion_, error,
+        motion_ > well_above * round_off ? "give a smaller Time/Tolerance" : "they are lost in round-off");
+  }
+
+  /// As for the initial state, scene/validate.cpp.
+  static mechanics::Status check_size(const State& state) {
+    constexpr double largest_stretch = 1e12;
+    if (System::matrix(state.q).cwiseAbs().maxCoeff() <= largest_stretch) return {};
+    return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
+  }
+
+  mechanics::Status add_center_of_mass(double t) {
+    const auto motion = center_.at(t);
+    if (!motion.x.allFinite() || !motion.v.allFinite())
+      return mechanics::Status::failure("the external potential has carried the centre of mass beyond all numbers");
+    const double mass = system_.body().reference().mass;
+    observables_.center = motion.x;
+    observables_.velocity = motion.v;
+    const reduced::CenterOfMass& law = center_.law();
+    observables_.kinetic += mass * law.kinetic(motion);
+    observables_.external += mass * law.potential(motion);
+    if (center_is_driven_) observables_.external += mass * law.driven(motion, t);
+    if (drag_on_center_) {
+      const reduced::CenterOfMass::Motion start{law.position, law.velocity};
+      double lost = law.kinetic(start) + law.potential(start) - law.kinetic(motion) - law.potential(motion);
+      if (center_is_driven_) lost += law.driven(start, 0) - law.driven(motion, t);
+      observables_.dissipated += mass * lost;
+    }
+    return {};
+  }
+
+  System system_;
+  reduced::CenterPath center_;
+  bool drag_on_center_, center_is_driven_;
+  State start_;
+  const RunContext& context_;
+  mechanics::ObservableRequest request_;
+  io::Trajectory<mechanics::ReducedObservables> trajectory_;
+  TensionWatch tension_;
+  double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
+  bool knows_motion_ = true;      ///< false where a resumed run has rows without Q
+  mechanics::ReducedObservables observables_;
+  std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
+  std::optional<io::CubedSphere> sphere_;
+};
+
+}  // namespace pseudorigid::app

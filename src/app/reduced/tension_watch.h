@@ -1,0 +1,57 @@
+#pragma once
+/// Reports the first time that a fluid comes under tension: with W = 0 the multiplier λ = 2p_c/(ρr²) is the pressure at
+/// the centre, and where it falls below zero the continuum's problem is ill-posed (PHYSICS section 2, 13). Looked at
+/// samples; the time is interpolated between two of them.
+
+#include <optional>
+#include <vector>
+
+#include "app/run/run_context.h"
+
+namespace pseudorigid::app {
+
+class TensionWatch {
+ public:
+  TensionWatch(const RunContext& context, bool is_fluid)
+      : context_(context), is_fluid_(is_fluid && context.scene.body.incompressible) {}
+
+  bool watches() const { return is_fluid_; }
+
+  /// Silently what was seen, and reported, before a run was interrupted.
+  void take_up(const std::vector<double>& times, const std::vector<double>& lambdas) {
+    for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
+  }
+
+  /// Both in the user's units.
+  void look(double time, double lambda) {
+    if (note(time, lambda))
+      context_.log->warn(
+          "reduced: tension at t = {:.6g}: the pressure at the centre falls below zero, and a fluid body would not "
+          "hold together from here on",
+          *first_);
+  }
+
+  void report(io::Manifest::Model& statistics) const {
+    if (first_) statistics.counters["first_tension_time"] = *first_;
+  }
+
+ private:
+  /// Whether this is the first sample under tension.
+  bool note(double time, double lambda) {
+    if (!is_fluid_ || first_) return false;
+    if (lambda < 0)
+      first_ = before_ ? before_->time + (time - before_->time) * before_->lambda / (before_->lambda - lambda) : time;
+    before_ = {time, lambda};
+    return first_.has_value();
+  }
+
+  struct Sample {
+    double time, lambda;
+  };
+  const RunContext& context_;
+  bool is_fluid_;
+  std::optional<Sample> before_;
+  std::optional<double> first_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,116 @@
+#pragma once
+/// The state of a model's run as a checkpoint, and back. Besides (t, q, v) it holds what the method carries from step
+/// to step (mechanics/core/memory.h), so that a resumed run repeats the uninterrupted one.
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/run/mesh_file.h"
+#include "io/checkpoint.h"
+#include "mechanics/core/memory.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/methods/time_loop.h"
+#include "scene/print_scene.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+
+/// Where a run stands and what it steps with.
+struct RunPosition {
+  mechanics::Cursor cursor;
+  mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
+  double step = 0;                                     ///< upper bound of the outer step, internal time
+  double local_tolerance = 0;                          ///< of an adaptive method
+  long steps_in_interval = 0;                          ///< of the interval that the cursor is in; 0 at a sample
+  long next_look = 0;                                  ///< the sample at which to look at the largest frequency again
+  double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
+};
+
+/// `frozen_scene`: what a resumed run must have in common with this one; `stepping`: what it may change.
+struct RunIdentity {
+  std::string frozen_scene, stepping;
+};
+
+/// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
+inline RunIdentity run_identity(const scene::Scene& scene) {
+  scene::Scene frozen = scene, stepping;
+  stepping.time = scene.time;
+  stepping.time.end = 1;
+  frozen.time = scene::Scene::Time{};
+  frozen.time.end = scene.time.end;
+  frozen.continuum.mesh = mesh_identity(scene);
+  frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow where a literal is assigned
+  frozen.sweep_threads.reset();
+  frozen.title.clear();
+  return {scene::to_prm(frozen), scene::to_prm(stepping)};
+}
+
+/// All that a run needs to go on, taken at one instant; cheap enough to be taken at every sample.
+template <class S>
+struct Snapshot {
+  RunPosition position;
+  mechanics::State<S> state;
+  std::vector<double> memory;  ///< of the method
+  mechanics::Counters counters;
+
+  template <class Workspace>
+  void take(const RunPosition& at, const mechanics::State<S>& s, Workspace& w) {
+    position = at;
+    state = s;
+    mechanics::save_memory(w, memory);
+    counters = w.counters;
+  }
+};
+
+/// The vectors of a snapshot, whole where they are distributed.
+struct SavedVectors {
+  std::vector<double> q, v, memory;
+};
+
+template <class S>
+io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& snapshot, const SavedVectors& vectors) {
+  const RunPosition& position = snapshot.position;
+  const mechanics::Counters& n = snapshot.counters;
+  io::Checkpoint c;
+  c.set("scene", identity.frozen_scene);
+  c.set("stepping", identity.stepping);
+  c.set("sample", position.cursor.sample);
+  c.set("step in interval", position.cursor.step);
+  c.set("steps in interval", position.steps_in_interval);
+  c.set("next look", position.next_look);
+  c.set("method", std::string(mechanics::method_name(position.method)));
+  c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
+                              position.max_constraint_rate, snapshot.state.t});
+  c.set("q", vectors.q);
+  c.set("v", vectors.v);
+  c.set("memory", vectors.memory);
+  c.set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
+                               static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
+                               static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
+  return c;
+}
+
+/// The reverse, without the vectors. UserError where the file does not fit.
+template <class S>
+void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
+  const auto& numbers = c.get_doubles("numbers", 5);
+  const auto method = mechanics::find_method(c.get_string("method"));
+  if (!method) throw UserError("the checkpoint is of a method that this program does not have");
+  snapshot.position = {{c.get_integer("sample"), c.get_integer("step in interval")},
+                       *method,
+                       numbers[0],
+                       numbers[1],
+                       c.get_integer("steps in interval"),
+                       c.get_integer("next look"),
+                       numbers[2],
+                       numbers[3]};
+  snapshot.state.t = numbers[4];
+  const auto& n = c.get_doubles("counters", 6);
+  snapshot.counters = {static_cast<long>(n[0]), static_cast<long>(n[1]), static_cast<long>(n[2]),
+                       static_cast<long>(n[3]), static_cast<long>(n[4]), static_cast<long>(n[5])};
+}
+
+}  // namespace pseudorigid::app

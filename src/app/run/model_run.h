@@ -1,0 +1,386 @@
+#pragma once
+/// One model's run, the same for all systems: choice of method and step, time loop, CSV rows, pictures, checkpoints,
+/// progress.
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "app/run/model_checkpoint.h"
+#include "app/run/model_files.h"
+#include "app/run/model_stepping.h"
+#include "app/run/run_context.h"
+#include "app/run/runnable_model.h"
+#include "io/csv.h"
+#include "io/progress.h"
+#include "mechanics/methods/time_loop.h"
+
+namespace pseudorigid::app {
+
+template <RunnableModel Model>
+class ModelRun {
+  using System = typename Model::System;
+  using State = mechanics::State<System>;
+  using Status = mechanics::Status;
+  using Clock = std::chrono::steady_clock;
+  using Outcome = mechanics::Outcome;
+
+ public:
+  ModelRun(Model& model, const RunContext& context)
+      : model_(model),
+        context_(context),
+        identity_(context.rows ? RunIdentity{} : run_identity(context.scene)),
+        checkpoint_path_(context.directory.checkpoint(model.name)),
+        times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
+        stepping_(model, context, times_.end, times_.interval()),
+        files_(context, model.name),
+        state_(model.initial_state()),
+        progress_(model.name, context.show_progress) {
+    good_.state = state_;
+  }
+
+  ModelOutcome run() {
+    const auto start = Clock::now();
+    if (Status status = begin(); !status) {
+      if (context_.interrupted()) return outcome(ModelOutcome::State::interrupted, status.reason(), start);
+      return outcome(ModelOutcome::State::failed, stopped(state_.t, status.reason()), start);
+    }
+    mechanics::RunResult result;
+    if (next_stepping_) result = run_until(position_.cursor.sample + 1);
+    if (result.outcome == Outcome::finished) {
+      if (next_stepping_) step_anew();
+      result = run_until(times_.n_samples);
+    }
+    progress_.finish();
+    return end(std::move(result), start);
+  }
+
+  // Hooks of the time loop.
+
+  template <class Workspace>
+  Status sample(long k, const State& state, Workspace& workspace) {
+    const double time = files_.time_of_sample(k);
+    auto& system_workspace = workspace_of_system(workspace);
+    if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
+    if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
+      return Status::failure("the motion has grown beyond what numbers can hold");
+    measure_constraint(state);
+    files_.append(row_);
+    if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
+      if (files_.wants_frame(k))
+        files_.draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
+    if constexpr (has_shapes)
+      if (files_.wants_shape(k)) files_.append_shape(model_.shape(time, state));
+    position_.cursor = {k, 0};
+    position_.steps_in_interval = 0;
+    if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
+    if (k == 0) save(good_);
+    return {};
+  }
+
+  template <class Workspace>
+  long steps_per_interval(long k, const State& state, Workspace&) {
+    if (position_.steps_in_interval > 0) return position_.steps_in_interval;
+    if (stepping_.adapts(position_) && k >= position_.next_look) stepping_.reconsider(state, position_);
+    return position_.steps_in_interval = times_.steps_per_interval(position_.step);
+  }
+
+  template <class Workspace>
+  bool step_done(mechanics::Cursor cursor, const State& state, Workspace& workspace) {
+    position_.cursor = cursor;
+    if constexpr (requires { model_.judge(state); })
+      if (Status status = model_.judge(state); !status) {
+        verdict_ = std::move(status);
+        return false;
+      }
+    // Steps of an adaptive method do not end at samples.
+    if (stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
+    if (++steps_since_look_ < Model::steps_between_looks) return true;
+    steps_since_look_ = 0;
+    progress_.step(state.t / times_.end);
+    const bool interrupted = context_.interrupted();
+    const bool due = context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
+    if (interrupted || due) {
+      Snapshot<System> now;
+      now.take(position_, state, workspace);
+      save(now);
+    }
+    return !interrupted;
+  }
+
+ private:
+  static constexpr bool has_constraints = [] {
+    if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
+    return false;
+  }();
+  static constexpr bool distributed = requires(const Model& model) { model.rank_order(); };
+  static constexpr bool has_shapes = requires(const Model& model) { model.n_shape_rows(); };
+  static constexpr std::chrono::seconds seconds_between_checkpoints{5};
+  struct NoLayout {};
+  using MemoryLayout = typename decltype([] {
+    if constexpr (distributed)
+      return std::type_identity<typename Model::MemoryLayout>();
+    else
+      return std::type_identity<NoLayout>();
+  }())::type;
+
+  struct Stepping {
+    mechanics::MethodId method;
+    double step, local_tolerance;
+    std::string entries;  ///< of the scene, as in RunIdentity
+  };
+
+  /// Goes on to a sample with the method of the position.
+  mechanics::RunResult run_until(long sample) {
+    mechanics::RunResult result{Outcome::failed, "", state_.t};
+    with_fitting_method<System>(position_.method,
+                                [&]<class Method>(Method) { result = run_until_with<Method>(sample); });
+    return result;
+  }
+
+  template <class Method>
+  mechanics::RunResult run_until_with(long sample) {
+    const auto& form = mechanics::form_for<Method>(model_.system());
+    typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
+    if constexpr (distributed) {
+      layout_.emplace(model_.rank_order());
+      workspace.visit_memory(*layout_);
+    }
+    files_.together([&] {
+      take_own_memory();
+      if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
+    });
+    workspace.counters = good_.counters;
+    if constexpr (Method::adaptive) {
+      workspace.tolerance = position_.local_tolerance;
+      workspace.h_max = position_.step;
+    }
+    const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
+    auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
+    if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
+    counters_ = workspace.counters;
+    model_.report(workspace, statistics_);
+    return result;
+  }
+
+  template <class Workspace>
+  typename System::Workspace& workspace_of_system(Workspace& workspace) {
+    if constexpr (std::is_same_v<decltype(workspace.system), typename System::Workspace>) {
+      return workspace.system;
+    } else {
+      if (!system_workspace_) system_workspace_.emplace(model_.system().make_workspace());
+      return *system_workspace_;
+    }
+  }
+
+  /// At a sample, from which on the state alone matters.
+  void step_anew() {
+    std::swap(position_.method, next_stepping_->method);
+    std::swap(position_.step, next_stepping_->step);
+    std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
+    position_.next_look = position_.cursor.sample;
+    std::swap(identity_.stepping, next_stepping_->entries);
+    good_.position = position_;
+    good_.state = state_;
+    good_.memory.clear();
+    good_.counters = counters_;
+    next_stepping_.reset();
+  }
+
+  Status begin() {
+    const std::vector<std::string> columns = model_.columns();
+    if (context_.rows) *context_.rows = {columns, {}};
+    if (files_.exists_to_resume(checkpoint_path_)) {
+      if (Status status = restore(); !status) return status;
+      // A run that stands at the very start takes sample 0 again.
+      const mechanics::Cursor& at = position_.cursor;
+      const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
+      files_.resume(columns, n_samples_taken);
+      if constexpr (has_shapes)
+        if (files_.has_shapes()) files_.resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
+      if constexpr (requires { model_.take_up(io::Table()); })
+        files_.together([&] {
+          if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(model_.name)));
+        });
+      context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
+    } else {
+      const Status status = stepping_.choose(state_, position_, statistics_);
+      files_.create(columns);
+      if constexpr (has_shapes)
+        if (files_.has_shapes()) files_.create_shapes(model_.shape_columns());
+      // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
+      // gives where none was found.
+      save(good_);
+      if (!status) return status;
+    }
+    last_save_ = Clock::now();
+    return {};
+  }
+
+  UserError misfit() const {
+    return UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
+  }
+
+  /// The state of a checkpoint, a rank's own part of it.
+  void take_vectors(const io::Checkpoint& file) {
+    const auto take = [&](const char* name, std::span<double> own) {
+      if constexpr (distributed) {
+        model_.rank_order().take_field(file.get_doubles(name, model_.rank_order().field_size()), own);
+      } else {
+        const auto& stored = file.get_doubles(name, own.size());
+        std::copy(stored.begin(), stored.end(), own.begin());
+      }
+    };
+    take("q", mechanics::local_values(good_.state.q));
+    take("v", mechanics::local_values(good_.state.v));
+    good_.memory = file.get_doubles("memory");
+    memory_is_whole_ = distributed;
+  }
+
+  /// Of a memory that comes from a checkpoint; what is whose is known only when the method has its workspace.
+  void take_own_memory() {
+    if constexpr (distributed) {
+      if (!std::exchange(memory_is_whole_, false) || good_.memory.empty()) return;
+      try {
+        good_.memory = layout_->take(good_.memory);
+      } catch (const std::invalid_argument&) {
+        throw misfit();
+      }
+    }
+  }
+
+  /// Collective; whole on the rank that writes.
+  SavedVectors vectors_to_save(Snapshot<System>& snapshot) {
+    const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
+    if constexpr (distributed)
+      return {model_.rank_order().collect_field(q), model_.rank_order().collect_field(v),
+              snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
+    else
+      return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
+  }
+
+  Status restore() {
+    io::Checkpoint file;
+    files_.together([&] {
+      file = io::Checkpoint::load(checkpoint_path_);
+      from_checkpoint(file, good_);
+      take_vectors(file);
+    });
+    state_ = good_.state;
+    counters_ = good_.counters;
+    position_ = good_.position;
+    const bool complete = position_.cursor.sample == times_.n_samples;
+    const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
+    if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
+    // New steps begin at a sample. A run that failed stands at one; one that stands within an interval finishes it with
+    // the old ones first.
+    const RunPosition old = position_;
+    if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
+    if (old.steps_in_interval == 0 && state_.t == times_[old.cursor.sample]) {
+      // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
+      if (position_.method != old.method) good_.memory.clear();
+      return {};
+    }
+    next_stepping_ = {position_.method, position_.step, position_.local_tolerance,
+                      std::exchange(identity_.stepping, file.get_string("stepping"))};
+    position_ = old;
+    return {};
+  }
+
+  void measure_constraint(const State& state) {
+    if constexpr (has_constraints) {
+      const double scale = model_.constraint_scale();
+      auto residual = model_.system().make_multiplier();
+      if (Status status = model_.system().constraint(state.q, residual); !status) return;
+      position_.max_constraint = std::max(position_.max_constraint, mechanics::max_norm(residual) / scale);
+      model_.system().constraint_rate(state.q, state.v, residual);
+      position_.max_constraint_rate = std::max(position_.max_constraint_rate, mechanics::max_norm(residual) / scale);
+    }
+  }
+
+  void save(Snapshot<System>& snapshot) {
+    if (context_.rows) return;
+    const SavedVectors vectors = vectors_to_save(snapshot);
+    files_.together([&] {
+      if (!context_.writes()) return;
+      files_.flush();
+      to_checkpoint(identity_, snapshot, vectors).save(checkpoint_path_);
+    });
+    last_save_ = Clock::now();
+  }
+
+  ModelOutcome end(mechanics::RunResult result, Clock::time_point start) {
+    if (result.outcome == Outcome::interrupted)
+      return outcome(ModelOutcome::State::interrupted, "interrupted at t = " + physical_time(result.t), start);
+    save(good_);
+    if (result.outcome == Outcome::finished) return outcome(ModelOutcome::State::finished, "", start);
+    return outcome(ModelOutcome::State::failed,
+                   stopped(result.t, result.reason) + (context_.rows ? "" : "; " + saved_state()), start);
+  }
+
+  std::string saved_state() const {
+    std::string text = "the state at t = " + physical_time(good_.state.t) + " is saved";
+    if constexpr (requires { model_.place_of_least_jacobian(good_.state); })
+      text += ", " + model_.place_of_least_jacobian(good_.state);
+    return text;
+  }
+
+  std::string stopped(double t, const std::string& reason) const {
+    return "stopped at t = " + physical_time(t) + ": " + reason;
+  }
+
+  std::string physical_time(double internal) const {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.6g", internal * context_.units.time);
+    return text;
+  }
+
+  ModelOutcome outcome(ModelOutcome::State state, const std::string& message, Clock::time_point start) {
+    const mechanics::Counters& n = counters_;
+    auto& c = statistics_.counters;
+    c["steps"] = static_cast<double>(n.n_steps);
+    c["substeps"] = static_cast<double>(n.n_substeps);
+    c["forces"] = static_cast<double>(n.n_force);
+    c["step"] = position_.step * context_.units.time;
+    c["order"] = mechanics::with_method(position_.method, []<class Method>(Method) { return Method::order; });
+    if constexpr (has_constraints) {
+      c["position_iterations"] = static_cast<double>(n.n_position_iterations);
+      c["velocity_projections"] = static_cast<double>(n.n_projections);
+      c["max_scaled_constraint"] = position_.max_constraint;
+      c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
+    }
+    statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
+    return {state, message.empty() ? message : std::string(model_.name) + " " + message, std::move(statistics_),
+            KnownStepping{position_.method, position_.step}};
+  }
+
+  Model& model_;
+  const RunContext& context_;
+  RunIdentity identity_;
+  std::filesystem::path checkpoint_path_;
+  mechanics::SampleTimes times_;
+  ModelStepping<Model> stepping_;
+  ModelFiles files_;
+  State state_;
+  mechanics::Counters counters_;
+  std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
+  RunPosition position_;
+  std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
+  Status verdict_;                         ///< of the model on its state, where that ends the run
+  Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again
+  bool memory_is_whole_ = false;           ///< that of good_, as it stands in the checkpoint
+  std::optional<MemoryLayout> layout_;     ///< of the method's memory, where vectors are distributed
+  io::Progress progress_;
+  io::Manifest::Model statistics_;
+  std::vector<double> row_;
+  Clock::time_point last_save_{};
+  int steps_since_look_ = 0;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,191 @@
+#pragma once
+/// Method and step of one model's run: those of the scene, or those that its tolerance asks for.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "app/run/model_checkpoint.h"
+#include "app/run/run_context.h"
+#include "io/signals.h"
+#include "mechanics/steps/largest_frequency.h"
+#include "mechanics/steps/step_size.h"
+
+namespace pseudorigid::app {
+
+/// Calls visitor(Method{}) if the method of that id can be compiled for the system.
+template <class System, class Visitor>
+void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
+  mechanics::with_method(id, [&]<class Method>(Method method) {
+    if constexpr (mechanics::method_fits<Method, System>()) visitor(method);
+  });
+}
+
+template <class Model>
+class ModelStepping {
+  using System = typename Model::System;
+  using State = mechanics::State<System>;
+  using Status = mechanics::Status;
+
+ public:
+  ModelStepping(const Model& model, const RunContext& context, double end, double interval)
+      : model_(model), context_(context), end_(end), interval_(interval) {}
+
+  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
+  /// somebody is announced and noted in the statistics.
+  Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
+    if (context_.stepping) return take_over(*context_.stepping, state, position);
+    const std::optional<mechanics::MethodId> method = mechanics::find_method(context_.scene.time.method);  // or auto
+    const double bound = step_bound();
+    if (method && std::isfinite(bound) && !is_adaptive(*method)) {
+      position.method = *method;
+      position.step = bound;
+      return {};
+    }
+    mechanics::StepRequest request{.end = end_ - state.t,
+                                   .window = model_.pilot_window(end_ - state.t),
+                                   .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
+                                   .step_bound = std::min(bound, end_ - state.t),
+                                   .interval = interval_,
+                                   .method = method,
+                                   .give_up = [this] { return context_.interrupted(); }};
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
+      request.rattle_limit = std::min(limit, request.end);
+    }
+    State from_zero = state;
+    if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
+    const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
+                                               [&](const State& s) { return model_.configuration(s); });
+    // Nothing is begun with a step that an interrupted search has not found.
+    if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
+    if (!choice.status)
+      fall_back(choice, request, position);
+    else
+      take(choice, position, statistics);
+    plan_look(request.rattle_limit / reserve, position);
+    return {};
+  }
+
+  /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
+  void reconsider(const State& state, RunPosition& position) const {
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      position.next_look = position.cursor.sample + samples_between_looks();
+      double limit = 0;
+      // Between `reserve`, with which steps are chosen, and 1, where they are unstable: a step is not halved for the
+      // few per cent by which the frequency of a motion comes and goes, and not kept until it is at its limit.
+      constexpr double less_reserve = 0.9;
+      if (!rattle_limit(state, less_reserve, limit)) return;  // the step itself will meet the failure and report it
+      const double before = position.step;
+      while (position.step > limit_of(position.method, limit)) position.step /= 2;
+      plan_look(limit / less_reserve, position);
+      if (position.step != before)
+        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", model_.name,
+                           position.step * context_.units.time, state.t * context_.units.time);
+    }
+  }
+
+  /// Whether the step may change along the motion: nobody has fixed it.
+  bool adapts(const RunPosition& position) const { return !context_.scene.time.step && !is_adaptive(position.method); }
+
+  static bool is_adaptive(mechanics::MethodId id) {
+    return mechanics::with_method(id, []<class Method>(Method) { return Method::adaptive; });
+  }
+
+ private:
+  static constexpr int n_lanczos = 24;
+  /// A step is at most this part of what is stable at the state that it was chosen for.
+  static constexpr double reserve = 0.8;
+
+  double step_bound() const {
+    return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
+  }
+
+  Status rattle_limit(const State& state, double safety, double& limit) const {
+    auto workspace = model_.system().make_workspace();
+    const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos);
+    if (!frequency.status) return frequency.status;
+    const auto damping = mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos);
+    if (!damping.status) return damping.status;
+    limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
+                     mechanics::damped_step_limit(damping.gamma, safety));
+    return {};
+  }
+
+  /// RATTLE's limit, for a method of fixed steps.
+  static double limit_of(mechanics::MethodId id, double rattle_limit) {
+    return mechanics::with_method(id, [&]<class Method>(Method) {
+      if constexpr (Method::adaptive)
+        return HUGE_VAL;
+      else
+        return rattle_limit * (Method::stability_limit / mechanics::Rattle::stability_limit);
+    });
+  }
+
+  /// The largest frequency changes with the deformation. Sixteen looks at it in a run suppose that it grows from one to
+  /// the next by no more than 1/reserve, which a step with that reserve stands; a smaller step stands it longer.
+  void plan_look(double stable_rattle_step, RunPosition& position) const {
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      const double growth = limit_of(position.method, stable_rattle_step) / position.step;
+      const double n_looks = std::floor(std::log(growth) / std::log(1 / reserve));
+      const long between = samples_between_looks(), look = position.cursor.sample / between;
+      position.next_look = between * (look + static_cast<long>(std::clamp(n_looks, 1.0, 16.0)));
+    }
+  }
+  long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
+
+  /// What another run has found, the step no longer than stability admits here.
+  Status take_over(const KnownStepping& known, const State& state, RunPosition& position) const {
+    position.method = known.method;
+    position.step = known.step;
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
+      position.step = std::min(known.step, limit_of(known.method, limit));
+      plan_look(limit / reserve, position);
+    }
+    return {};
+  }
+
+  /// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
+  void fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request,
+                 RunPosition& position) const {
+    using Explicit = mechanics::DormandPrince8;
+    constexpr bool explicit_fits = mechanics::method_fits<Explicit, System>();
+    position.method =
+        request.method.value_or(explicit_fits ? mechanics::id_of<Explicit> : mechanics::id_of<mechanics::Rattle>);
+    position.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
+    position.step =
+        std::min({request.step_bound, request.interval, 0.5 * limit_of(position.method, request.rattle_limit)});
+    context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", model_.name,
+                       choice.status.reason(), mechanics::method_name(position.method),
+                       is_adaptive(position.method) ? "the local tolerance" : "half the stable step",
+                       is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
+  }
+
+  void take(const mechanics::StepChoice& choice, RunPosition& position, io::Manifest::Model& statistics) const {
+    position.method = choice.method;
+    position.step = choice.step;
+    position.local_tolerance = choice.local_tolerance;
+    statistics.counters["pilot_forces"] += static_cast<double>(choice.n_force);
+    statistics.counters["estimated_time_error"] = choice.error;
+    if (is_adaptive(choice.method))
+      context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", model_.name,
+                         mechanics::method_name(choice.method), choice.local_tolerance, choice.error);
+    else
+      context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", model_.name,
+                         mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
+    if (choice.at_round_off)
+      context_.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
+                         model_.name, choice.error);
+    context_.log->debug("{}: {}", model_.name, choice.why);
+  }
+
+  const Model& model_;
+  const RunContext& context_;
+  double end_, interval_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,16 @@
+#pragma once
+/// The models that a run may call for.
+
+#include "app/run/run_context.h"
+
+namespace pseudorigid::app {
+
+ModelOutcome run_reduced(const RunContext& context);
+
+/// The system of the table that the scene names.
+ModelOutcome run_system(const RunContext& context);
+
+/// Only in pseudorigid-continuum, which links deal.II.
+ModelOutcome run_continuum(const RunContext& context);
+
+}  // namespace pseudorigid::app

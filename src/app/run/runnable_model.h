@@ -1,0 +1,43 @@
+#pragma once
+/// What a model tells ModelRun: how its motion starts, how fast it may change, and what is written of it. A model may
+/// offer more, which ModelRun asks for where it is there:
+///
+///   void take_up(rows)                        what the rows of an interrupted run know of the past
+///   Status judge(state) const                 states with which a run ends, asked after every step
+///   double constraint_scale() const           with constraints
+///   Status write_frame(path, state, system workspace)                         pictures
+///   shape_columns(), n_shape_rows(), shape(time, state)                       shapes for the report
+///   std::string place_of_least_jacobian(state) const                          for a run that cannot go on
+///   const Order& rank_order() const, using MemoryLayout                       distributed vectors, rank_order.h
+///
+/// All ranks run it together; one of them writes.
+
+#include <concepts>
+#include <string>
+#include <vector>
+
+#include "io/manifest.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::app {
+
+// clang-format off
+template <class M>
+concept RunnableModel = requires(M& model, const M& known, const mechanics::State<typename M::System>& state,
+                                 decltype(known.system().make_workspace())& workspace, double t,
+                                 std::vector<double>& row, io::Manifest::Model& statistics) {
+  { known.name } -> std::convertible_to<const char*>;                 // of its files
+  { M::steps_between_looks } -> std::convertible_to<int>;             // at the clock and the interrupt flag
+  { M::pilot_reserve } -> std::convertible_to<double>;                // the part of the tolerance that a pilot gets
+  { known.system() } -> std::same_as<const typename M::System&>;
+  { known.initial_state() } -> std::same_as<mechanics::State<typename M::System>>;
+  known.configuration(state);                                         // what Time/Tolerance speaks of, of Eigen
+  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, beside its largest frequency
+  { known.pilot_window(t) } -> std::convertible_to<double>;           // how long a pilot looks at a motion until t
+  { known.columns() } -> std::convertible_to<std::vector<std::string>>;
+  { model.row(t, state, workspace, row) } -> std::same_as<mechanics::Status>;
+  known.report(workspace, statistics);                                // the workspace of the method, in fact
+};
+// clang-format on
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,168 @@
+#include "app/search/effort.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "app/run/scene_to_model.h"
+#include "materials/eigen_tensor.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/methods/time_loop.h"
+#include "scene/models.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// Numbers of vertices, edges, faces and cells of a part of the builtin mesh, and its nodes when each edge holds n − 1
+/// between its ends.
+struct Part {
+  double n_vertices, n_edges, n_faces, n_cells;
+  double n_nodes(double n) const { return n_vertices + (n - 1) * (n_edges + (n - 1) * (n_faces + (n - 1) * n_cells)); }
+};
+constexpr Part octant{15, 28, 18, 4}, quarter_disc{7, 9, 3, 0}, half_axis{3, 2, 0, 0};
+
+/// Octants that are images of one share quarter discs, and these half axes and the centre.
+double n_nodes_of_images(int n_octants, double n) {
+  const double O = octant.n_nodes(n), D = quarter_disc.n_nodes(n), A = half_axis.n_nodes(n);
+  if (n_octants == 8) return 8 * O - 12 * D + 6 * A - 1;
+  if (n_octants == 4) return 4 * O - 4 * D + A;
+  return n_octants == 2 ? 2 * O - D : O;
+}
+
+/// Measured as resident memory over that of a process that has only linked its libraries: with k = 2 … 8, r = 0 … 3.
+constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
+constexpr double most_unknowns = std::numeric_limits<int>::max();  // PETSc's and deal.II's own numbers
+
+/// λ and μ of small motions, whatever c ln J is added to W: b(H) = H:DP(Id)[H] + p tr H², P(Id) = p Id, is
+/// λ (tr H)² + 2μ tr H² for symmetric H.
+std::pair<double, double> lame_moduli(const materials::AnyLaw& law) {
+  const materials::Tensor<double> Id = materials::to_tensor(Eigen::Matrix3d::Identity());
+  const auto b = [&](const Eigen::Matrix3d& H) {
+    const materials::Tensor<double> h = materials::to_tensor(H);
+    return std::visit(
+        [&](const auto& l) { return materials::dot(h, l.tangent(Id, h)) + l.stress(Id)(0, 0) * (H * H).trace(); }, law);
+  };
+  const double mu = b(Eigen::Vector3d(1, -1, 0).asDiagonal()) / 4;
+  return {(b(Eigen::Matrix3d::Identity()) - 6 * mu) / 9, mu};
+}
+
+std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
+
+std::string in_bytes(double bytes) {
+  return bytes < 1e10 ? fmt::format("{:.0f} MB", std::max(1.0, bytes / 1e6)) : fmt::format("{:.0f} GB", bytes / 1e9);
+}
+
+std::string in_words(const Effort& e) {
+  const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
+  return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(e.bytes));
+}
+
+/// `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
+Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std::size_t n_coarse_cells) {
+  const double n = std::ldexp(d.degree, d.refinements), k = d.degree;
+  const int n_octants = 8 / scene::sector(scene).n_images();
+  const bool builtin = n_coarse_cells == 0;
+  const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
+  // A file's cells are counted as those of a cube.
+  const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
+  const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
+  const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
+  return {.n_unknowns = 3 * n_nodes,
+          .n_multipliers = n_cells * n_pressure,
+          .bytes = bytes_of_unknown * 3 * n_nodes + bytes_of_pair_of_multipliers * n_cells * n_pressure * n_pressure};
+}
+
+/// What a file of one number says; infinite where there is no such file, or a word in it.
+double number_in(const std::string& path) {
+  std::ifstream file(path);
+  double number;
+  return file >> number ? number : std::numeric_limits<double>::infinity();
+}
+
+/// Bytes that this machine still has, or the group of processes in which a container or a batch system holds this one;
+/// infinite where the system does not tell.
+double available_memory() {
+  double available = std::numeric_limits<double>::infinity();
+  std::ifstream machine("/proc/meminfo");
+  for (std::string name; machine >> name;)
+    if (double kilobytes; name == "MemAvailable:" && machine >> kilobytes) available = 1024 * kilobytes;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);)
+    if (line.starts_with("0::")) {
+      const std::string group = "/sys/fs/cgroup" + line.substr(3);
+      const double limit = number_in(group + "/memory.max"), used = number_in(group + "/memory.current");
+      if (std::isfinite(limit) && std::isfinite(used)) available = std::min(available, limit - used);
+    }
+  return available;
+}
+
+}  // namespace
+
+double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
+  const auto [lambda, mu] = lame_moduli(internal_law(scene));
+  const double of_mesh = 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
+  const double rattle = of_mesh / std::sqrt(mu + 0.296 * lambda) * units_of(scene).time;
+  const auto method = mechanics::find_method(scene.time.method);
+  if (!method) return rattle;
+  return mechanics::with_method(*method, [&]<class Method>(Method) {
+    if constexpr (Method::adaptive)
+      return std::numeric_limits<double>::infinity();
+    else
+      return rattle * (Method::stability_limit / mechanics::Rattle::stability_limit);
+  });
+}
+
+scene::Needs needs_with_effort(const scene::Scene& scene) {
+  scene::Needs needs = scene::needs(scene);
+  const auto fixed = scene::fixed_discretization(scene);
+  if (!needs.discretized || !fixed || scene::has_mesh_file(scene)) return needs;
+  needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
+  if (scene.analysis != scene::Analysis::motion) return needs;
+  const auto method = mechanics::find_method(scene.time.method);
+  const double limit = stable_step(scene, *fixed);
+  const auto name = mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>));
+  needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);
+  if (!method || !scene.time.step) return needs;
+  const mechanics::SampleTimes times{scene.time.end, scene.output.samples};
+  const double n_steps = static_cast<double>(times.steps_per_interval(*scene.time.step));
+  const double step = times.interval() / n_steps;
+  needs.needed.back() += fmt::format(" and takes {} steps of {:.3g}", count(n_steps * scene.output.samples), step);
+  if (step > limit)
+    needs.warnings.push_back(
+        fmt::format("Time/Step: steps of {:.3g} are above the stability limit of the continuum, about {:.3g} for small "
+                    "motions at rest; expect a stop after a few steps, with an element turned inside out",
+                    step, limit));
+  return needs;
+}
+
+std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
+                                          std::size_t n_coarse_cells, double share) {
+  const Effort needed = effort_of(scene, discretization, n_coarse_cells);
+  const std::string takes = fmt::format("{} takes {}", scene::describe(discretization), in_words(needed));
+  if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
+    return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
+  const double available = available_memory();
+  if (share * needed.bytes <= available) return std::nullopt;
+  return fmt::format("{}{}, and {} are available here", takes,
+                     share < 1 ? fmt::format(", of which {:.0f} % belong to this machine", 100 * share) : "",
+                     in_bytes(available));
+}
+
+void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells,
+                    double share) {
+  if (!scene::is_discretized(scene) || scene.analysis == scene::Analysis::equilibrium) return;
+  constexpr const char* entry = "Continuum/Refinements";
+  const auto fixed = scene::fixed_discretization(scene);
+  const double own_share = scene.analysis == scene::Analysis::modes ? 1 : share;  // modes are found by one process
+  if (const auto problem =
+          exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, own_share))
+    throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));
+}
+
+}  // namespace pseudorigid::app

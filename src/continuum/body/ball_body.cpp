@@ -1,0 +1,153 @@
+#include "continuum/body/ball_body.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "continuum/parallel/ranks.h"
+
+namespace pseudorigid::continuum {
+
+BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+                   const loads::Loads& loads, MPI_Comm communicator)
+    : BallBody(BallMesh(sector, n_refinements, communicator), degree, law, loads) {}
+
+BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads)
+    : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative()),
+      limit_(materials::limit_of(law)),
+      kernels_(make_cell_kernels(space_, law)),
+      loads_(loads, space_, *kernels_),
+      volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
+  E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
+}
+
+namespace {
+
+std::string at(const LeastPlace& place) {
+  char text[80];
+  std::snprintf(text, sizeof text, " at X/r = (%.3f, %.3f, %.3f)", place.where[0], place.where[1], place.where[2]);
+  return text;
+}
+
+}  // namespace
+
+std::string in_words(const LeastPlace& jacobian) {
+  char text[40];
+  std::snprintf(text, sizeof text, "det F = %.3g", jacobian.value);
+  return text + at(jacobian);
+}
+
+mechanics::Status BallBody::judge(double least, const Vector& x) const {
+  least = least_over_ranks(least, space_.communicator());
+  if (least > 0 && std::isfinite(least)) return {};
+  const LeastPlace jacobian = least_jacobian(x);
+  if (!limit_.empty() && jacobian.value > 0)
+    return mechanics::Status::failure(materials::beyond_limit(limit_) + at(least_reserve(x)));
+  return mechanics::Status::failure("an element is turned inside out: " + in_words(jacobian));
+}
+
+mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
+  if (auto status = judge(kernels_->force(x, f), x); !status) return status;
+  loads_.add(t, x, v, f);
+  return {};
+}
+
+void BallBody::apply_inverse_mass(const Vector& f, Vector& a) const {
+  if (&a != &f) a = f;
+  a.scale(space_.inverse_mass());
+}
+
+Vector BallBody::affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {
+  const Vector& X = space_.reference_positions();
+  Vector x = make_vector();
+  for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
+    if (space_.account() == i) continue;
+    for (int r = 0; r < 3; ++r) {
+      x.local_element(i + r) = c[r];
+      for (int j = 0; j < 3; ++j) x.local_element(i + r) += A(r, j) * X.local_element(i + j);
+    }
+  }
+  return x;
+}
+
+Eigen::Vector3d BallBody::mean(const Vector& x) const {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (unsigned int i = 0; i < x.locally_owned_size(); i += 3) {
+    const double m = space_.mass().local_element(i);
+    mass += m;
+    for (int c = 0; c < 3; ++c) sum[c] += m * x.local_element(i + c);
+  }
+  for (int c = 0; c < 3; ++c)
+    if (space_.mesh().sector().reflect[c]) sum[c] = 0;
+  return sum_over_ranks(sum, space_.communicator()) / sum_over_ranks(mass, space_.communicator());
+}
+
+double BallBody::mass() const { return space_.mesh().sector().n_images() * space_.mass().l1_norm() / 3; }
+
+double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }
+double BallBody::given(const Vector& v) const { return account_entry(v, 1); }
+
+double BallBody::account_entry(const Vector& v, unsigned int component) const {
+  const auto entry = space_.account();
+  return sum_over_ranks(entry ? v.local_element(*entry + component) : 0, space_.communicator());
+}
+
+Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (unsigned int i = 0; i < a.locally_owned_size(); i += 3)
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c)
+        sum(r, c) += space_.mass().local_element(i) * a.local_element(i + r) * b.local_element(i + c);
+  return whole_ball(sum_over_ranks(sum, space_.communicator()));
+}
+
+LeastPlace BallBody::least_jacobian(const Vector& x) const { return of_all_ranks(kernels_->locate_least_jacobian(x)); }
+LeastPlace BallBody::least(const Vector& x, double (*value)(const Eigen::Matrix3d& F)) const {
+  using RowByRow = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+  return of_all_ranks(kernels_->locate_least(x, [value](const double* F) { return value(RowByRow(F)); }));
+}
+LeastPlace BallBody::least_reserve(const Vector& x) const { return of_all_ranks(kernels_->locate_least_reserve(x)); }
+
+LeastPlace BallBody::of_all_ranks(LeastPlace least) const {
+  if (n_ranks(space_.communicator()) > 1) least.take_others(space_.communicator());
+  return least;
+}
+
+CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
+  CellIntegrals sums = kernels_->integrals(x, v);
+  const MPI_Comm communicator = space_.communicator();
+  if (n_ranks(communicator) == 1) return sums;
+  sums.elastic = sum_over_ranks(sums.elastic, communicator);
+  sums.volume = sum_over_ranks(sums.volume, communicator);
+  sums.F = dealii::Utilities::MPI::sum(sums.F, communicator);
+  sums.X_pulled_back = dealii::Utilities::MPI::sum(sums.X_pulled_back, communicator);
+  return sums;
+}
+
+void BallBody::fill_irregular(Vector& x) const {
+  const Vector& X = space_.reference_positions();
+  for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
+    const unsigned int node = i - i % 3;
+    // A wave far shorter than the elements, one for each component; where it is cut off, round-off of X is not seen.
+    const double phase =
+        1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));
+    x.local_element(i) = std::sin(phase + i % 3);
+  }
+}
+
+Eigen::Matrix3d BallBody::whole_ball(const Eigen::Matrix3d& sector_integral) const {
+  const Sector& sector = space_.mesh().sector();
+  Eigen::Matrix3d result = sector.n_images() * sector_integral;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j && (sector.reflect[i] || sector.reflect[j])) result(i, j) = 0;
+  return result;
+}
+
+Eigen::Matrix3d BallBody::mass_moment(const Vector& x) const {
+  return nodal_moment(x, space_.reference_positions()) * E0_.inverse();
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,67 @@
+#pragma once
+/// The incompressible elastic ball as a constrained system of the mechanics core:
+///
+///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
+///
+/// A pressure on the surface is carried by the constraint and is no force here. λ_h ∈ discontinuous P_{k−1} is the
+/// Kirchhoff pressure Jp. With ln J in place of J − 1 the second variation of the constraint has no (div u)² term, and
+/// the discrete motion does not depend on the hydrostatic gauge of W.
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "continuum/body/ball_body.h"
+#include "continuum/constraint/gram_solver.h"
+#include "continuum/parallel/ranks.h"
+
+namespace pseudorigid::continuum {
+
+class ElasticBall : public BallBody {
+ public:
+  using Multiplier = continuum::Vector;
+  struct Workspace {
+    GramSolver gram;
+  };
+  static constexpr int n_constraints = mechanics::dynamic_constraints;
+
+  /// As BallBody, with a choice of the solver of the Gram systems.
+  ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+              const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
+              std::optional<GramMethod> gram_method = std::nullopt)
+      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, law, loads, gram_method) {}
+  ElasticBall(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads = {},
+              std::optional<GramMethod> gram_method = std::nullopt)
+      : BallBody(std::move(mesh), degree, law, loads::at_constant_volume(loads)),
+        gram_method_(gram_method.value_or(fitting_gram_method(space()))),
+        multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
+
+  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
+    return applied_force(t, x, v, f);
+  }
+  mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
+  void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
+  void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {
+    kernels().constraint_curvature(x, v, r);
+  }
+  void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f) const {
+    kernels().add_reaction(x, lambda, f);
+  }
+  mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
+                                    Multiplier& lambda) const {
+    return workspace.gram.solve(x1, x0, r, lambda);
+  }
+  /// |g|_∞ and |Gv|_∞ that count as zero: 1e-13 in the scale of ln J (the ψ are L²-orthonormal in their cells).
+  double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
+  /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J| over a cell.
+  double multiplier_scale() const { return multiplier_scale_; }
+
+  Multiplier make_multiplier() const { return space().make_multiplier(); }
+  Workspace make_workspace() const { return {GramSolver(space(), kernels(), gram_method_)}; }
+
+ private:
+  GramMethod gram_method_;
+  double multiplier_scale_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,4 +1,0 @@
-#include "continuum/cell_kernels_impl.h"
-
-template std::unique_ptr<pseudorigid::continuum::CellKernels> pseudorigid::continuum::make_kernels_of_degree<7>(
-    const BallSpace&, const materials::AnyLaw&);

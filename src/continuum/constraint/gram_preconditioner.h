@@ -1,0 +1,25 @@
+#pragma once
+/// What the Gram operator S = G M⁻¹Gᵀ of a position is preconditioned with.
+
+#include <cstddef>
+
+#include "continuum/parallel/types.h"
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::continuum {
+
+class GramPreconditioner {
+ public:
+  virtual ~GramPreconditioner() = default;
+
+  /// Made anew for the Gram operator at the positions x. Fails where that is singular. Collective.
+  virtual mechanics::Status renew(const Vector& x) = 0;
+  /// result ≈ S⁻¹ r, by a symmetric positive definite operator. Collective.
+  virtual void apply(Vector& result, const Vector& r) const = 0;
+  /// Whether solves have become so slow that making it anew pays; told of the iterations of every solve.
+  virtual bool stale_after(int n_iterations) = 0;
+  /// Bytes held on this rank.
+  virtual std::size_t memory() const = 0;
+};
+
+}  // namespace pseudorigid::continuum

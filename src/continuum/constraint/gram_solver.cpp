@@ -1,0 +1,140 @@
+#include "continuum/constraint/gram_solver.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "continuum/constraint/dense_gram.h"
+#include "continuum/constraint/two_level_gram.h"
+#include "continuum/parallel/ranks.h"
+
+namespace pseudorigid::continuum {
+
+class GramSolver::Impl {
+ public:
+  Impl(const BallSpace& space, const CellKernels& kernels, GramMethod method)
+      : space_(space), kernels_(kernels), method_(method), reaction_(space.make_vector()) {
+    if (method == GramMethod::dense)
+      preconditioner_ = std::make_unique<DenseGram>(space, kernels);
+    else
+      preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
+  }
+
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+    if (stale_)
+      if (mechanics::Status status = renew(q0); !status) return {std::move(status), 0};
+    mechanics::SolveReport report = iterate(q1, q0, r, lambda);
+    if (!report.status) {
+      if (mechanics::Status status = renew(q1); !status) return {std::move(status), report.iterations};
+      mechanics::SolveReport second = iterate(q1, q0, r, lambda);
+      second.iterations += report.iterations;
+      report = std::move(second);
+    } else {
+      stale_ = preconditioner_->stale_after(report.iterations);
+    }
+    ++statistics_.n_solves;
+    statistics_.n_iterations += report.iterations;
+    statistics_.n_iterations_at_most = std::max<long>(statistics_.n_iterations_at_most, report.iterations);
+    return report;
+  }
+
+  Statistics statistics() const {
+    Statistics statistics = statistics_;
+    statistics.memory = preconditioner_->memory();
+    return statistics;
+  }
+
+ private:
+  mechanics::Status renew(const Vector& x) {
+    mechanics::Status status = preconditioner_->renew(x);
+    ++statistics_.n_renewals;
+    stale_ = !status;
+    return status;
+  }
+
+  /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ
+  void multiply(Vector& result, const Vector& lambda) {
+    reaction_ = 0.0;
+    kernels_.add_reaction(*q0_, lambda, reaction_);
+    reaction_.scale(space_.inverse_mass());
+    kernels_.constraint_rate(*q1_, reaction_, result);
+  }
+
+  mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+    lambda = 0.0;
+    const double norm = r.l2_norm();
+    if (norm == 0) return {};
+    if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
+    q1_ = &q1;
+    q0_ = &q0;
+    return iterate(r, reduction * norm, lambda);
+  }
+
+  /// With the inverse a few iterations do, and GMRES finds the least residual in them; with two levels S is left to
+  /// conjugate gradients, whose sums over the ranks do not grow with the iterations.
+  mechanics::SolveReport iterate(const Vector& r, double tolerance, Vector& lambda) {
+    struct Gram {
+      Impl& self;
+      mutable bool asked_of_zero;
+      void vmult(Vector& result, const Vector& multiplier) const {
+        if (std::exchange(asked_of_zero, false))
+          result = 0.0;
+        else
+          self.multiply(result, multiplier);
+      }
+    };
+    struct Preconditioner {
+      const GramPreconditioner& self;
+      void vmult(Vector& result, const Vector& r) const { self.apply(result, r); }
+    };
+    using Gmres = dealii::SolverGMRES<Vector>;
+    constexpr int n_basis = 40;
+    constexpr bool on_the_right = true;
+    const bool dense = method_ == GramMethod::dense, conjugate = !dense && q1_ == q0_;
+    const Gram gram{*this, !conjugate};  // GMRES first multiplies the start, λ = 0
+    dealii::SolverControl control(dense ? n_basis : 200, tolerance, false, false);
+    try {
+      if (conjugate)
+        dealii::SolverCG<Vector>(control).solve(gram, lambda, r, Preconditioner{*preconditioner_});
+      else
+        Gmres(control, Gmres::AdditionalData(n_basis + 2, on_the_right))
+            .solve(gram, lambda, r, Preconditioner{*preconditioner_});
+    } catch (const dealii::SolverControl::NoConvergence&) {
+      return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
+              static_cast<int>(control.last_step())};
+    }
+    return {{}, static_cast<int>(control.last_step())};
+  }
+
+  const BallSpace& space_;
+  const CellKernels& kernels_;
+  const GramMethod method_;
+  std::unique_ptr<GramPreconditioner> preconditioner_;
+  Vector reaction_;
+  const Vector *q1_ = nullptr, *q0_ = nullptr;
+  bool stale_ = true;
+  Statistics statistics_;
+};
+
+GramMethod fitting_gram_method(const BallSpace& space) {
+  const bool alone = n_ranks(space.communicator()) == 1;
+  const std::size_t n_multipliers = space.n_global_cells() * space.n_pressure();
+  return alone && n_multipliers <= GramSolver::n_dense ? GramMethod::dense : GramMethod::two_level;
+}
+
+GramSolver::GramSolver(const BallSpace& space, const CellKernels& kernels, GramMethod method)
+    : impl_(std::make_unique<Impl>(space, kernels, method)) {}
+GramSolver::~GramSolver() = default;
+GramSolver::GramSolver(GramSolver&&) noexcept = default;
+
+mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+  return impl_->solve(q1, q0, r, lambda);
+}
+
+GramSolver::Statistics GramSolver::statistics() const { return impl_->statistics(); }
+
+}  // namespace pseudorigid::continuum

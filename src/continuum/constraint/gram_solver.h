@@ -1,0 +1,48 @@
+#pragma once
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball, matrix-free, by a Krylov iteration preconditioned for the symmetric Gram
+/// operator S = G M⁻¹ Gᵀ of some earlier position: with its inverse (dense_gram.h) while that is small, beyond and on
+/// several ranks with two levels (two_level_gram.h). The preconditioner is made anew when the iterations show
+/// that it has become stale.
+
+#include <memory>
+
+#include "continuum/constraint/gram_preconditioner.h"
+#include "continuum/kernels/cell_kernels.h"
+#include "continuum/mesh/ball_space.h"
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::continuum {
+
+enum class GramMethod { dense, two_level };
+
+/// The method for a space: dense up to `n_dense` multipliers in one process.
+GramMethod fitting_gram_method(const BallSpace& space);
+
+class GramSolver {
+ public:
+  GramSolver(const BallSpace& space, const CellKernels& kernels, GramMethod method);
+  ~GramSolver();
+  GramSolver(GramSolver&&) noexcept;
+
+  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ reduction · |r| in the Euclidean norm. Fails if a fresh preconditioner does not
+  /// help.
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda);
+
+  struct Statistics {
+    long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
+    std::size_t memory = 0;  ///< of the preconditioner on this rank, bytes
+  };
+  Statistics statistics() const;
+
+  /// Reduction of the residual by one call. The constraint loops of the methods ask again until their own residual is
+  /// small, so that a call need not go further than Newton's iteration does in one step.
+  static constexpr double reduction = 1e-4;
+  /// Up to this many multipliers in one process the dense inverse makes a step cheaper than two levels do.
+  static constexpr std::size_t n_dense = 2400;
+
+ private:
+  class Impl;  // on the heap: what PETSc is given the address of cannot be moved, a workspace can
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace pseudorigid::continuum

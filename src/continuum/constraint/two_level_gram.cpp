@@ -1,0 +1,264 @@
+#include "continuum/constraint/two_level_gram.h"
+
+#include <deal.II/base/index_set.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_tools.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/sparsity_tools.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "continuum/kernels/node_gradients.h"
+#include "continuum/parallel/ghost_values.h"
+#include "continuum/parallel/petsc_session.h"
+#include "continuum/parallel/ranks.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+using Eigen::MatrixXd;
+
+/// The nodes' weights of one cell: (Gauss–Lobatto weight) · det ∂X/∂ξ.
+Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
+  const ReferenceCell& ref = space.reference_cell();
+  const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);
+  const int n = ref.n;
+  Eigen::VectorXd weights(X.cols());
+  for (int i = 0; i < X.cols(); ++i)
+    weights[i] = ref.node_weights[i % n] * ref.node_weights[i / n % n] * ref.node_weights[i / n / n] *
+                 reference_gradient(ref, X, i).determinant();
+  return weights;
+}
+
+/// N_i (first) and ∂N_i/∂ξ_d (the others) of the Lagrange polynomials on `functions`³, at the nodes of a cell: [node,
+/// i].
+std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vector<double>& functions) {
+  const auto n = static_cast<std::size_t>(ref.n), m = functions.size();
+  std::vector<MatrixXd> tables(4, MatrixXd(n * n * n, m * m * m));
+  for (std::size_t q = 0; q < n * n * n; ++q)
+    for (std::size_t i = 0; i < m * m * m; ++i) {
+      const double xi[] = {ref.nodes[q % n], ref.nodes[q / n % n], ref.nodes[q / n / n]};
+      const std::size_t a[] = {i % m, i / m % m, i / m / m};
+      for (int t = 0; t < 4; ++t) {
+        double product = 1;
+        for (int d = 0; d < 3; ++d)
+          product *= d == t - 1 ? lagrange_derivative(functions, a[d], xi[d]) : lagrange(functions, a[d], xi[d]);
+        tables[t](q, i) = product;
+      }
+    }
+  return tables;
+}
+
+/// Sets an option of PETSc that the user has not set.
+void set_default_option(const char* name, const char* value) {
+  PetscBool is_set = PETSC_FALSE;
+  PetscOptionsHasName(nullptr, nullptr, name, &is_set);
+  if (!is_set) PetscOptionsSetValue(nullptr, name, value);
+}
+
+}  // namespace
+
+TwoLevelGram::TwoLevelGram(const BallSpace& space, const CellKernels& kernels)
+    : space_(space),
+      kernels_(kernels),
+      coarse_degree_((space.degree() + 1) / 2),
+      element_(coarse_degree_),
+      dof_handler_(space.mesh().triangulation()),
+      n_functions_(element_.dofs_per_cell) {
+  start_petsc();
+  dof_handler_.distribute_dofs(element_);
+  number_functions();
+  project_functions();
+  make_coarse_matrix();
+  make_coarse_solver();
+}
+
+TwoLevelGram::~TwoLevelGram() {
+  VecDestroy(&coarse_in_);
+  VecDestroy(&coarse_out_);
+  KSPDestroy(&coarse_solver_);
+}
+
+void TwoLevelGram::number_functions() {
+  dealii::IndexSet on_own_cells;
+  dealii::DoFTools::extract_locally_active_dofs(dof_handler_, on_own_cells);
+  const auto partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(dof_handler_.locally_owned_dofs(),
+                                                                                 on_own_cells, space_.communicator());
+  restricted_.reinit(partitioner);
+  correction_.reinit(partitioner);
+
+  const dealii::IndexSet surface =
+      dealii::DoFTools::extract_boundary_dofs(dof_handler_, dealii::ComponentMask(), {BallMesh::surface_id});
+  on_surface_.assign(partitioner->locally_owned_size() + partitioner->n_ghost_indices(), false);
+  for (const auto function : surface)
+    if (partitioner->in_local_range(function) || partitioner->is_ghost_entry(function))
+      on_surface_[partitioner->global_to_local(function)] = true;
+
+  const auto hierarchic = dealii::FETools::lexicographic_to_hierarchic_numbering<3>(coarse_degree_);
+  std::vector<dealii::types::global_dof_index> indices(n_functions_);
+  for (const auto& cell : dof_handler_.active_cell_iterators()) {
+    if (!cell->is_locally_owned()) continue;
+    cell->get_dof_indices(indices);
+    auto& functions = cell_functions_.emplace_back(n_functions_);
+    for (unsigned int i = 0; i < n_functions_; ++i) {
+      functions[i] = indices[hierarchic[i]];
+      local_functions_.push_back(partitioner->global_to_local(functions[i]));
+    }
+  }
+}
+
+/// P_ji = ∫ψ_j N_i dX by the Gauss–Lobatto rule of the nodes; 0 for functions that do not vanish on the surface.
+void TwoLevelGram::project_functions() {
+  tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
+  const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();
+  projections_.resize(static_cast<std::size_t>(space_.n_cells()) * n_pressure * n_functions_);
+  kernels_.pressure_basis_at_nodes([&](unsigned int cell, std::span<const double> values) {
+    const Eigen::Map<const MatrixXd> psi(values.data(), n_nodes, n_pressure);
+    Eigen::Map<MatrixXd> P(&projections_[static_cast<std::size_t>(cell) * n_pressure * n_functions_], n_pressure,
+                           n_functions_);
+    P.noalias() = psi.transpose() * node_weights(space_, cell).asDiagonal() * tables_[0];
+    for (unsigned int i = 0; i < n_functions_; ++i)
+      if (on_surface_[local_functions_[cell * n_functions_ + i]]) P.col(i).setZero();
+  });
+}
+
+void TwoLevelGram::make_coarse_matrix() {
+  dealii::IndexSet relevant;
+  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant);
+  dealii::DynamicSparsityPattern pattern(relevant);
+  for (const auto& functions : cell_functions_)
+    for (const auto i : functions) pattern.add_entries(i, functions.begin(), functions.end());
+  const dealii::IndexSet& own = dof_handler_.locally_owned_dofs();
+  dealii::SparsityTools::distribute_sparsity_pattern(pattern, own, space_.communicator(), relevant);
+  K_ = std::make_unique<dealii::PETScWrappers::MPI::SparseMatrix>();
+  K_->reinit(own, own, pattern, space_.communicator());
+}
+
+void TwoLevelGram::make_coarse_solver() {
+  const MPI_Comm communicator = space_.communicator();
+  const auto n_own = static_cast<PetscInt>(restricted_.locally_owned_size());
+  VecCreateMPIWithArray(communicator, 1, n_own, PETSC_DECIDE, nullptr, &coarse_in_);
+  VecCreateMPIWithArray(communicator, 1, n_own, PETSC_DECIDE, nullptr, &coarse_out_);
+  KSPCreate(communicator, &coarse_solver_);
+  KSPSetOptionsPrefix(coarse_solver_, "gram_coarse_");
+  KSPSetType(coarse_solver_, KSPPREONLY);
+  PC preconditioner;
+  KSPGetPC(coarse_solver_, &preconditioner);
+  PCSetType(preconditioner, PCGAMG);
+  set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening", "0");  // with it half as many iterations more
+  KSPSetFromOptions(coarse_solver_);
+}
+
+/// K at the positions x, the identity at functions that do not vanish on the surface.
+void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
+  const unsigned int n_nodes = space_.nodes_per_cell();
+  MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
+  *K_ = 0;
+  for (unsigned int cell = 0; cell < space_.n_cells(); ++cell) {
+    const Eigen::Matrix3Xd x_cell = nodal_values(space_, x, cell);
+    const Eigen::VectorXd weights = node_weights(space_, cell);
+    for (unsigned int q = 0; q < n_nodes; ++q) {
+      const Eigen::Matrix3d to_current =
+          reference_gradient(space_.reference_cell(), x_cell, static_cast<int>(q)).inverse();
+      for (int c = 0; c < 3; ++c)
+        gradients.row(3 * q + c) =
+            std::sqrt(weights[q]) * (to_current(0, c) * tables_[1].row(q) + to_current(1, c) * tables_[2].row(q) +
+                                     to_current(2, c) * tables_[3].row(q));
+    }
+    K_cell.noalias() = gradients.transpose() * gradients;
+    for (unsigned int i = 0; i < n_functions_; ++i)
+      if (on_surface_[local_functions_[cell * n_functions_ + i]]) {
+        K_cell.row(i).setZero();
+        K_cell.col(i).setZero();
+        K_cell(i, i) = 1;
+      }
+    const auto& functions = cell_functions_[cell];
+    for (unsigned int i = 0; i < n_functions_; ++i) {
+      const Eigen::VectorXd row = K_cell.row(i);
+      K_->add(functions[i], n_functions_, functions.data(), row.data(), false);
+    }
+  }
+  K_->compress(dealii::VectorOperation::add);
+}
+
+/// False where a block is not positive definite.
+bool TwoLevelGram::invert_blocks(const Vector& x) {
+  const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
+  inverse_blocks_.resize(static_cast<std::size_t>(space_.n_cells()) * n * n);
+  bool regular = true;
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  kernels_.constraint_rows(x, [&](unsigned int cell, std::span<const double> rows) {
+    Eigen::VectorXd inverse_mass(n_columns);
+    for (Eigen::Index k = 0; k < n_columns; ++k)
+      inverse_mass[k] = space_.inverse_mass().local_element(3 * space_.cell_nodes(cell)[k / 3] + k % 3);
+    const RowMajor scaled =
+        Eigen::Map<const RowMajor>(rows.data(), n, n_columns) * inverse_mass.cwiseSqrt().asDiagonal();
+    MatrixXd block = MatrixXd::Zero(n, n);
+    block.selfadjointView<Eigen::Lower>().rankUpdate(scaled);
+    const Eigen::LLT<MatrixXd> cholesky(block);
+    regular = regular && cholesky.info() == Eigen::Success;
+    Eigen::Map<MatrixXd>(&inverse_blocks_[static_cast<std::size_t>(cell) * n * n], n, n) =
+        cholesky.solve(MatrixXd::Identity(n, n));
+  });
+  return regular;
+}
+
+mechanics::Status TwoLevelGram::renew(const Vector& x) {
+  const GhostValues ghosts(x);
+  const bool regular = invert_blocks(x);
+  assemble_coarse_matrix(x);
+  const Mat matrix = *K_;
+  // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
+  KSPReset(coarse_solver_);
+  const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0;
+  n_iterations_fresh_ = -1;
+  n_iterations_lost_ = 0;
+  if (dealii::Utilities::MPI::min(static_cast<int>(regular && set_up), space_.communicator())) return {};
+  return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
+}
+
+void TwoLevelGram::apply(Vector& result, const Vector& r) const {
+  const Eigen::Index n = space_.n_pressure(), n_functions = n_functions_;
+  const auto projection = [&](unsigned int cell) {
+    return Eigen::Map<const MatrixXd>(&projections_[static_cast<std::size_t>(cell) * n * n_functions], n, n_functions);
+  };
+  Eigen::VectorXd of_cell(n_functions);
+  restricted_ = 0.0;
+  for (unsigned int cell = 0; cell < space_.n_cells(); ++cell) {
+    of_cell.noalias() = projection(cell).transpose() * Eigen::Map<const Eigen::VectorXd>(r.begin() + cell * n, n);
+    for (unsigned int i = 0; i < n_functions_; ++i)
+      restricted_.local_element(local_functions_[cell * n_functions_ + i]) += of_cell[i];
+  }
+  restricted_.compress(dealii::VectorOperation::add);
+  correction_.zero_out_ghost_values();
+  VecPlaceArray(coarse_in_, restricted_.begin());
+  VecPlaceArray(coarse_out_, correction_.begin());
+  KSPSolve(coarse_solver_, coarse_in_, coarse_out_);
+  VecResetArray(coarse_in_);
+  VecResetArray(coarse_out_);
+  correction_.update_ghost_values();
+  for (unsigned int cell = 0; cell < space_.n_cells(); ++cell) {
+    for (unsigned int i = 0; i < n_functions_; ++i)
+      of_cell[i] = correction_.local_element(local_functions_[cell * n_functions_ + i]);
+    Eigen::Map<Eigen::VectorXd> out(result.begin() + cell * n, n);
+    out.noalias() = projection(cell) * of_cell;
+    out.noalias() += Eigen::Map<const MatrixXd>(&inverse_blocks_[static_cast<std::size_t>(cell) * n * n], n, n) *
+                     Eigen::Map<const Eigen::VectorXd>(r.begin() + cell * n, n);
+  }
+}
+
+bool TwoLevelGram::stale_after(int n_iterations) {
+  if (n_iterations_fresh_ < 0) n_iterations_fresh_ = n_iterations;
+  n_iterations_lost_ += std::max(0, n_iterations - n_iterations_fresh_);
+  return n_iterations_lost_ > n_iterations_of_renewal;
+}
+
+std::size_t TwoLevelGram::memory() const {
+  return (projections_.size() + inverse_blocks_.size()) * sizeof(double) +
+         local_functions_.size() * (sizeof(unsigned int) + sizeof(dealii::types::global_dof_index)) +
+         K_->n_nonzero_elements() / n_ranks(space_.communicator()) * (sizeof(double) + sizeof(PetscInt));
+}
+
+}  // namespace pseudorigid::continuum

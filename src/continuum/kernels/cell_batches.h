@@ -1,0 +1,198 @@
+#pragma once
+/// The cells of the ball in batches of as many as a SIMD vector has lanes, with all that the kernels read: node
+/// numbers, geometry at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of P_{k−1}, LLᵀ = ∫monomials ⊗
+/// monomials. The lanes of the last batch that have no cell of their own repeat its first one and are left out of
+/// results.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "continuum/kernels/pressure_basis.h"
+#include "continuum/kernels/quadrature_point.h"
+#include "continuum/kernels/sum_factorization.h"
+#include "continuum/mesh/ball_space.h"
+#include "materials/tensor.h"
+
+namespace pseudorigid::continuum {
+
+template <int degree>
+class CellBatches {
+ public:
+  static constexpr int n_lanes = native_lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
+  using L = Lanes<n_lanes>;
+  using Monomials = PressureMonomials<degree - 1>;
+  static constexpr int n_pressure = Monomials::size;
+  static constexpr int n_packed = n_pressure * (n_pressure + 1) / 2;
+
+  struct Batch {
+    unsigned int first_cell;
+    int n_active;
+    L center[3], scale;  ///< X = center + scale · position
+    L cell_volume;
+  };
+
+  explicit CellBatches(const BallSpace& space)
+      : factorization(space.reference_cell()), reference_positions(&space.reference_positions()) {
+    const auto& w = space.reference_cell().point_weights;
+    for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
+    const std::size_t n_batches = (space.n_cells() + n_lanes - 1) / n_lanes;
+    points_.reserve(n_batches * n_points);  // exactly: nothing is held that is not used
+    pressure_points_.reserve(n_batches * n_points);
+    offsets_.reserve(n_batches * n_nodes);
+    basis_.reserve(n_batches * n_packed);
+    batches.reserve(n_batches);
+    for (unsigned int cell = 0; cell < space.n_cells(); cell += n_lanes) add_batch(space, cell);
+  }
+
+  const QuadraturePoint* points(std::size_t batch) const { return &points_[batch * n_points]; }
+  const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
+  const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
+
+  /// u[c][node] of the batch from a vector.
+  void gather(const Vector& x, std::size_t batch, L (*u)[n_nodes]) const {
+    const auto* offsets = &offsets_[batch * n_nodes];
+    for (int i = 0; i < n_nodes; ++i) L::load_triples(x.begin(), offsets[i].data(), u[0][i], u[1][i], u[2][i]);
+  }
+
+  /// Asks for the entries that the batch after this one will gather for a layer of nodes.
+  void prefetch_layer(const Vector& x, std::size_t batch, int layer) const {
+    if (batch + 1 == batches.size()) return;
+    const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
+    for (int i = 0; i < n * n; ++i)
+      for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x.begin() + offsets[i][l]);
+  }
+
+  void scatter_add(const L (*u)[n_nodes], std::size_t batch, Vector& f) const {
+    const auto* offsets = &offsets_[batch * n_nodes];
+    const int n_active = batches[batch].n_active;
+    for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f.begin(), offsets[i].data());
+  }
+
+  /// Coefficients of the monomials for λ_h = Σ λ_j ψ_j.
+  void monomial_coefficients(const L* lambda, std::size_t batch, L* coefficients) const {
+    const L* entry = basis(batch);
+    for (int j = 0; j < n_pressure; ++j) coefficients[j] = L(0.0);
+    for (int i = 0; i < n_pressure; ++i)
+      for (int j = 0; j <= i; ++j) coefficients[j] += *entry++ * lambda[i];
+  }
+
+  /// ∫ψ_j s from the moments ∫(monomial) s.
+  void from_moments(const L* moments, std::size_t batch, L* result) const {
+    const L* entry = basis(batch);
+    for (int i = 0; i < n_pressure; ++i) {
+      L sum(0.0);
+      for (int j = 0; j <= i; ++j) sum += *entry++ * moments[j];
+      result[i] = sum;
+    }
+  }
+
+  void load_multiplier(const Vector& lambda, std::size_t batch, L* values) const {
+    const Batch& b = batches[batch];
+    const double* entries = lambda.begin() + b.first_cell * n_pressure;
+    for (int j = 0; j < n_pressure; ++j)
+      values[j] = L::of([&](int l) { return entries[(l < b.n_active ? l : 0) * n_pressure + j]; });
+  }
+
+  void store_multiplier(const L* values, std::size_t batch, Vector& lambda) const {
+    const Batch& b = batches[batch];
+    for (int l = 0; l < b.n_active; ++l)
+      for (int j = 0; j < n_pressure; ++j) lambda.local_element((b.first_cell + l) * n_pressure + j) = values[j][l];
+  }
+
+  std::size_t memory() const {
+    return points_.size() * sizeof(QuadraturePoint) + pressure_points_.size() * sizeof(PressurePoint) +
+           offsets_.size() * sizeof(offsets_[0]) + basis_.size() * sizeof(L) + batches.size() * sizeof(Batch);
+  }
+
+  SumFactorization<n> factorization;
+  std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
+  const Vector* reference_positions;          ///< with the ghost nodes
+  std::vector<Batch> batches;
+
+ private:
+  void add_batch(const BallSpace& space, unsigned int first_cell) {
+    Batch batch{};
+    batch.first_cell = first_cell;
+    batch.n_active = static_cast<int>(std::min<unsigned int>(n_lanes, space.n_cells() - first_cell));
+    for (int i = 0; i < n_nodes; ++i) {
+      auto& offsets = offsets_.emplace_back();
+      for (int l = 0; l < n_lanes; ++l) offsets[l] = 3 * space.cell_nodes(first_cell + (l < batch.n_active ? l : 0))[i];
+    }
+    const std::size_t index = batches.size();
+    batches.push_back(batch);
+    compute_geometry(index);
+    orthonormalize(index);
+  }
+
+  void compute_geometry(std::size_t index) {
+    auto nodes = std::make_unique<L[][n_nodes]>(3);
+    gather(*reference_positions, index, nodes.get());
+    for (int c = 0; c < 3; ++c) factorization.interpolate_layers(nodes[c]);
+
+    Batch& batch = batches[index];
+    for (int q3 = 0; q3 < n; ++q3) {
+      L X[3][n * n], jacobian[9][n * n];
+      for (int c = 0; c < 3; ++c)
+        factorization.plane_gradient(nodes[c], q3, X[c], jacobian[3 * c], jacobian[3 * c + 1], jacobian[3 * c + 2]);
+      for (int q = 0; q < n * n; ++q) {
+        materials::Tensor<L> T;
+        for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = jacobian[k][q];
+        const auto cof = materials::cofactor(T);
+        const L det = materials::determinant(T, cof);
+        const L weight = det * unit_weights[q3 * n * n + q];
+        QuadraturePoint& point = points_.emplace_back();
+        for (int k = 0; k < 9; ++k) point.inverse_jacobian[k] = cof(k % 3, k / 3) / det;
+        point.weight = weight;
+        pressure_points_.push_back({weight, {X[0][q], X[1][q], X[2][q]}});
+        batch.cell_volume += weight;
+        for (int c = 0; c < 3; ++c) batch.center[c] += weight * X[c][q];
+      }
+    }
+    for (int c = 0; c < 3; ++c) batch.center[c] = batch.center[c] / batch.cell_volume;
+    batch.scale = L::of([&](int l) { return 0.5 * std::cbrt(batch.cell_volume[l]); });
+    for (auto point = pressure_points_.end() - n_points; point != pressure_points_.end(); ++point)
+      for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
+  }
+
+  /// basis = L⁻¹ of the Cholesky factor of the monomials' Gram matrix, packed by rows.
+  void orthonormalize(std::size_t index) {
+    std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),
+        inverse(n_pressure * n_pressure, L(0.0));
+    for (int q = 0; q < n_points; ++q) {
+      const PressurePoint& p = pressure_points(index)[q];
+      std::fill(monomials.begin(), monomials.end(), L(0.0));
+      Monomials::add_moments(L(1.0), p.position[0], p.position[1], p.position[2], monomials.data());
+      for (int i = 0; i < n_pressure; ++i)
+        for (int j = 0; j <= i; ++j) gram[i * n_pressure + j] += p.weight * monomials[i] * monomials[j];
+    }
+    for (int l = 0; l < n_lanes; ++l) invert_cholesky_factor(gram, inverse, l);
+    for (int i = 0; i < n_pressure; ++i)
+      basis_.insert(basis_.end(), &inverse[i * n_pressure], &inverse[i * n_pressure] + i + 1);
+  }
+
+  static void invert_cholesky_factor(std::vector<L>& a, std::vector<L>& inverse, int lane) {
+    const auto at = [&](int i, int j) { return a[i * n_pressure + j][lane]; };
+    for (int i = 0; i < n_pressure; ++i)
+      for (int j = 0; j <= i; ++j) {
+        double sum = at(i, j);
+        for (int k = 0; k < j; ++k) sum -= at(i, k) * at(j, k);
+        a[i * n_pressure + j].set(lane, i == j ? std::sqrt(sum) : sum / at(j, j));
+      }
+    for (int j = 0; j < n_pressure; ++j)
+      for (int i = j; i < n_pressure; ++i) {
+        double sum = i == j ? 1 : 0;
+        for (int k = j; k < i; ++k) sum -= at(i, k) * inverse[k * n_pressure + j][lane];
+        inverse[i * n_pressure + j].set(lane, sum / at(i, i));
+      }
+  }
+
+  std::vector<QuadraturePoint> points_;
+  std::vector<PressurePoint> pressure_points_;
+  std::vector<std::array<unsigned int, n_lanes>> offsets_;
+  std::vector<L> basis_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,30 @@
+#pragma once
+/// Fields of one cell at its own nodes, for what is computed seldom: set-up and pictures. Steps use the kernels.
+
+#include <Eigen/Core>
+
+#include "continuum/mesh/ball_space.h"
+
+namespace pseudorigid::continuum {
+
+/// Nodal values of a cell, one column a node. Ghost nodes are read where the cell has some.
+inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, unsigned int cell) {
+  const auto& nodes = space.cell_nodes(cell);
+  Eigen::Matrix3Xd values(3, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (int c = 0; c < 3; ++c) values(c, i) = x.local_element(3 * nodes[i] + c);
+  return values;
+}
+
+/// ∂x/∂ξ at node i of a cell, from its nodal values.
+inline Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
+  Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+  for (int d = 0, stride = 1; d < 3; ++d, stride *= ref.n) {
+    const int position = i / stride % ref.n, first = i - position * stride;
+    for (int j = 0; j < ref.n; ++j)
+      gradient.col(d) += ref.differentiate_at_nodes[position * ref.n + j] * x.col(first + j * stride);
+  }
+  return gradient;
+}
+
+}  // namespace pseudorigid::continuum

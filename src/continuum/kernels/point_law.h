@@ -1,0 +1,32 @@
+#pragma once
+/// The only part of the kernels that knows the law: what happens at the quadrature points of a batch of cells between
+/// the derivatives of the shape functions and the sums over them. All laws are compiled in one file, without the
+/// degree, and all degrees without the law.
+///
+/// A tensor at every point is 9 · n_points numbers, entry (i, j) of point q at (3i + j) n_points + q. Wide vectors
+/// cross this interface in memory only.
+
+#include <memory>
+
+#include "continuum/kernels/quadrature_point.h"
+#include "materials/law_table.h"
+
+namespace pseudorigid::continuum {
+
+class PointLaw {
+ public:
+  using L = QuadraturePoint::L;
+  virtual ~PointLaw() = default;
+
+  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least ← the least of it, of det F and of the law's reserve, lane
+  /// by lane.
+  virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least) const = 0;
+  /// energy += Σ w W(F)
+  virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const = 0;
+  /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
+  virtual void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const = 0;
+};
+
+std::unique_ptr<PointLaw> make_point_law(const materials::AnyLaw& law);
+
+}  // namespace pseudorigid::continuum

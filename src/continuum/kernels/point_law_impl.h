@@ -1,0 +1,57 @@
+#pragma once
+/// PointLaw for any law of materials/.
+
+#include <cmath>
+
+#include "continuum/kernels/point_law.h"
+
+namespace pseudorigid::continuum {
+
+template <class Law>
+class LawAtPoints final : public PointLaw {
+ public:
+  explicit LawAtPoints(const Law& law) : law_(law) {}
+
+  void stress(const QuadraturePoint* points, int n_points, L* H, L& least_of_all) const override {
+    L least = least_of_all;
+    for (int q = 0; q < n_points; ++q) {
+      const QuadraturePoint& p = points[q];
+      prefetch(points + n_points + q);
+      const Tensor F = p.deformation_gradient(load(H, n_points, q));
+      least = min(materials::determinant(F), least);
+      if constexpr (materials::is_limited<Law>) least = min(law_.reserve(F), least);
+      const Tensor P = -p.weight * law_.stress(F);
+      const L* row = p.inverse_jacobian;
+#pragma GCC unroll 3
+      for (int i = 0; i < 3; ++i)
+#pragma GCC unroll 3
+        for (int d = 0; d < 3; ++d)
+          H[(3 * i + d) * n_points + q] = P(i, 0) * row[3 * d] + P(i, 1) * row[3 * d + 1] + P(i, 2) * row[3 * d + 2];
+    }
+    least_of_all = least;
+  }
+
+  void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const override {
+    for (int q = 0; q < n_points; ++q)
+      energy += points[q].weight * law_.energy(points[q].deformation_gradient(load(H, n_points, q)));
+  }
+
+  void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const override {
+    for (int q = 0; q < n_points; ++q)
+      if constexpr (materials::is_limited<Law>)
+        reserve[q] = law_.reserve(points[q].deformation_gradient(load(H, n_points, q)));
+      else
+        reserve[q] = L(HUGE_VAL);
+  }
+
+ private:
+  using Tensor = materials::Tensor<L>;
+  [[gnu::always_inline]] static Tensor load(const L* field, int n_points, int q) {
+    const auto entry = [&](int k) { return field[k * n_points + q]; };
+    return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
+  }
+
+  Law law_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,67 @@
+#pragma once
+/// The multiplier's basis of P_{k−1} at the nodes of the displacements, where pictures show the multiplier and the
+/// preconditioner of the Gram operator projects it:
+///
+///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "continuum/kernels/cell_batches.h"
+#include "continuum/kernels/cell_kernels.h"
+
+namespace pseudorigid::continuum {
+
+/// [component][node]: (X − X_c)/h_c at the nodes of a batch's cells.
+template <int degree>
+auto local_node_positions(const CellBatches<degree>& batches, std::size_t b) {
+  using Batches = CellBatches<degree>;
+  auto local = std::make_unique<typename Batches::L[][Batches::n_nodes]>(3);
+  batches.gather(*batches.reference_positions, b, local.get());
+  const auto& batch = batches.batches[b];
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < Batches::n_nodes; ++i) local[c][i] = (local[c][i] - batch.center[c]) / batch.scale;
+  return local;
+}
+
+/// As CellKernels::multiplier_at_nodes.
+template <int degree>
+void multiplier_at_nodes(const CellBatches<degree>& batches, const Vector& lambda, unsigned int cell,
+                         std::span<double> values) {
+  using Batches = CellBatches<degree>;
+  const std::size_t b = cell / Batches::n_lanes;
+  const int lane = static_cast<int>(cell % Batches::n_lanes);
+  typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
+  batches.load_multiplier(lambda, b, multiplier);
+  batches.monomial_coefficients(multiplier, b, coefficients);
+  const auto local = local_node_positions(batches, b);
+  for (int i = 0; i < Batches::n_nodes; ++i)
+    values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
+}
+
+/// As CellKernels::pressure_basis_at_nodes.
+template <int degree>
+void pressure_basis_at_nodes(const CellBatches<degree>& batches, const CellKernels::UseRows& use) {
+  using Batches = CellBatches<degree>;
+  using L = typename Batches::L;
+  constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
+  constexpr std::size_t size = std::size_t{n_pressure} * n_nodes;
+  std::vector<double> values(Batches::n_lanes * size);
+  for (std::size_t b = 0; b < batches.batches.size(); ++b) {
+    const auto& batch = batches.batches[b];
+    const auto local = local_node_positions(batches, b);
+    for (int i = 0; i < n_nodes; ++i) {
+      L monomials[n_pressure], psi[n_pressure];
+      for (L& monomial : monomials) monomial = L(0.0);
+      Batches::Monomials::add_moments(L(1.0), local[0][i], local[1][i], local[2][i], monomials);
+      batches.from_moments(monomials, b, psi);
+      for (int l = 0; l < batch.n_active; ++l)
+        for (int j = 0; j < n_pressure; ++j) values[l * size + j * n_nodes + i] = psi[j][l];
+    }
+    for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {values.data() + l * size, size});
+  }
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,72 @@
+#pragma once
+/// The finite-element spaces of the ball: positions x_h ∈ (Q_k)³ on Gauss–Lobatto nodes, geometry of degree k on the
+/// same nodes, and the lumped (diagonal) mass
+///
+///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
+///
+/// On a symmetry plane x_i = 0 the component i of a node cannot move: its inverse mass is 0, and it stays what it is.
+///
+/// Cells, nodes and multipliers are distributed over the ranks of the mesh: `n_cells`, `cell_nodes` and the local
+/// elements of vectors are this rank's own, followed by the ghost nodes that its cells have on other ranks.
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "continuum/mesh/ball_mesh.h"
+#include "continuum/mesh/reference_cell.h"
+#include "continuum/parallel/types.h"
+
+namespace pseudorigid::continuum {
+
+class BallSpace {
+ public:
+  /// `with_account`: the vectors get one further node without mass, for energies that are taken and given.
+  BallSpace(BallMesh mesh, int degree, bool with_account = false);
+
+  const BallMesh& mesh() const { return mesh_; }
+  int degree() const { return degree_; }
+  const ReferenceCell& reference_cell() const { return reference_; }
+  MPI_Comm communicator() const { return mesh_.communicator(); }
+  unsigned int n_cells() const { return static_cast<unsigned int>(cell_nodes_.size()); }
+  std::size_t n_global_cells() const { return mesh_.triangulation().n_global_active_cells(); }
+  unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
+  unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - (account_ ? 1 : 0); }
+  std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
+  /// Dimension of P_{k−1}, the multiplier's polynomials in one cell.
+  unsigned int n_pressure() const { return degree_ * (degree_ + 1) * (degree_ + 2) / 6; }
+
+  /// Nodes of a cell by their local numbers, first direction fastest; vector entries are 3·node + component.
+  const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
+  const Vector& reference_positions() const { return X_; }      ///< with the ghost nodes
+  const Vector& mass() const { return mass_; }                  ///< m_n at every component
+  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 where a symmetry plane holds the component
+  const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
+  /// The local entry of the coordinate of the energy taken, on the process that owns it; that of the energy given is
+  /// the next. Their inverse masses are 1.
+  std::optional<unsigned int> account() const { return account_; }
+  Vector make_vector() const { return Vector(partitioner_); }
+  Vector make_multiplier() const { return Vector(multiplier_partitioner_); }
+
+ private:
+  void number_nodes(bool with_account);
+  void number_multipliers();
+  void place_nodes();
+  void lump_mass();
+
+  BallMesh mesh_;
+  int degree_;
+  ReferenceCell reference_;
+  dealii::FE_Q<3> element_;
+  std::unique_ptr<dealii::DoFHandler<3>> dof_handler_;
+  std::vector<std::vector<unsigned int>> cell_nodes_;
+  std::optional<unsigned int> account_;
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_, multiplier_partitioner_;
+  Vector X_, mass_, inverse_mass_;
+};
+
+}  // namespace pseudorigid::continuum

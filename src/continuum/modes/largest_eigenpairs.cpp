@@ -1,0 +1,104 @@
+#include "continuum/modes/largest_eigenpairs.h"
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include <slepceps.h>
+
+#include "continuum/parallel/petsc_session.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
+  void* context;
+  PetscCall(MatShellGetContext(matrix, &context));
+  const PetscScalar* x;
+  PetscScalar* y;
+  PetscInt n;
+  PetscCall(VecGetLocalSize(in, &n));
+  PetscCall(VecGetArrayRead(in, &x));
+  PetscCall(VecGetArray(out, &y));
+  (*static_cast<const SymmetricOperator*>(context))({x, static_cast<std::size_t>(n)}, {y, static_cast<std::size_t>(n)});
+  PetscCall(VecRestoreArrayRead(in, &x));
+  PetscCall(VecRestoreArray(out, &y));
+  return 0;
+}
+
+/// What a run allocates.
+struct Run {
+  Mat matrix = nullptr;
+  EPS solver = nullptr;
+  std::vector<Vec> known;
+  Vec start = nullptr;
+  ~Run() {
+    for (Vec& v : known) VecDestroy(&v);
+    VecDestroy(&start);
+    EPSDestroy(&solver);
+    MatDestroy(&matrix);
+  }
+};
+
+PetscErrorCode set_up(Run& run, const SymmetricOperator& apply, PetscInt n, PetscInt n_wanted, double tolerance,
+                      const std::vector<EigenPair>& known) {
+  PetscCall(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, const_cast<SymmetricOperator*>(&apply), &run.matrix));
+  PetscCall(MatShellSetOperation(run.matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
+  PetscCall(EPSCreate(PETSC_COMM_SELF, &run.solver));
+  PetscCall(EPSSetOperators(run.solver, run.matrix, nullptr));
+  PetscCall(EPSSetProblemType(run.solver, EPS_HEP));
+  PetscCall(EPSSetWhichEigenpairs(run.solver, EPS_LARGEST_REAL));
+  const PetscInt room = n - static_cast<PetscInt>(known.size());
+  PetscCall(EPSSetDimensions(run.solver, n_wanted, std::min(room, 2 * n_wanted + 8), PETSC_DEFAULT));
+  PetscCall(EPSSetTolerances(run.solver, tolerance, 200));
+  for (const EigenPair& pair : known) {
+    Vec& v = run.known.emplace_back(nullptr);
+    PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
+  }
+  PetscCall(EPSSetDeflationSpace(run.solver, static_cast<PetscInt>(run.known.size()), run.known.data()));
+  // A start of its own for every run, the same whenever the program runs.
+  std::mt19937 generator(static_cast<unsigned int>(known.size()));
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &run.start));
+  PetscScalar* values;
+  PetscCall(VecGetArray(run.start, &values));
+  for (PetscInt i = 0; i < n; ++i) values[i] = uniform(generator);
+  PetscCall(VecRestoreArray(run.start, &values));
+  PetscCall(EPSSetInitialSpace(run.solver, 1, &run.start));
+  return 0;
+}
+
+PetscErrorCode take(EPS solver, PetscInt n, std::vector<EigenPair>& found) {
+  PetscInt n_converged;
+  PetscCall(EPSGetConverged(solver, &n_converged));
+  for (PetscInt i = 0; i < n_converged; ++i) {
+    EigenPair pair{0, std::vector<double>(static_cast<std::size_t>(n))};
+    Vec v;
+    PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
+    PetscCall(EPSGetEigenpair(solver, i, &pair.value, nullptr, v, nullptr));
+    PetscCall(VecDestroy(&v));
+    found.push_back(std::move(pair));
+  }
+  return 0;
+}
+
+}  // namespace
+
+mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
+                                            double tolerance, std::vector<EigenPair>& known) {
+  start_petsc();
+  const auto n = static_cast<PetscInt>(size);
+  const PetscInt wanted = std::min<PetscInt>(n_wanted, n - static_cast<PetscInt>(known.size()));
+  if (wanted <= 0) return {};
+  Run run;
+  std::vector<EigenPair> found;
+  const bool fine = set_up(run, apply, n, wanted, tolerance, known) == 0 && EPSSolve(run.solver) == 0 &&
+                    take(run.solver, n, found) == 0;
+  if (!fine) return mechanics::Status::failure("SLEPc reports an error");
+  if (static_cast<PetscInt>(found.size()) < wanted)
+    return mechanics::Status::failure("the iteration for the eigenvectors does not converge");
+  known.insert(known.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
+  return {};
+}
+
+}  // namespace pseudorigid::continuum

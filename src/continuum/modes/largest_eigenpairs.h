@@ -1,0 +1,27 @@
+#pragma once
+/// Largest eigenvalues of a symmetric operator by SLEPc (Krylov–Schur), in the complement of eigenvectors that are
+/// known. A Krylov space holds one vector of each eigenspace; copies of an eigenvalue come out one run after the other.
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::continuum {
+
+using SymmetricOperator = std::function<void(std::span<const double>, std::span<double>)>;
+
+struct EigenPair {
+  double value;
+  std::vector<double> vector;
+};
+
+/// Appends n_wanted pairs or a few more, by falling value, to `known`, all orthogonal to what it holds; fewer where
+/// that is all there are. Residuals are below `tolerance` times the eigenvalue.
+mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
+                                            double tolerance, std::vector<EigenPair>& known);
+
+}  // namespace pseudorigid::continuum

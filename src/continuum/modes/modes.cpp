@@ -1,0 +1,213 @@
+#include "continuum/modes/modes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+
+#include "continuum/modes/largest_eigenpairs.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// Relative residual of eigenvectors; frequencies are better by squares.
+constexpr double eigenvector_tolerance = 1e-7;
+/// ω² of a rigid motion is round-off in units of the shift, far below that of any mode.
+constexpr double rigid = 1e-6;
+constexpr double round_off = 1e-9;
+
+/// Sectors to solve, and how many sectors have the same spectrum as each.
+struct SectorClass {
+  int number, n_sectors;
+};
+
+/// Whether X → (X_y, X_z, X_x) maps the nodes to nodes. Sectors whose signs are turned likewise then have the same
+/// modes.
+bool has_threefold_axis(const BallSpace& space) {
+  using Place = std::array<long, 3>;
+  const auto place = [&](unsigned int node, unsigned int turn) {
+    Place p;
+    for (unsigned int c = 0; c < 3; ++c)
+      p[c] = std::lround(1e9 * space.reference_positions().local_element(3 * node + (c + turn) % 3));
+    return p;
+  };
+  std::vector<Place> places, turned;
+  for (unsigned int node = 0; node < space.n_nodes(); ++node) {
+    places.push_back(place(node, 0));
+    turned.push_back(place(node, 1));
+  }
+  std::ranges::sort(places);
+  std::ranges::sort(turned);
+  return std::ranges::equal(places, turned, [](const Place& a, const Place& b) {
+    return std::abs(a[0] - b[0]) <= 1 && std::abs(a[1] - b[1]) <= 1 && std::abs(a[2] - b[2]) <= 1;
+  });
+}
+
+std::vector<SectorClass> sector_classes(const BallSpace& space) {
+  if (has_threefold_axis(space)) return {{0, 1}, {1, 3}, {3, 3}, {7, 1}};
+  std::vector<SectorClass> all;
+  for (int number = 0; number < 8; ++number) all.push_back({number, 1});
+  return all;
+}
+
+struct SectorMode {
+  double omega;
+  ModeClass kind;
+  Parity parity;
+  int n_copies;  ///< in this sector and those with the same spectrum
+  Vector u;
+};
+
+/// The modes of one sector, as far as they are known.
+class SectorSpectrum {
+ public:
+  SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
+      : problem_(problem),
+        sector_(problem, parity_of_sector(sector_class.number)),
+        harmonics_(problem.space, sector_.parity(), max_degree),
+        n_copies_(sector_class.n_sectors) {}
+
+  mechanics::Status factorize() { return sector_.factorize(); }
+
+  /// Looks for n more pairs and appends the modes among them.
+  mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
+    const std::size_t n_before = pairs_.size();
+    const auto apply = [&](std::span<const double> y, std::span<double> z) {
+      ++report.n_applications;
+      sector_.apply(y, z);
+    };
+    if (auto s = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, pairs_); !s) return s;
+    if (pairs_.size() == n_before) {
+      complete_below_ = std::numeric_limits<double>::infinity();
+      return {};
+    }
+    double largest = 0;
+    for (std::size_t i = n_before; i < pairs_.size(); ++i) {
+      largest = std::max(largest, pairs_[i].value);
+      auto [omega_squared, u] = sector_.mode_of(pairs_[i].vector);
+      if (omega_squared < rigid * problem_.shift) continue;
+      const ModeClass kind = harmonics_.classify(u);
+      modes.push_back({std::sqrt(omega_squared), kind, sector_.parity(), n_copies_, std::move(u)});
+    }
+    report.n_eigenpairs += static_cast<int>(pairs_.size() - n_before);
+    complete_below_ = std::sqrt(std::max(0.0, 1 / largest - problem_.shift)) * (1 - round_off);
+    return {};
+  }
+
+  double complete_below() const { return complete_below_; }
+  bool asked() const { return !pairs_.empty(); }
+
+ private:
+  const RestProblem& problem_;
+  ParitySector sector_;
+  SurfaceHarmonics harmonics_;
+  int n_copies_;
+  std::vector<EigenPair> pairs_;
+  double complete_below_ = 0;
+};
+
+/// The copies of one frequency, perhaps not all of them.
+struct Copies {
+  int overtone;
+  std::vector<const SectorMode*> modes;
+  bool complete() const { return modes.size() == static_cast<std::size_t>(2 * modes[0]->kind.degree + 1); }
+  double least() const { return modes.front()->omega; }
+};
+
+/// All frequencies with a copy below the bound, by their lowest copy.
+std::vector<Copies> sort_modes(const std::vector<SectorMode>& modes, double bound) {
+  std::map<std::pair<ModeKind, int>, std::vector<const SectorMode*>> classes;
+  for (const SectorMode& mode : modes)
+    if (mode.omega < bound) {
+      auto& members = classes[{mode.kind.kind, mode.kind.degree}];
+      members.insert(members.end(), mode.n_copies, &mode);
+    }
+  std::vector<Copies> result;
+  for (auto& [key, members] : classes) {
+    std::ranges::sort(members, {}, [](const SectorMode* mode) { return mode->omega; });
+    const std::size_t multiplicity = 2 * static_cast<std::size_t>(key.second) + 1;
+    for (std::size_t first = 0; first < members.size(); first += multiplicity) {
+      const std::size_t last = std::min(first + multiplicity, members.size());
+      result.push_back({static_cast<int>(first / multiplicity),
+                        {members.begin() + static_cast<long>(first), members.begin() + static_cast<long>(last)}});
+    }
+  }
+  std::ranges::sort(result, {}, &Copies::least);
+  return result;
+}
+
+BallFrequency frequency_of(const Copies& copies) {
+  const SectorMode& shown = *copies.modes.front();
+  BallFrequency f{.omega = 0,
+                  .least = shown.omega,
+                  .largest = copies.modes.back()->omega,
+                  .kind = shown.kind.kind,
+                  .degree = shown.kind.degree,
+                  .overtone = copies.overtone,
+                  .multiplicity = static_cast<int>(copies.modes.size()),
+                  .share = 1,
+                  .parity = shown.parity,
+                  .shape = shown.u};
+  for (const SectorMode* mode : copies.modes) {
+    f.omega += mode->omega / f.multiplicity;
+    f.share = std::min(f.share, mode->kind.share);
+  }
+  double largest = 0;
+  for (unsigned int i = 0; i < f.shape.locally_owned_size(); i += 3)
+    largest = std::max(
+        largest, std::hypot(f.shape.local_element(i), f.shape.local_element(i + 1), f.shape.local_element(i + 2)));
+  f.shape *= 1 / largest;
+  return f;
+}
+
+}  // namespace
+
+mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
+                             ModesReport& report) {
+  // The fundamentals rise by about 1 a degree: among the lowest n frequencies no degree is above n + 2.
+  const int max_degree = std::min(n_frequencies + 2, 30);
+  std::vector<SectorSpectrum> sectors;
+  for (const SectorClass& sector_class : sector_classes(problem.space)) {
+    sectors.emplace_back(problem, sector_class, max_degree);
+    if (auto s = sectors.back().factorize(); !s) return s;
+  }
+  std::vector<SectorMode> modes;
+  const int n_first = 2 + n_frequencies / 2, n_more = 2 + n_frequencies / 4;
+  frequencies.clear();
+  while (true) {
+    SectorSpectrum& last = *std::ranges::min_element(sectors, {}, &SectorSpectrum::complete_below);
+    if (std::isinf(last.complete_below())) break;
+    const std::vector<Copies> sorted = sort_modes(modes, last.complete_below());
+    const auto n = static_cast<std::size_t>(n_frequencies);
+    if (sorted.size() >= n &&
+        std::all_of(sorted.begin(), sorted.begin() + n_frequencies, std::mem_fn(&Copies::complete))) {
+      for (std::size_t i = 0; i < n; ++i) frequencies.push_back(frequency_of(sorted[i]));
+      std::ranges::sort(frequencies, {}, &BallFrequency::omega);
+      return {};
+    }
+    if (report.n_eigenpairs > 200 * (n_frequencies + 1)) break;
+    if (auto s = last.extend(last.asked() ? n_more : n_first, modes, report); !s) return s;
+  }
+  return mechanics::Status::failure(
+      "the modes cannot be sorted by kind and degree, as the mesh is too coarse for so many of them; raise "
+      "Continuum/Degree or Continuum/Refinements");
+}
+
+std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape) {
+  std::vector<double> values;
+  values.reserve(8 * 3 * static_cast<std::size_t>(space.n_cells()) * space.nodes_per_cell());
+  for (int bits = 0; bits < 8; ++bits) {  // in the order of nodal_grid: the bits are the mirrored coordinates
+    double sign = 1;
+    for (int j = 0; j < 3; ++j)
+      if (bits >> j & 1) sign *= parity.sign[j];
+    for (unsigned int cell = 0; cell < space.n_cells(); ++cell)
+      for (const unsigned int node : space.cell_nodes(cell))
+        for (int c = 0; c < 3; ++c)
+          values.push_back((bits >> c & 1 ? -sign : sign) * shape.local_element(3 * node + c));
+  }
+  return values;
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,245 @@
+#include "continuum/modes/parity_sector.h"
+
+#include <Eigen/CholmodSupport>
+#include <Eigen/Dense>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// Corrections in the operator of the iteration for eigenvectors, and for the field that a frequency is taken from.
+constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
+/// Up to this size the interface is solved densely.
+constexpr Eigen::Index n_dense = 1500;
+
+}  // namespace
+
+std::string Parity::name() const {
+  std::string name;
+  for (const int s : sign) name += s > 0 ? '+' : '-';
+  return name;
+}
+
+Parity parity_of_sector(int number) {
+  Parity parity;
+  for (int j = 0; j < 3; ++j) parity.sign[j] = number >> j & 1 ? -1 : 1;
+  return parity;
+}
+
+RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const materials::AnyLaw& law,
+                         bool is_incompressible)
+    : space(ball_space),
+      elasticity(law),
+      incompressible(is_incompressible),
+      shift(elasticity.shear_modulus()),
+      penalty(is_incompressible ? 1e4 * elasticity.shear_modulus() : 0),
+      n_cells_at_node(ball_space.n_nodes(), 0) {
+  if (incompressible)
+    kernels.constraint_rows(space.reference_positions(), [&](unsigned int, std::span<const double> rows) {
+      using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+      constraint.emplace_back(Eigen::Map<const RowMajor>(rows.data(), space.n_pressure(), 3 * space.nodes_per_cell()));
+    });
+  const RestStiffness rest(space, elasticity);
+  for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
+    Eigen::MatrixXd K = rest.cell_matrix(cell);
+    if (incompressible) {
+      K.selfadjointView<Eigen::Lower>().rankUpdate(constraint[cell].transpose(), penalty);
+      K.triangularView<Eigen::StrictlyUpper>() = K.transpose();
+    }
+    stiffness.push_back(std::move(K));
+    for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
+  }
+}
+
+/// A cell's free entries, those of its own first, then those that it shares.
+struct ParitySector::Cell {
+  std::vector<int> own, shared;            ///< 3·(node of the cell) + component
+  std::vector<Eigen::Index> unknown;       ///< number of each in the sector's vectors
+  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of its own
+  Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
+  Eigen::MatrixXd constraint;              ///< G of the free entries
+};
+
+struct ParitySector::Interface {
+  Eigen::LLT<Eigen::MatrixXd> dense;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> sparse;
+};
+
+ParitySector::ParitySector(const RestProblem& problem, const Parity& parity)
+    : problem_(problem), parity_(parity), interface_(std::make_unique<Interface>()) {
+  number_unknowns();
+}
+ParitySector::~ParitySector() = default;
+ParitySector::ParitySector(ParitySector&&) noexcept = default;
+
+void ParitySector::number_unknowns() {
+  const BallSpace& space = problem_.space;
+  const auto is_free = [&](unsigned int node, int component) {
+    for (int plane = 0; plane < 3; ++plane)
+      if (space.reference_positions().local_element(3 * node + plane) == 0 && parity_.holds(component, plane))
+        return false;
+    return true;
+  };
+  std::vector<Eigen::Index> unknown(3 * space.n_nodes(), -1);
+  const auto number = [&](unsigned int entry) {
+    if (unknown[entry] >= 0) return;
+    unknown[entry] = static_cast<Eigen::Index>(entry_of_unknown_.size());
+    entry_of_unknown_.push_back(entry);
+  };
+  cells_.resize(space.n_cells());
+  for (unsigned int c = 0; c < space.n_cells(); ++c) {
+    const auto& nodes = space.cell_nodes(c);
+    for (unsigned int a = 0; a < nodes.size(); ++a)
+      for (int i = 0; i < 3; ++i) {
+        if (!is_free(nodes[a], i)) continue;
+        const bool own = problem_.n_cells_at_node[nodes[a]] == 1;
+        (own ? cells_[c].own : cells_[c].shared).push_back(static_cast<int>(3 * a) + i);
+        if (own) number(3 * nodes[a] + i);
+      }
+  }
+  first_interface_ = entry_of_unknown_.size();
+  for (unsigned int c = 0; c < space.n_cells(); ++c) {
+    const auto& nodes = space.cell_nodes(c);
+    for (const auto* part : {&cells_[c].own, &cells_[c].shared})
+      for (const int local : *part) {
+        const unsigned int entry = 3 * nodes[local / 3] + local % 3;
+        number(entry);
+        cells_[c].unknown.push_back(unknown[entry]);
+      }
+  }
+  n_unknowns_ = entry_of_unknown_.size();
+  mass_.resize(static_cast<Eigen::Index>(n_unknowns_));
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    mass_[static_cast<Eigen::Index>(i)] = space.mass().local_element(entry_of_unknown_[i]);
+  root_mass_ = mass_.cwiseSqrt();
+}
+
+/// Factorises the cell's own part; `coupling` ← B_shared − (L⁻¹B_own,shared)ᵀ(L⁻¹B_own,shared), lower triangle.
+void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
+  const Eigen::MatrixXd& B = problem_.stiffness[number];
+  const auto n_own = static_cast<Eigen::Index>(cell.own.size());
+  Eigen::MatrixXd own = B(cell.own, cell.own);
+  for (Eigen::Index i = 0; i < n_own; ++i) own(i, i) += problem_.shift * mass_[cell.unknown[i]];
+  cell.own_factor.compute(own);
+  cell.coupling = B(cell.own, cell.shared);
+  cell.own_factor.matrixL().solveInPlace(cell.coupling);
+  schur = B(cell.shared, cell.shared);
+  schur.selfadjointView<Eigen::Lower>().rankUpdate(cell.coupling.transpose(), -1);
+  if (!problem_.incompressible) return;
+  std::vector<int> free = cell.own;
+  free.insert(free.end(), cell.shared.begin(), cell.shared.end());
+  cell.constraint = problem_.constraint[number](Eigen::all, free);
+}
+
+mechanics::Status ParitySector::factorize() {
+  const auto first = static_cast<Eigen::Index>(first_interface_), n = static_cast<Eigen::Index>(n_unknowns_) - first;
+  Eigen::MatrixXd dense = n <= n_dense ? Eigen::MatrixXd::Zero(n, n).eval() : Eigen::MatrixXd();
+  std::vector<Eigen::Triplet<double>> entries;
+  bool regular = true;
+  for (unsigned int c = 0; c < cells_.size(); ++c) {
+    Cell& cell = cells_[c];
+    Eigen::MatrixXd schur;
+    condense(cell, c, schur);
+    regular = regular && cell.own_factor.info() == Eigen::Success;
+    const Eigen::Index* shared = cell.unknown.data() + cell.own.size();
+    for (Eigen::Index j = 0; j < schur.cols(); ++j)
+      for (Eigen::Index i = j; i < schur.rows(); ++i) {
+        const auto [low, high] = std::minmax({shared[i] - first, shared[j] - first});
+        if (n <= n_dense)
+          dense(high, low) += schur(i, j);
+        else
+          entries.emplace_back(static_cast<int>(high), static_cast<int>(low), schur(i, j));
+      }
+  }
+  if (n <= n_dense) {
+    dense.diagonal() += problem_.shift * mass_.tail(n);
+    interface_->dense.compute(dense);
+    regular = regular && interface_->dense.info() == Eigen::Success;
+  } else {
+    for (Eigen::Index i = 0; i < n; ++i)
+      entries.emplace_back(static_cast<int>(i), static_cast<int>(i), problem_.shift * mass_[first + i]);
+    Eigen::SparseMatrix<double> sparse(n, n);
+    sparse.setFromTriplets(entries.begin(), entries.end());
+    interface_->sparse.compute(sparse);
+    regular = regular && interface_->sparse.info() == Eigen::Success;
+  }
+  if (regular) return {};
+  return mechanics::Status::failure("the ball at rest is not stable under this law: its stiffness is not positive");
+}
+
+Eigen::VectorXd ParitySector::gather(const Cell& cell, const Eigen::VectorXd& u) const { return u(cell.unknown); }
+
+void ParitySector::scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const {
+  for (std::size_t i = 0; i < cell.unknown.size(); ++i) u[cell.unknown[i]] += local[static_cast<Eigen::Index>(i)];
+}
+
+void ParitySector::solve_penalized(Eigen::VectorXd& f) const {
+  const auto first = static_cast<Eigen::Index>(first_interface_), n = static_cast<Eigen::Index>(n_unknowns_) - first;
+  for (const Cell& cell : cells_) {
+    if (cell.own.empty()) continue;
+    auto own = f.segment(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
+    cell.own_factor.matrixL().solveInPlace(own);
+    const Eigen::VectorXd reaction = cell.coupling.transpose() * own;
+    for (Eigen::Index i = 0; i < reaction.size(); ++i) f[cell.unknown[cell.own.size() + i]] -= reaction[i];
+  }
+  auto between = f.tail(n);
+  if (n <= n_dense)
+    interface_->dense.solveInPlace(between);
+  else
+    between = interface_->sparse.solve(Eigen::VectorXd(between));
+  for (const Cell& cell : cells_) {
+    if (cell.own.empty()) continue;
+    auto own = f.segment(cell.unknown[0], static_cast<Eigen::Index>(cell.own.size()));
+    Eigen::VectorXd shared(static_cast<Eigen::Index>(cell.shared.size()));
+    for (Eigen::Index i = 0; i < shared.size(); ++i) shared[i] = f[cell.unknown[cell.own.size() + i]];
+    own.noalias() -= cell.coupling * shared;
+    cell.own_factor.matrixU().solveInPlace(own);
+  }
+}
+
+Eigen::VectorXd ParitySector::solve(Eigen::VectorXd f, int n_corrections) const {
+  solve_penalized(f);
+  if (!problem_.incompressible) return f;
+  for (int correction = 0; correction < n_corrections; ++correction) {
+    Eigen::VectorXd reaction = Eigen::VectorXd::Zero(f.size());
+    for (const Cell& cell : cells_) {
+      const Eigen::VectorXd divergence = problem_.penalty * (cell.constraint * gather(cell, f));
+      scatter_add(cell, cell.constraint.transpose() * divergence, reaction);
+    }
+    solve_penalized(reaction);
+    f -= reaction;
+  }
+  return f;
+}
+
+void ParitySector::apply(std::span<const double> y, std::span<double> z) const {
+  const auto n = static_cast<Eigen::Index>(n_unknowns_);
+  const Eigen::Map<const Eigen::VectorXd> in(y.data(), n);
+  Eigen::Map<Eigen::VectorXd> out(z.data(), n);
+  out = root_mass_.cwiseProduct(solve(root_mass_.cwiseProduct(in), n_corrections_of_operator));
+}
+
+ParitySector::Mode ParitySector::mode_of(std::span<const double> y) const {
+  const Eigen::Map<const Eigen::VectorXd> in(y.data(), static_cast<Eigen::Index>(n_unknowns_));
+  const Eigen::VectorXd u = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode);
+  double stiffness = 0;
+  for (std::size_t c = 0; c < cells_.size(); ++c) {
+    const Cell& cell = cells_[c];
+    Eigen::VectorXd local = Eigen::VectorXd::Zero(problem_.stiffness[c].rows());
+    for (std::size_t i = 0; i < cell.unknown.size(); ++i) {
+      const std::size_t n_own = cell.own.size();
+      local[i < n_own ? cell.own[i] : cell.shared[i - n_own]] = u[cell.unknown[i]];
+    }
+    stiffness += local.dot(problem_.stiffness[c] * local);
+    if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
+  }
+  Mode mode{stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    mode.u.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  return mode;
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,132 @@
+#include "continuum/modes/rest_stiffness.h"
+
+#include <Eigen/Dense>
+
+#include "materials/eigen_tensor.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+Eigen::MatrixXd table(const std::vector<double>& row_major, int n) {
+  return Eigen::Map<const RowMajor>(row_major.data(), n, n);
+}
+
+/// Pairs of components i ≤ k.
+constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2, 2};
+
+}  // namespace
+
+RestElasticity::RestElasticity(const materials::AnyLaw& law) {
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  std::visit(
+      [&](const auto& l) {
+        stress = materials::to_matrix(l.stress(materials::to_tensor(identity))).trace() / 3;
+        for (int k = 0; k < 3; ++k)
+          for (int L = 0; L < 3; ++L) {
+            Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
+            H(k, L) = 1;
+            const Eigen::Matrix3d DP =
+                materials::to_matrix(l.tangent(materials::to_tensor(identity), materials::to_tensor(H))) +
+                stress * H.transpose();
+            for (int i = 0; i < 3; ++i)
+              for (int J = 0; J < 3; ++J) entries[27 * i + 9 * J + 3 * k + L] = DP(i, J);
+          }
+      },
+      law);
+}
+
+double RestElasticity::shear_modulus() const { return (*this)(0, 1, 0, 1); }
+
+RestStiffness::RestStiffness(const BallSpace& space, const RestElasticity& elasticity)
+    : space_(space), elasticity_(elasticity), n_(space.reference_cell().n) {
+  const ReferenceCell& ref = space.reference_cell();
+  values_ = table(ref.interpolate, n_);
+  derivatives_ = table(ref.differentiate, n_) * values_;
+  for (int p = 0; p < 4; ++p) {
+    const Eigen::MatrixXd &first = p / 2 ? derivatives_ : values_, &second = p % 2 ? derivatives_ : values_;
+    products_[p].resize(n_, n_ * n_);
+    for (int b = 0; b < n_; ++b)
+      for (int a = 0; a < n_; ++a) products_[p].col(b * n_ + a) = first.col(a).cwiseProduct(second.col(b));
+  }
+}
+
+RestStiffness::PointCoefficients RestStiffness::coefficients(unsigned int cell) const {
+  const ReferenceCell& ref = space_.reference_cell();
+  const auto& nodes = space_.cell_nodes(cell);
+  const int n = n_, n_points = n * n * n;
+  PointCoefficients c;
+  for (auto& pair : c)
+    for (auto& field : pair) field.resize(n_points);
+  for (int q = 0; q < n_points; ++q) {
+    const std::array<int, 3> point{q % n, q / n % n, q / n / n};
+    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
+    for (int a = 0; a < n_points; ++a) {
+      const std::array<int, 3> node{a % n, a / n % n, a / n / n};
+      Eigen::RowVector3d gradient = Eigen::RowVector3d::Ones();
+      for (int d = 0; d < 3; ++d)
+        for (int t = 0; t < 3; ++t) gradient[d] *= (t == d ? derivatives_ : values_)(point[t], node[t]);
+      for (int i = 0; i < 3; ++i)
+        jacobian.row(i) += space_.reference_positions().local_element(3 * nodes[a] + i) * gradient;
+    }
+    const Eigen::Matrix3d inverse = jacobian.inverse();  // ∂ξ_d/∂X_J
+    const double weight = jacobian.determinant() * ref.point_weights[point[0]] * ref.point_weights[point[1]] *
+                          ref.point_weights[point[2]];
+    for (int pair = 0; pair < 6; ++pair) {
+      Eigen::Matrix3d C;
+      for (int J = 0; J < 3; ++J)
+        for (int L = 0; L < 3; ++L) C(J, L) = elasticity_(pair_first[pair], J, pair_second[pair], L);
+      const Eigen::Matrix3d pulled_back = weight * inverse * C * inverse.transpose();
+      for (int de = 0; de < 9; ++de) c[pair][de][q] = pulled_back(de / 3, de % 3);
+    }
+  }
+  return c;
+}
+
+/// The n³×n³ matrix Σ_de Σ_q c_de ∂_dφ_a ∂_eφ_b.
+Eigen::MatrixXd RestStiffness::contract(const std::array<Eigen::VectorXd, 9>& c) const {
+  const int n = n_, n2 = n * n;
+  const auto pattern = [](int de, int direction) { return 2 * (de / 3 == direction) + (de % 3 == direction); };
+  std::array<Eigen::MatrixXd, 4> plane;  // by the third direction's pattern: [(a₀b₀) (a₁b₁), q₂]
+  for (auto& m : plane) m.setZero(n2 * n2, n);
+  for (int de = 0; de < 9; ++de) {
+    const Eigen::MatrixXd line =  // [(a₀b₀), q₁ q₂]
+        products_[pattern(de, 0)].transpose() * Eigen::Map<const Eigen::MatrixXd>(c[de].data(), n, n2);
+    for (int q = 0; q < n; ++q)
+      Eigen::Map<Eigen::MatrixXd>(plane[pattern(de, 2)].col(q).data(), n2, n2).noalias() +=
+          line.middleCols(q * n, n) * products_[pattern(de, 1)];
+  }
+  Eigen::MatrixXd all(n2 * n2, n2);  // [(a₀b₀) (a₁b₁), (a₂b₂)]
+  all.noalias() = plane[0] * products_[0];
+  for (int p = 1; p < 4; ++p) all.noalias() += plane[p] * products_[p];
+
+  Eigen::MatrixXd result(n * n2, n * n2);
+  for (int b2 = 0; b2 < n; ++b2)
+    for (int a2 = 0; a2 < n; ++a2)
+      for (int b1 = 0; b1 < n; ++b1)
+        for (int a1 = 0; a1 < n; ++a1)
+          for (int b0 = 0; b0 < n; ++b0)
+            for (int a0 = 0; a0 < n; ++a0)
+              result((a2 * n + a1) * n + a0, (b2 * n + b1) * n + b0) =
+                  all(((b1 * n + a1) * n + b0) * n + a0, b2 * n + a2);
+  return result;
+}
+
+Eigen::MatrixXd RestStiffness::cell_matrix(unsigned int cell) const {
+  const PointCoefficients c = coefficients(cell);
+  const int n_nodes = n_ * n_ * n_;
+  Eigen::MatrixXd K(3 * n_nodes, 3 * n_nodes);
+  for (int pair = 0; pair < 6; ++pair) {
+    const int i = pair_first[pair], k = pair_second[pair];
+    const Eigen::MatrixXd block = contract(c[pair]);
+    for (int b = 0; b < n_nodes; ++b)
+      for (int a = 0; a < n_nodes; ++a) {
+        K(3 * a + i, 3 * b + k) = block(a, b);
+        K(3 * b + k, 3 * a + i) = block(a, b);
+      }
+  }
+  return K;
+}
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,53 @@
+#pragma once
+/// The stiffness of the ball about its rest x = X, cell by cell. A law that is stressed at rest, P(Id) = λ₀ Id, is held
+/// there by the multiplier λ₀, and the second variation of ∫(W − λ₀ ln J) dX is that of
+///
+///   C_iJkL = ∂P_iJ/∂F_kL (Id) + λ₀ δ_iL δ_Jk,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX.
+///
+/// With c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points, and ∂_dφ_a a product of
+/// one-dimensional functions, K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is summed one direction after the other:
+/// O(n⁷) operations for a cell of n³ nodes.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "continuum/mesh/ball_space.h"
+#include "materials/law_table.h"
+
+namespace pseudorigid::continuum {
+
+struct RestElasticity {
+  explicit RestElasticity(const materials::AnyLaw& law);
+
+  double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
+  /// The modulus of shear, C : ε = 2μ ε for a symmetric ε without trace.
+  double shear_modulus() const;
+  /// First Lamé modulus.
+  double lame_lambda() const { return (*this)(0, 0, 1, 1); }
+
+  std::array<double, 81> entries;
+  double stress;  ///< λ₀
+};
+
+class RestStiffness {
+ public:
+  RestStiffness(const BallSpace& space, const RestElasticity& elasticity);
+  /// K of a cell; row and column 3·node + component, nodes as in BallSpace::cell_nodes.
+  Eigen::MatrixXd cell_matrix(unsigned int cell) const;
+
+ private:
+  /// c^ik_de at the points, [6 pairs i ≤ k][9 pairs d, e].
+  using PointCoefficients = std::array<std::array<Eigen::VectorXd, 9>, 6>;
+  PointCoefficients coefficients(unsigned int cell) const;
+  Eigen::MatrixXd contract(const std::array<Eigen::VectorXd, 9>& c) const;
+
+  const BallSpace& space_;
+  RestElasticity elasticity_;
+  int n_;
+  Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
+  /// Products of two functions of one direction at its points, [2·(first is a derivative) + (second is)](point, pair).
+  std::array<Eigen::MatrixXd, 4> products_;
+};
+
+}  // namespace pseudorigid::continuum

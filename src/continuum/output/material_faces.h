@@ -1,0 +1,51 @@
+#pragma once
+/// Where the motion has carried material surfaces that a picture shows: the faces of the finite elements on the free
+/// surface and on the coordinate planes of the undeformed body. On each face a lattice of points
+///
+///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m,
+///
+/// with the nodes x_ij of the face. Of the computed sector; the rest of the body follows by reflection. In internal
+/// units.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "continuum/mesh/ball_space.h"
+#include "continuum/mesh/surface_faces.h"
+
+namespace pseudorigid::continuum {
+
+class MaterialFaces {
+ public:
+  explicit MaterialFaces(const BallSpace& space);
+
+  /// What a point is told by: number of the face, plane (0: the surface; 1, 2, 3: the coordinate plane with this
+  /// normal), X and x. The points of a face follow one another.
+  static constexpr std::array<const char*, 8> columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
+  static constexpr std::size_t first_length = 2;  ///< of the columns from which on they are lengths
+
+  std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< of all ranks
+  /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on the others. Collective.
+  std::vector<double> rows(const Vector& position) const;
+
+ private:
+  struct Face {
+    CellFace place;
+    int plane;
+    std::size_t key;  ///< its place among the faces of all ranks
+  };
+  static constexpr std::size_t n_columns = columns.size();
+  void find_faces();
+  void choose_lattice();
+  Eigen::Matrix3Xd lattice(const Vector& x, const Face& face) const;
+  std::vector<double> own_rows(const Vector& position) const;
+
+  const BallSpace& space_;
+  std::vector<Face> faces_;  ///< of this rank
+  std::size_t n_faces_ = 0;  ///< of all
+  int m_ = 1;
+  std::vector<double> interpolate_;  ///< row-major [a][i]: ℓ_i(a/m)
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,106 @@
+#include "continuum/output/observe.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "continuum/parallel/ranks.h"
+#include "mechanics/core/principal_axes.h"
+
+namespace pseudorigid::continuum {
+namespace {
+
+/// Σ m_n |x_n − A X_n|² over the sector.
+double squared_distance_from_affine(const BallBody& ball, const Vector& x, const Eigen::Matrix3d& A) {
+  const Vector affine = ball.affine_field(A);
+  double sum = 0;
+  for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
+    const double difference = x.local_element(i) - affine.local_element(i);
+    sum += ball.space().mass().local_element(i) * difference * difference;
+  }
+  return sum_over_ranks(sum, ball.space().communicator());
+}
+
+double squared_norm(const BallBody& ball, const Vector& x) {
+  return squared_distance_from_affine(ball, x, Eigen::Matrix3d::Zero());
+}
+
+double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
+
+/// x − c at every node.
+Vector relative(const BallBody& ball, const Vector& x, const Eigen::Vector3d& c) {
+  Vector result = x;
+  result.add(-1.0, ball.affine_field(Eigen::Matrix3d::Zero(), c));
+  return result;
+}
+
+Eigen::Matrix3d to_eigen(const dealii::Tensor<2, 3>& t) {
+  Eigen::Matrix3d m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m(i, j) = t[i][j];
+  return m;
+}
+
+/// (1/m̄)∫λ_h dV: the integral tests the constraint force with the dilation x, ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV.
+double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
+  Vector reaction = ball.make_vector();
+  ball.add_reaction(x, lambda, reaction);
+  const double m_bar = ball.E0().trace() / 3;
+  return ball.space().mesh().sector().n_images() * (reaction * x) / (3 * m_bar);
+}
+
+/// All but the multiplier.
+void observe_motion(const BallBody& ball, const BallState& state, const mechanics::ObservableRequest& request,
+                    mechanics::ContinuumObservables& o) {
+  const int n_images = ball.space().mesh().sector().n_images();
+  o.center = ball.mean(state.q);
+  o.velocity = ball.mean(state.v);
+  const Vector x = relative(ball, state.q, o.center), v = relative(ball, state.v, o.velocity);
+  o.Q = ball.mass_moment(x);
+  o.Qdot = ball.mass_moment(v);
+
+  const CellIntegrals sums = ball.integrals(x, v);
+  const Eigen::Matrix3d F_integral = ball.whole_ball(to_eigen(sums.F));
+  o.F = F_integral / ball.volume();
+  o.volume_ratio = n_images * sums.volume / ball.volume();
+  if (request.energies) {
+    o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
+    o.elastic = n_images * sums.elastic;
+    o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
+                                        F_integral, n_images * sums.volume);
+    if (ball.time_dependent()) o.external -= ball.given(state.v);
+    o.dissipated = ball.dissipated(state.v);
+  }
+  if (request.momenta) {
+    o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
+    o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
+  }
+  o.least_over_points = [&ball, &state](double (*value)(const Eigen::Matrix3d& F)) {
+    return ball.least(state.q, value).value;
+  };
+  if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
+  if (request.nonaffine) {
+    o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
+    o.nonaffine_displacement = std::sqrt(ratio(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
+    o.min_jacobian = ball.least_jacobian(x).value;
+  }
+}
+
+}  // namespace
+
+mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  observe_motion(ball, state, request, o);
+  if (!request.multiplier) return {};
+  Vector lambda = ball.make_multiplier();
+  if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, lambda); !status) return status;
+  o.multiplier = mean_multiplier(ball, state.q, lambda);
+  return {};
+}
+
+mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace&,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  observe_motion(ball, state, request, o);
+  return {};
+}
+
+}  // namespace pseudorigid::continuum

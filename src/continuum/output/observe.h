@@ -1,0 +1,18 @@
+#pragma once
+/// Observables of the finite-element ball (continuum.csv), whole ball, internal units. What is measured against an
+/// affine motion (Q_M, J, Z, the nonaffine parts) is measured from the centre of mass.
+
+#include "continuum/body/compressible_ball.h"
+#include "continuum/body/elastic_ball.h"
+
+namespace pseudorigid::continuum {
+
+using BallState = mechanics::VectorState<Vector>;
+
+/// Fails where the force fails.
+mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
+mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
+
+}  // namespace pseudorigid::continuum

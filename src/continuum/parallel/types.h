@@ -1,0 +1,41 @@
+#pragma once
+/// Vectors of the finite-element ball and what the mechanics core asks of them.
+
+#include <deal.II/lac/la_parallel_vector.h>
+
+#include <cmath>
+#include <span>
+
+#include "mechanics/core/vector_space.h"
+
+namespace pseudorigid::continuum {
+
+/// Positions, velocities, forces: entry 3·node + component. Multipliers: entry n_pressure·cell + function.
+using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+}  // namespace pseudorigid::continuum
+
+template <>
+struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
+  using Vector = pseudorigid::continuum::Vector;
+  static constexpr bool dense = false;
+  /// Runs of the ball are short enough, and another vector to read and write would cost more than it gives.
+  static constexpr bool compensated = false;
+  static void axpy(double a, const Vector& x, Vector& y) { y.add(a, x); }
+  /// A scale of 0 clears, whatever the old content.
+  static void scale(double a, Vector& x) {
+    if (a == 0)
+      x = 0.0;
+    else
+      x *= a;
+  }
+  /// A number that is not one counts as infinite (linfty_norm passes over it).
+  static double max_norm(const Vector& x) {
+    double norm = 0;
+    for (const double value : x)
+      if (!(std::abs(value) <= norm)) norm = std::isnan(value) ? HUGE_VAL : std::abs(value);
+    return dealii::Utilities::MPI::max(norm, x.get_mpi_communicator());
+  }
+  static double dot(const Vector& x, const Vector& y) { return x * y; }
+  static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
+};

@@ -1,0 +1,82 @@
+#pragma once
+/// Any second-order field behind one type, as any_system.h has it for the constrained form. A field without an
+/// invariant manifold has a projection that leaves the state as it is.
+
+#include <memory>
+#include <type_traits>
+#include <utility>
+
+#include "mechanics/core/any_workspace.h"
+#include "mechanics/core/dynamic_vectors.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+namespace detail {
+
+template <SecondOrderField F>
+requires(!ConstrainedSystem<F>) typename F::Workspace& own_workspace(AnyWorkspace& w) {
+  return w.as<typename F::Workspace>();
+}
+
+struct FieldInterface {
+  using Vector = Eigen::VectorXd;
+  virtual ~FieldInterface() = default;
+  virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
+  virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
+  virtual AnyWorkspace make_workspace() const = 0;
+};
+
+template <SecondOrderField F>
+class HeldField final : public FieldInterface {
+  using Own = typename F::Vector;
+
+ public:
+  explicit HeldField(F field) : field_(std::move(field)) {}
+
+  Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const override {
+    return field_.acceleration(t, read_as<Own>(q), read_as<Own>(v), own_workspace<F>(w), WriteAs<Own>(a));
+  }
+  Status project(Vector& q, Vector& v, AnyWorkspace& w) const override {
+    if constexpr (ProjectedField<F>) return field_.project(WriteAs<Own>(q), WriteAs<Own>(v), own_workspace<F>(w));
+    return {};
+  }
+  AnyWorkspace make_workspace() const override { return AnyWorkspace(field_.make_workspace()); }
+
+ private:
+  F field_;
+};
+
+}  // namespace detail
+
+class AnyField {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Workspace = AnyWorkspace;
+
+  template <SecondOrderField F>
+  requires(!std::is_same_v<F, AnyField>) explicit AnyField(F field)
+      : velocity_dependent_(mechanics::velocity_dependent(field)),
+        dissipative_(mechanics::dissipative(field)),
+        time_dependent_(mechanics::time_dependent(field)),
+        zero_(detail::flat(field.make_vector())),
+        held_(std::make_shared<detail::HeldField<F>>(std::move(field))) {}
+
+  Status acceleration(double t, const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
+    return held_->acceleration(t, q, v, w, a);
+  }
+  Status project(Vector& q, Vector& v, Workspace& w) const { return held_->project(q, v, w); }
+  Vector make_vector() const { return zero_; }
+  Workspace make_workspace() const { return held_->make_workspace(); }
+
+  bool velocity_dependent() const { return velocity_dependent_; }
+  bool dissipative() const { return dissipative_; }
+  bool time_dependent() const { return time_dependent_; }
+
+ private:
+  bool velocity_dependent_, dissipative_, time_dependent_;
+  Vector zero_;
+  std::shared_ptr<const detail::FieldInterface> held_;
+};
+
+}  // namespace pseudorigid::mechanics

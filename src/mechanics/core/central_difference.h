@@ -1,0 +1,28 @@
+#pragma once
+/// Central difference of order 8 of a function of one variable with values in a vector space:
+///
+///   F′(0) ≈ Σ_{k=1..4} c_k [F(kh) − F(−kh)]/h,   c = (4/5, −1/5, 4/105, −1/280).
+///
+/// With h = 1/100 of the scale on which F changes, truncation and round-off are both near 10⁻¹⁴.
+
+#include <array>
+
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::mechanics {
+
+/// derivative ← F′(0); F(s, value) returns a Status.
+template <class Vector, class Function>
+Status central_difference(const Function& F, double h, Vector& derivative) {
+  constexpr std::array<double, 4> c{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+  Vector plus = derivative, minus = derivative;
+  derivative *= 0;
+  for (int k = 4; k >= 1; --k) {
+    if (Status status = F(k * h, plus); !status) return status;
+    if (Status status = F(-k * h, minus); !status) return status;
+    derivative += c[k - 1] / h * (plus - minus);
+  }
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,145 @@
+#pragma once
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and what
+/// follows from it,
+///
+///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
+///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
+///   μ(v)_i = g_ij vʲ                                                                               (5.4)
+///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
+///
+/// The derivatives of g and of U are those of automatic differentiation.
+
+#include <Eigen/Dense>
+#include <array>
+#include <concepts>
+#include <limits>
+
+#include "mechanics/core/automatic_differentiation.h"
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::mechanics {
+
+/// `metric` is a template over the scalar of q.
+template <class C>
+concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
+                         const Coordinates<Dual<double, C::dimension>, C::dimension> x) {
+  { chart.metric(q) } -> std::convertible_to<Eigen::Matrix<double, C::dimension, C::dimension>>;
+  { chart.metric(x) } -> std::convertible_to<Eigen::Matrix<Dual<double, C::dimension>, C::dimension, C::dimension>>;
+};
+
+template <class C>
+using ChartVector = Coordinates<double, C::dimension>;
+template <class C>
+using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
+
+// What a chart may have besides its metric; what it does not have is zero.
+template <class C>
+concept HasPotential = requires(const C chart, const ChartVector<C> q) {
+  chart.potential(q);
+};  // U, over any scalar
+template <class C>
+concept HasDissipation = requires(const C chart, const ChartVector<C> q) {
+  chart.dissipation(q, q);
+};  // D(v) ∈ TQ, ⟨D(v), v⟩ < 0
+template <class C>
+concept HasExternalForce = requires(const C chart, const ChartVector<C> q) {
+  chart.external_force(0.0, q, q);
+};  // F_ext(t, q, v) ∈ T*Q
+template <class C>
+concept HasPeriods = requires(const C chart) {
+  chart.periods();
+};  // of each coordinate; 0: not periodic
+
+/// The metric and its partial derivatives dg[k] = ∂g/∂q_k.
+template <Chart C>
+struct MetricJet {
+  ChartMatrix<C> g;
+  std::array<ChartMatrix<C>, C::dimension> dg;
+};
+
+template <Chart C>
+MetricJet<C> metric_jet(const C& chart, const ChartVector<C>& q) {
+  constexpr int n = C::dimension;
+  const Eigen::Matrix<Dual<double, n>, n, n> g = chart.metric(independent(q));
+  MetricJet<C> jet;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      jet.g(i, j) = g(i, j).value();
+      for (int k = 0; k < n; ++k) jet.dg[k](i, j) = g(i, j).derivatives()[k];
+    }
+  return jet;
+}
+
+/// Σ_ij Γ_l,ij uⁱvʲ for each l.
+template <Chart C>
+ChartVector<C> christoffel_of_first_kind(const MetricJet<C>& jet, const ChartVector<C>& u, const ChartVector<C>& v) {
+  ChartVector<C> c = ChartVector<C>::Zero();
+  for (int k = 0; k < C::dimension; ++k) {
+    c += 0.5 * (jet.dg[k] * (u[k] * v + v[k] * u));
+    c[k] -= 0.5 * u.dot(jet.dg[k] * v);
+  }
+  return c;
+}
+
+/// dU; zero where the chart has no potential.
+template <Chart C>
+ChartVector<C> potential_differential(const C& chart, const ChartVector<C>& q) {
+  if constexpr (HasPotential<C>) {
+    const Dual<double, C::dimension> U = chart.potential(independent(q));
+    return U.derivatives();
+  }
+  return ChartVector<C>::Zero();
+}
+
+template <Chart C>
+double potential_energy(const C& chart, const ChartVector<C>& q) {
+  if constexpr (HasPotential<C>) return chart.potential(q);
+  return 0;
+}
+
+template <Chart C>
+double kinetic_energy(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
+  return 0.5 * v.dot(chart.metric(q) * v);
+}
+
+/// E_m = K + U.
+template <Chart C>
+double mechanical_energy(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
+  return kinetic_energy(chart, q, v) + potential_energy(chart, q);
+}
+
+/// The mass operator μ: TQ → T*Q.
+template <Chart C>
+ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
+  return chart.metric(q) * v;
+}
+
+/// v = μ⁻¹(p). Fails where the metric is not positive to round-off, as a chart's metric is at a pole.
+template <class Matrix, class Vector>
+Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
+  const Eigen::LLT<Matrix> factor(g);
+  const auto pivots = factor.matrixLLT().diagonal().array().square().eval();
+  const bool regular =
+      factor.info() == Eigen::Success && pivots.minCoeff() > std::numeric_limits<double>::epsilon() * pivots.maxCoeff();
+  if (!regular || !p.allFinite())
+    return Status::failure(regular ? "the force on the chart is not finite"
+                                   : "the metric of the chart is singular or not positive");
+  v = factor.solve(p);
+  return {};
+}
+
+/// Γ[k](i, j) = Γᵏ_ij.
+template <Chart C>
+Status christoffel_symbols(const C& chart, const ChartVector<C>& q, std::array<ChartMatrix<C>, C::dimension>& Gamma) {
+  const MetricJet<C> jet = metric_jet(chart, q);
+  for (int i = 0; i < C::dimension; ++i)
+    for (int j = 0; j < C::dimension; ++j) {
+      const ChartVector<C> e_i = ChartVector<C>::Unit(i), e_j = ChartVector<C>::Unit(j);
+      ChartVector<C> column = christoffel_of_first_kind(jet, e_i, e_j);
+      if (Status status = apply_inverse_mass(jet.g, column, column); !status) return status;
+      for (int k = 0; k < C::dimension; ++k) Gamma[k](i, j) = column[k];
+    }
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics

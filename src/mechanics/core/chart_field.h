@@ -1,0 +1,63 @@
+#pragma once
+/// The generalized Newton law in intrinsic form (Oliva, Geometric Mechanics, 5.1, 5.3): on a chart with metric g,
+///
+///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
+///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)
+///
+/// that is, E = S + C_v(μ⁻¹F) with S the geodesic flow (5.22). One solve with g serves both terms:
+/// g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
+
+#include <utility>
+
+#include "mechanics/core/chart.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+template <Chart C>
+class ChartField {
+ public:
+  using Vector = ChartVector<C>;
+  struct Workspace {};
+
+  explicit ChartField(C chart) : chart_(std::move(chart)) {}
+
+  /// a = q̈ of the motion through (q, v).
+  Status acceleration(double t, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
+    const MetricJet<C> jet = metric_jet(chart_, q);
+    const Vector rhs = force(t, q, v, jet.g) - christoffel_of_first_kind(jet, v, v);
+    return apply_inverse_mass(jet.g, rhs, a);
+  }
+
+  /// Dq̇/dt = q̈ + Γ(q̇, q̇) of any curve with this velocity and second derivative.
+  Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {
+    const MetricJet<C> jet = metric_jet(chart_, q);
+    if (Status status = apply_inverse_mass(jet.g, christoffel_of_first_kind(jet, v, v), D); !status) return status;
+    D += second_derivative;
+    return {};
+  }
+
+  /// F = −dU + F_ext + μ D(v).
+  Vector force(double t, const Vector& q, const Vector& v) const { return force(t, q, v, chart_.metric(q)); }
+
+  double energy(const Vector& q, const Vector& v) const { return mechanical_energy(chart_, q, v); }
+
+  static constexpr bool dissipative() { return HasDissipation<C>; }
+  static constexpr bool velocity_dependent() { return HasDissipation<C> || HasExternalForce<C>; }
+
+  const C& chart() const { return chart_; }
+  Vector make_vector() const { return Vector::Zero(); }
+  Workspace make_workspace() const { return {}; }
+
+ private:
+  Vector force(double t, const Vector& q, const Vector& v, const ChartMatrix<C>& g) const {
+    Vector F = -potential_differential(chart_, q);
+    if constexpr (HasExternalForce<C>) F += chart_.external_force(t, q, v);
+    if constexpr (HasDissipation<C>) F += g * chart_.dissipation(q, v);
+    return F;
+  }
+
+  C chart_;
+};
+
+}  // namespace pseudorigid::mechanics

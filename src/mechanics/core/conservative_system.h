@@ -1,0 +1,27 @@
+#pragma once
+/// What a conservative system knows of itself besides its law of motion: its energies, and the one-parameter groups
+/// that leave them unchanged (Noether). Critical points, conserving methods and observables use it; steps of RATTLE do
+/// not.
+///
+///   K = ½ ⟨q̇, M q̇⟩,   V(q),   f = −dV,
+///   symmetry i:  (q, q̇) ↦ (q, q̇) + ε (ξ_i(q), ξ̇_i(q̇)),   momentum ⟨M q̇, ξ_i(q)⟩.
+
+#include <concepts>
+
+#include "mechanics/core/constrained_system.h"
+
+namespace pseudorigid::mechanics {
+
+template <class S>
+concept ConservativeSystem = ConstrainedSystem<S> &&
+    requires(const S s, const typename S::Vector q, const typename S::Vector v, const typename S::Multiplier lambda,
+             typename S::Vector f) {
+  { s.potential_energy(q) } -> std::convertible_to<double>;  // V; not finite where q is not admissible
+  { s.kinetic_energy(v) } -> std::convertible_to<double>;    // K
+  s.apply_mass(v, f);                                        // f = M v
+  s.add_reaction_rate(q, v, lambda, f);                      // f += Σ_k λ_k D²g_k(q)(v, ·), the rate of G(q)ᵀλ
+  { s.n_symmetries() } -> std::convertible_to<int>;
+  s.symmetry(0, q, v, f, f);  // (i, q, v) → ξ_i(q), ξ̇_i(v): two different vectors
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,105 @@
+#pragma once
+/// The generalized Newton law in constrained form (Oliva, Geometric Mechanics, 5.3–5.4):
+///
+///   M q̈ = f(t, q, q̇) + G(q)ᵀ λ,   g(q) = 0,   G = Dg,                                            (5.24)–(5.29)
+///
+/// on a vector space with a constant mass operator M and perfect holonomic constraints g. Differentiating g twice gives
+/// the multiplier of the motion,
+///
+///   G M⁻¹ Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f.
+///
+/// A system is an immutable object; everything that changes lives in the state and in the workspace.
+
+#include <cmath>
+#include <concepts>
+#include <utility>
+
+#include "mechanics/core/status.h"
+#include "mechanics/core/vector_space.h"
+
+namespace pseudorigid::mechanics {
+
+/// n_constraints of a system whose number of constraints is known only at run time.
+inline constexpr int dynamic_constraints = -1;
+
+/// q, v, f are S::Vector; λ, g, r are S::Multiplier. Failures are values: J ≤ 0, a number that is not finite, a solve
+/// that does not converge.
+template <class S>
+concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
+                                     typename S::Vector f, const typename S::Multiplier lambda,
+                                     typename S::Multiplier r, typename S::Workspace w) {
+  { S::n_constraints } -> std::convertible_to<int>;                   // 0, 1, 2, 6, … or dynamic_constraints
+  { s.force(t, q, v, w, f) } -> std::same_as<Status>;                 // f = −dV + loads
+  s.apply_inverse_mass(f, f);                                         // a = M⁻¹ f, in place allowed
+  { s.constraint(q, r) } -> std::same_as<Status>;                     // g(q)
+  s.constraint_rate(q, v, r);                                         // G(q) v
+  s.constraint_curvature(q, v, r);                                    // D²g(q)(v, v)
+  s.add_reaction(q, lambda, f);                                       // f += G(q)ᵀ λ
+  { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // G(q₁) M⁻¹ G(q₀)ᵀ λ = r
+  { s.constraint_tolerance() } -> std::convertible_to<double>;        // |g|_∞, |G v|_∞ that count as zero
+  { s.make_vector() } -> std::same_as<typename S::Vector>;            // zero, of the right size
+  { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
+  { s.make_workspace() } -> std::same_as<typename S::Workspace>;
+};
+
+/// True where the system has no constraint at all; methods then leave out everything that concerns constraints.
+template <class S>
+inline constexpr bool unconstrained = S::n_constraints == 0;
+
+/// A system may also know g(q + q_rounding) to well below the round-off of q, as `constraint(q, q_rounding, g)`, where
+/// q_rounding is what compensated sums have kept back from q. Its constraint is then met by that sum.
+template <class S>
+inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
+    const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
+  { s.constraint(q, q_rounding, r) } -> std::same_as<Status>;
+};
+
+/// Position and velocity at a time: the whole state of a mechanical system. Systems with the same vectors (constrained
+/// form and explicit-multiplier form, say) share it.
+template <class Vector>
+struct VectorState {
+  double t = 0;
+  Vector q, v;
+};
+template <class S>
+using State = VectorState<typename S::Vector>;
+
+/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
+/// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the
+/// force or the Gram solve fails.
+template <ConstrainedSystem S>
+Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
+                            typename S::Multiplier& lambda) {
+  if constexpr (!unconstrained<S>) {
+    auto a = system.make_vector();
+    if (Status status = system.force(state.t, state.q, state.v, workspace, a); !status) return status;
+    system.apply_inverse_mass(a, a);
+    auto rhs = system.make_multiplier(), residual = rhs, delta = rhs;
+    system.constraint_rate(state.q, a, rhs);
+    system.constraint_curvature(state.q, state.v, residual);
+    axpy(1.0, residual, rhs);
+    scale(-1.0, rhs);
+
+    scale(0.0, lambda);
+    residual = rhs;
+    constexpr int max_refinements = 8;
+    double before = HUGE_VAL;
+    for (int i = 0; i < max_refinements; ++i) {
+      const double norm = max_norm(residual);
+      if (norm == 0 || norm > 0.5 * before) break;  // round-off is reached when the residual stops falling
+      before = norm;
+      if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
+        return std::move(report.status);
+      axpy(1.0, delta, lambda);
+      scale(0.0, a);
+      system.add_reaction(state.q, lambda, a);
+      system.apply_inverse_mass(a, a);
+      system.constraint_rate(state.q, a, residual);
+      scale(-1.0, residual);
+      axpy(1.0, rhs, residual);
+    }
+  }
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,36 @@
+#pragma once
+/// Whether the force of a system depends on time and velocity only where the system says so (second_order_field.h). A
+/// misspelt member says nothing, and methods would then rely on what is not true.
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+/// Compares forces at the position of `state` with those at another time and with those at rest, of a state at rest
+/// with those in motion: equal to the last bit, or declared to differ. Of a field only the time is asked for, since
+/// accelerations of charts have terms in the velocity.
+template <class S>
+Status check_declared_dependence(const S& system, const State<S>& state) {
+  auto workspace = system.make_workspace();
+  const auto force = [&](double t, const typename S::Vector& v, typename S::Vector& f) {
+    if constexpr (ConstrainedSystem<S>)
+      return system.force(t, state.q, v, workspace, f);
+    else
+      return system.acceleration(t, state.q, v, workspace, f);
+  };
+  const typename S::Vector other_v =
+      state.v.isZero(0) ? typename S::Vector(S::Vector::Ones(state.v.rows(), state.v.cols())) : system.make_vector();
+  typename S::Vector f = system.make_vector(), later = f, faster = f;
+  const double other_t = state.t + 0.37;
+  // Where a force fails or is not finite, the motion itself will tell.
+  if (!force(state.t, state.v, f) || !force(other_t, state.v, later) || !force(state.t, other_v, faster)) return {};
+  if (!f.allFinite() || !later.allFinite() || !faster.allFinite()) return {};
+  if (!time_dependent(system) && later != f)
+    return Status::failure("a force depends on time, and its system does not declare time_dependent()");
+  if (ConstrainedSystem<S> && !velocity_dependent(system) && faster != f)
+    return Status::failure("a force depends on the velocity, and its system does not declare velocity_dependent()");
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,100 @@
+#pragma once
+/// A constrained system as a second-order field with invariant manifold (Oliva, Geometric Mechanics, 5.29): the
+/// explicit multiplier of the motion,
+///
+///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
+///
+/// keeps g = 0 and G q̇ = 0; what integration loses of them is brought back by Newton's iteration,
+///
+///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
+///
+/// A system that computes its acceleration or its projection faster says so by members `acceleration(t, q, v, w, a)`
+/// and `project(q, v, w)`. Gram solves of a number of constraints known at compile time are direct; the others may be
+/// inexact and are refined until the constraint on the acceleration is met.
+
+#include <cmath>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+template <ConstrainedSystem S>
+class ExplicitMultiplier {
+ public:
+  using Vector = typename S::Vector;
+  using Multiplier = typename S::Multiplier;
+  struct Workspace {
+    typename S::Workspace system;
+    detail::ConstraintTemporaries<S> constraint;
+    Multiplier curvature;
+  };
+
+  explicit ExplicitMultiplier(const S& system) : system_(system) {}
+
+  const S& system() const { return system_; }
+  Vector make_vector() const { return system_.make_vector(); }
+  Workspace make_workspace() const {
+    return {system_.make_workspace(), detail::ConstraintTemporaries<S>(system_), system_.make_multiplier()};
+  }
+  bool velocity_dependent() const { return !unconstrained<S> || mechanics::velocity_dependent(system_); }
+  bool dissipative() const { return mechanics::dissipative(system_); }
+  bool time_dependent() const { return mechanics::time_dependent(system_); }
+
+  Status acceleration(double t, const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
+    if constexpr (requires { system_.acceleration(t, q, v, w.system, a); }) {
+      return system_.acceleration(t, q, v, w.system, a);
+    } else {
+      if (Status status = system_.force(t, q, v, w.system, a); !status) return status;
+      system_.apply_inverse_mass(a, a);
+      if constexpr (unconstrained<S>)
+        return {};
+      else
+        return add_reaction(q, v, w, a);
+    }
+  }
+
+  Status project(Vector& q, Vector& v, Workspace& w) const {
+    if constexpr (requires { system_.project(q, v, w.system); }) {
+      return system_.project(q, v, w.system);
+    } else if constexpr (unconstrained<S>) {
+      return {};
+    } else {
+      auto& c = w.constraint;
+      c.direction_known = false;  // the velocity may use it too: the position's correction changes it by round-off
+      const double tolerance = system_.constraint_tolerance();
+      if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
+                                                           [&] { axpy(1.0, c.reaction, q); });
+          !status)
+        return status;
+      return detail::meet_velocity_constraint(system_, tolerance, q, v, w.system, c, [&] { axpy(1.0, c.reaction, v); });
+    }
+  }
+
+ private:
+  /// a ← a + M⁻¹Gᵀλ with G a = −D²g(v, v).
+  Status add_reaction(const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
+    constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
+    constexpr double needed_fall = 0.5;  // round-off is reached when the residual stops falling
+    system_.constraint_curvature(q, v, w.curvature);
+    w.constraint.direction_known = false;
+    double before = HUGE_VAL;
+    for (int i = 0; i < max_refinements; ++i) {
+      system_.constraint_rate(q, a, w.constraint.residual);
+      axpy(1.0, w.curvature, w.constraint.residual);
+      if constexpr (max_refinements > 1) {
+        const double norm = max_norm(w.constraint.residual);
+        if (norm <= system_.constraint_tolerance() || norm > needed_fall * before) break;
+        before = norm;
+      }
+      if (Status status = detail::react(system_, q, q, w.system, w.constraint); !status) return status;
+      axpy(1.0, w.constraint.reaction, a);
+    }
+    return {};
+  }
+
+  const S& system_;
+};
+
+}  // namespace pseudorigid::mechanics

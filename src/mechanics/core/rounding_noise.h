@@ -1,0 +1,82 @@
+#pragma once
+/// Round-off of functions of the state, measured: how much a value changes where the entries of its arguments change by
+/// a few units in their last place. A value that is computed stably cannot be known better, and no iteration makes it
+/// smaller.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+
+#include "mechanics/core/constrained_system.h"
+
+namespace pseudorigid::mechanics::detail {
+
+/// x_i ← x_i + a unit size_i, a between −2 and 2 as if at random; `pattern` 1, 2, … chooses how.
+template <class Vector>
+void perturb(double unit, Vector size, int pattern, Vector& x) {
+  scale(4 * unit, size);
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // neighbouring seeds start alike
+  constexpr double range = std::minstd_rand::max();
+  const auto units = local_values(size), entries = local_values(x);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    entries[i] += units[i] * (static_cast<double>(random()) / range - 0.5);
+}
+
+/// The largest |r(pattern) − r| over some patterns. `evaluate(pattern, r)` sets r, with pattern 0 that of the unchanged
+/// arguments.
+template <ConstrainedSystem S, class Evaluate>
+double largest_change(const S& system, Evaluate&& evaluate) {
+  constexpr int n_patterns = 8;
+  auto before = system.make_multiplier(), after = before;
+  if (!evaluate(0, before)) return 0;
+  double largest = 0;
+  for (int pattern = 1; pattern <= n_patterns; ++pattern) {
+    if (!evaluate(pattern, after)) continue;
+    axpy(-1.0, before, after);
+    if (const double change = max_norm(after); std::isfinite(change)) largest = std::max(largest, change);
+  }
+  return largest;
+}
+
+inline constexpr double last_place = std::numeric_limits<double>::epsilon();
+inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
+
+/// Of G(q) v.
+template <ConstrainedSystem S>
+[[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
+                                                  const typename S::Vector& v) {
+  return largest_change(system, [&](int pattern, auto& r) {
+    auto q_near = q, v_near = v;
+    if (pattern > 0) {
+      perturb(last_place, q, pattern, q_near);
+      perturb(last_place, v, pattern + 100, v_near);
+    }
+    system.constraint_rate(q_near, v_near, r);
+    return true;
+  });
+}
+
+/// Of g(q).
+template <ConstrainedSystem S>
+[[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
+  return largest_change(system, [&](int pattern, auto& r) {
+    auto q_near = q;
+    if (pattern > 0) perturb(last_place, q, pattern, q_near);
+    return system.constraint(q_near, r).ok();
+  });
+}
+
+/// Of g(q + q_rounding), which is computed with the digits of long double.
+template <ConstrainedSystem S>
+[[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
+                                                        const typename S::Vector& q_rounding) {
+  return largest_change(system, [&](int pattern, auto& r) {
+    auto near = q_rounding;
+    if (pattern > 0) perturb(last_place_kept, q, pattern, near);
+    return system.constraint(q, near, r).ok();
+  });
+}
+
+}  // namespace pseudorigid::mechanics::detail

@@ -1,0 +1,68 @@
+#pragma once
+/// The potential landscape of a system in a chart: no constraint, M = g(q), Hessian of U by automatic differentiation
+/// and the damping C = −∂F/∂v at v = 0.
+
+#include <utility>
+
+#include "mechanics/core/central_difference.h"
+#include "mechanics/core/chart_field.h"
+#include "mechanics/equilibria/landscape.h"
+
+namespace pseudorigid::mechanics {
+
+template <HasPotential C>
+class ChartLandscape {
+ public:
+  using Vector = ChartVector<C>;
+  static constexpr int n = C::dimension;
+
+  explicit ChartLandscape(C chart) : field_(std::move(chart)) {}
+
+  int n_coordinates() const { return n; }
+  int n_constraints() const { return 0; }
+  Eigen::VectorXd periods() const {
+    if constexpr (HasPeriods<C>) return chart().periods();
+    return Vector::Zero();
+  }
+  double potential(const Vector& q) const { return chart().potential(q); }
+  Status gradient(const Vector& q, Eigen::VectorXd& dV) const {
+    dV = potential_differential(chart(), q);
+    return finite(dV);
+  }
+  Status constraint(const Vector&, Eigen::VectorXd& g) const {
+    g.resize(0);
+    return {};
+  }
+  void constraint_gradient(const Vector&, Eigen::MatrixXd& G) const { G.resize(0, n); }
+  Status hessian(const Vector& q, const Eigen::VectorXd&, Eigen::MatrixXd& H) const {
+    H = second_order_jet<n>([this](const auto& x) { return chart().potential(x); }, q).hessian;
+    return finite(H);
+  }
+  void mass(const Vector& q, Eigen::MatrixXd& M) const { M = chart().metric(q); }
+  Status damping(const Vector& q, Eigen::MatrixXd& damping) const {
+    damping.setZero(n, n);
+    if constexpr (ChartField<C>::velocity_dependent()) {
+      constexpr double h = 0.01;
+      for (int j = 0; j < n; ++j) {
+        Vector rate = Vector::Zero();
+        const auto F = [&](double s, Vector& f) {
+          f = field_.force(0, q, s * Vector::Unit(j));
+          return finite(f);
+        };
+        if (Status status = central_difference(F, h, rate); !status) return status;
+        damping.col(j) = -rate;
+      }
+    }
+    return {};
+  }
+
+ private:
+  const C& chart() const { return field_.chart(); }
+  static Status finite(const auto& x) {
+    return x.allFinite() ? Status() : Status::failure("the potential is not finite in this place of the chart");
+  }
+
+  ChartField<C> field_;
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,90 @@
+#include "mechanics/equilibria/critical_point.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace pseudorigid::mechanics {
+namespace {
+
+/// Eigenvalues count as zero below this part of the largest: Hessians by differences are good to about 1e-12.
+constexpr double zero_curvature = 1e-8;
+/// And below this, the round-off of terms of order 1 that cancel: no force at all leaves 1e-170 behind.
+constexpr double round_off_curvature = 1e-14;
+/// A zero of H splits into rates of the size of the square root of its error where there is little damping.
+constexpr double zero_rate = 1e-6;
+
+/// T: a basis of ker G with TᵀMT = Id.
+Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
+  Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
+  if (G.rows() > 0) {
+    const Eigen::MatrixXd normals = factor.matrixL().solve(G.transpose());
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(normals);
+    Z = (qr.householderQ() * Z).rightCols(M.rows() - qr.rank()).eval();
+  }
+  return factor.matrixU().solve(Z);
+}
+
+/// Without damping: z² = −κ for each eigenvalue κ of H, 0 where that counts as zero.
+void linearise_undamped(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& H, double zero, const Eigen::MatrixXd& T,
+                        CriticalPoint& p) {
+  const Eigen::Index n = H.eigenvalues().size();
+  p.rates.resize(2 * n);
+  p.directions.resize(T.rows(), 2 * n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double kappa = H.eigenvalues()[k], size = std::abs(kappa) <= zero ? 0 : std::sqrt(std::abs(kappa));
+    const std::complex<double> z = kappa < 0 ? std::complex(size, 0.0) : std::complex(0.0, size);
+    p.rates.segment<2>(2 * k) << z, -z;
+    p.directions.middleCols<2>(2 * k) = (T * H.eigenvectors().col(k)).replicate<1, 2>();
+  }
+  p.n_unstable = p.n_stable = p.morse_index;
+}
+
+/// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
+void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
+  const Eigen::Index n = H.rows();
+  Eigen::MatrixXd A(2 * n, 2 * n);  // of (y, ẏ)
+  A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
+  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
+  p.rates = solver.eigenvalues();
+  p.directions = T * solver.eigenvectors().topRows(n).colwise().normalized();
+  const double zero = zero_rate * (n > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
+  p.n_unstable = static_cast<int>((p.rates.real().array() > zero).count());
+  p.n_stable = static_cast<int>((p.rates.real().array() < -zero).count());
+}
+
+}  // namespace
+
+Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
+                               const Eigen::MatrixXd& added_damping, CriticalPoint& p) {
+  Eigen::MatrixXd M, G, hessian, C;
+  landscape.mass(q, M);
+  landscape.constraint_gradient(q, G);
+  if (Status status = landscape.hessian(q, lambda, hessian); !status) return status;
+  if (Status status = landscape.damping(q, C); !status) return status;
+  const Eigen::MatrixXd T = tangent_basis(M, G);
+  const Eigen::MatrixXd H = T.transpose() * hessian * T, D = T.transpose() * (C + added_damping) * T;
+  if (!H.allFinite() || !D.allFinite())
+    return Status::failure("the mass or the second derivative of the potential is singular at a critical point");
+
+  p.q = q;
+  p.lambda = lambda;
+  p.V = landscape.potential(q);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(H);
+  p.hessian_eigenvalues = spectrum.eigenvalues();
+  const double largest = p.hessian_eigenvalues.size() > 0 ? p.hessian_eigenvalues.cwiseAbs().maxCoeff() : 0;
+  const double zero = std::max(zero_curvature * largest, round_off_curvature);
+  p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
+  p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
+  if (D.isZero(0))
+    linearise_undamped(spectrum, zero, T, p);
+  else
+    linearise(H, D, T, p);
+  return {};
+}
+
+}  // namespace pseudorigid::mechanics

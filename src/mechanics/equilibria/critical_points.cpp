@@ -1,0 +1,159 @@
+#include "mechanics/equilibria/critical_points.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace pseudorigid::mechanics {
+namespace {
+
+class CriticalPointFinder {
+ public:
+  using Vector = Eigen::VectorXd;
+  using Matrix = Eigen::MatrixXd;
+
+  CriticalPointFinder(const AnyLandscape& landscape, const CriticalPointSearch& search)
+      : landscape_(landscape), search_(search), periods_(landscape.periods()), generator_(search.seed) {
+    if (search_.center.size() == 0) search_.center = Vector::Zero(landscape.n_coordinates());
+  }
+
+  Status run(CriticalPoints& found) {
+    if (search_.center.size() != landscape_.n_coordinates())
+      return Status::failure("the centre of the search has " + std::to_string(search_.center.size()) +
+                             " coordinates in place of " + std::to_string(landscape_.n_coordinates()));
+    found = {};
+    for (found.n_starts = 0; found.n_starts < search_.n_starts; ++found.n_starts) {
+      Vector q = found.n_starts == 0 ? search_.center : random_start(), lambda;
+      if (!newton(q, lambda)) continue;  // this start leads nowhere
+      ++found.n_converged;
+      q = canonical(q);
+      CriticalPoint p;
+      const Matrix C = search_.added_damping ? search_.added_damping(q) : Matrix::Zero(q.size(), q.size());
+      if (Status status = describe_critical_point(landscape_, q, lambda, C, p); !status) return status;
+      const bool known = std::any_of(found.points.begin(), found.points.end(),
+                                     [&](const CriticalPoint& other) { return same(p, other); });
+      if (!known) found.points.push_back(std::move(p));
+    }
+    std::sort(found.points.begin(), found.points.end(), before);
+    return {};
+  }
+
+ private:
+  static constexpr int max_iterations = 200, max_halvings = 20;
+  static constexpr double converged = 1e-12;  // |r|, relative to the gradients met on the way
+  static constexpr double same_place = 1e-6;  // Newton's limits agree far better, but for degenerate points
+  static constexpr double singular = 1e-10;   // pivots of Newton's matrix, relative to the largest
+
+  /// (q, λ) → a critical point; false if it is not found from here.
+  bool newton(Vector& q, Vector& lambda) const {
+    const Eigen::Index n = q.size();
+    Vector r;
+    lambda = Vector::Zero(landscape_.n_constraints());
+    double scale = 0;
+    if (!initial_multiplier(q, lambda, scale) || !residual(q, lambda, r)) return false;
+    for (int i = 0; i < max_iterations; ++i) {
+      const double norm = r.norm();
+      Vector step;
+      if (norm == 0) return true;
+      if (!newton_step(q, lambda, r, step)) return false;
+      double part = 1;
+      Vector q_new, lambda_new;
+      for (int k = 0; k <= max_halvings; ++k, part /= 2) {
+        q_new = q + part * step.head(n);
+        lambda_new = lambda + part * step.tail(lambda.size());
+        if (residual(q_new, lambda_new, r) && r.norm() < (1 - 1e-4 * part) * norm) break;
+        if (k == max_halvings || norm <= converged * scale) return norm <= converged * scale;
+      }
+      q = q_new;
+      lambda = lambda_new;
+    }
+    return false;
+  }
+
+  bool newton_step(const Vector& q, const Vector& lambda, const Vector& r, Vector& step) const {
+    const Eigen::Index n = q.size(), n_constraints = lambda.size();
+    Matrix H, G;
+    if (!landscape_.hessian(q, lambda, H)) return false;
+    landscape_.constraint_gradient(q, G);
+    Matrix J(n + n_constraints, n + n_constraints);
+    J << H, -G.transpose(), G, Matrix::Zero(n_constraints, n_constraints);
+    Eigen::CompleteOrthogonalDecomposition<Matrix> solver;
+    solver.setThreshold(singular);
+    solver.compute(J);
+    step = -solver.solve(r);
+    return step.allFinite();
+  }
+
+  bool residual(const Vector& q, const Vector& lambda, Vector& r) const {
+    Vector dV, g;
+    Matrix G;
+    if (!landscape_.gradient(q, dV) || !landscape_.constraint(q, g)) return false;
+    landscape_.constraint_gradient(q, G);
+    r.resize(dV.size() + g.size());
+    r << dV - G.transpose() * lambda, g;
+    return r.allFinite();
+  }
+
+  /// λ of least |∇V − Gᵀλ|, and the scale of the terms of r.
+  bool initial_multiplier(const Vector& q, Vector& lambda, double& scale) const {
+    Vector dV;
+    Matrix G;
+    if (!landscape_.gradient(q, dV)) return false;
+    landscape_.constraint_gradient(q, G);
+    if (G.rows() > 0) lambda = G.transpose().completeOrthogonalDecomposition().solve(dV);
+    Matrix H;
+    if (!landscape_.hessian(q, lambda, H)) return false;
+    scale = std::max(dV.norm(), H.norm());
+    return std::isfinite(scale);
+  }
+
+  Vector random_start() {
+    Vector q = search_.center;
+    for (Eigen::Index i = 0; i < q.size(); ++i) {
+      const double unit = static_cast<double>(generator_() >> 11) * 0x1p-53;  // the same on every machine
+      q[i] += (periods_[i] > 0 ? periods_[i] / 2 : search_.radius) * (2 * unit - 1);
+    }
+    return q;
+  }
+
+  /// Periodic coordinates in (−P/2, P/2]; just above −P/2 counts as P/2.
+  Vector canonical(Vector q) const {
+    for (Eigen::Index i = 0; i < q.size(); ++i)
+      if (const double P = periods_[i]; P > 0) {
+        q[i] = std::remainder(q[i], P);
+        if (q[i] < -P / 2 * (1 - same_place)) q[i] += P;
+      }
+    return q;
+  }
+
+  bool same(const CriticalPoint& a, const CriticalPoint& b) const {
+    const double scale = 1 + a.hessian_eigenvalues.cwiseAbs().maxCoeff();
+    if (a.nullity > 0 && a.nullity == b.nullity && std::abs(a.V - b.V) < same_place * scale &&
+        (a.hessian_eigenvalues - b.hessian_eigenvalues).norm() < same_place * scale)
+      return true;
+    Vector d = a.q - b.q;
+    for (Eigen::Index i = 0; i < d.size(); ++i)
+      if (periods_[i] > 0) d[i] = std::remainder(d[i], periods_[i]);
+    return d.norm() < same_place * (1 + a.q.norm());
+  }
+
+  static bool before(const CriticalPoint& a, const CriticalPoint& b) {
+    if (std::abs(a.V - b.V) > same_place) return a.V < b.V;
+    return std::lexicographical_compare(a.q.begin(), a.q.end(), b.q.begin(), b.q.end());
+  }
+
+  const AnyLandscape& landscape_;
+  CriticalPointSearch search_;
+  Vector periods_;
+  std::mt19937_64 generator_;
+};
+
+}  // namespace
+
+Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found) {
+  return CriticalPointFinder(landscape, search).run(found);
+}
+
+}  // namespace pseudorigid::mechanics

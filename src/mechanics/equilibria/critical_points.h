@@ -1,0 +1,37 @@
+#pragma once
+/// Search for the critical points of V on N = {g = 0}, from many starting points, by Newton's iteration for
+///
+///   r(q, λ) = (∇V − Gᵀλ, g) = 0,   [H_L  −Gᵀ; G  0] δ = −r,
+///
+/// with the shortest δ where the matrix is singular (symmetries), halved until |r| falls. Newton's iteration is drawn
+/// to critical points of every index alike. The seeds are fixed: the same search gives the same result.
+///
+/// A point is counted once: modulo the periods of the chart, and, where it is degenerate (a whole orbit of symmetries
+/// is critical), once for each value of V and spectrum of H.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "mechanics/equilibria/critical_point.h"
+
+namespace pseudorigid::mechanics {
+
+struct CriticalPointSearch {
+  Eigen::VectorXd center{};  // empty: 0. The first start
+  double radius = 1;         // half width of the box of starts, in coordinates that are not periodic
+  int n_starts = 200;
+  std::uint64_t seed = 1;
+  /// Linear damping beside the system's own: q → C(q) of the force −C v. Empty: none.
+  std::function<Eigen::MatrixXd(const Eigen::VectorXd& q)> added_damping{};
+};
+
+struct CriticalPoints {
+  std::vector<CriticalPoint> points;  // by rising V
+  int n_starts = 0, n_converged = 0;
+};
+
+/// Fails if a point that was found cannot be described; that starts lead nowhere is told by n_converged.
+Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,28 @@
+#pragma once
+/// What the search for critical points sees of a system, chart or constrained, of any size: the potential energy V on
+/// N = {g = 0} with its derivatives, the mass and the linear damping at rest,
+///
+///   ∇V,   g,   G = Dg,   H_L = ∇²V − Σ λ_k D²g_k,   M,   C = −∂f/∂v at v = 0.
+
+#include <Eigen/Core>
+#include <concepts>
+
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::mechanics {
+
+template <class L>
+concept Landscape = requires(const L l, const Eigen::VectorXd q, Eigen::VectorXd x, Eigen::MatrixXd A) {
+  { l.n_coordinates() } -> std::convertible_to<int>;
+  { l.n_constraints() } -> std::convertible_to<int>;
+  { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // of each coordinate; 0: not periodic
+  { l.potential(q) } -> std::convertible_to<double>;        // V
+  { l.gradient(q, x) } -> std::same_as<Status>;             // ∇V
+  { l.constraint(q, x) } -> std::same_as<Status>;           // g
+  l.constraint_gradient(q, A);                              // G
+  { l.hessian(q, x, A) } -> std::same_as<Status>;           // (q, λ) → H_L
+  l.mass(q, A);                                             // M
+  { l.damping(q, A) } -> std::same_as<Status>;              // C
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,103 @@
+#pragma once
+/// Symmetric composition of a symmetric method Φ of order 2 (Hairer, Lubich, Wanner, Geometric Numerical Integration,
+/// V.3.2):
+///
+///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
+///
+/// The result is symmetric, symplectic if Φ is, and of the order declared by the coefficients. Whether Method = auto
+/// may take it, chosen_by_auto, is for the method to say that is made of it.
+
+#include <array>
+#include <cstddef>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/methods/rattle.h"
+
+namespace pseudorigid::mechanics {
+
+/// Order 4, 5 stages: M. Suzuki, Phys. Lett. A 146 (1990) 319: γ₁ = γ₂ = 1/(4 − 4^{1/3}), γ₃ = 1 − 4γ₁.
+struct Suzuki4 {
+  static constexpr int order = 4;
+  static constexpr double stability_limit = 2.72;
+  static constexpr std::array<double, 5> gamma{0.41449077179437573714235406286076, 0.41449077179437573714235406286076,
+                                               -0.65796308717750294856941625144306, 0.41449077179437573714235406286076,
+                                               0.41449077179437573714235406286076};
+};
+
+/// Order 6, 9 stages: W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089, scheme s9odr6a.
+struct KahanLi6 {
+  static constexpr int order = 6;
+  static constexpr double stability_limit = 2.53;
+  static constexpr std::array<double, 9> gamma{
+      0.39216144400731413927925056,  0.33259913678935943859974864, -0.70624617255763935980996482,
+      0.08221359629355080023149045,  0.79854399093482996339895035, 0.08221359629355080023149045,
+      -0.70624617255763935980996482, 0.33259913678935943859974864, 0.39216144400731413927925056};
+};
+
+/// Order 8, 17 stages: W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089, scheme s17odr8a.
+struct KahanLi8 {
+  static constexpr int order = 8;
+  static constexpr double stability_limit = 3.09;
+  static constexpr std::array<double, 17> gamma{
+      0.13020248308889008087881763,  0.56116298177510838456196441,  -0.38947496264484728640807860,
+      0.15884190655515560089621075,  -0.39590389413323757733623154, 0.18453964097831570709183254,
+      0.25837438768632204729397911,  0.29501172360931029887096624,  -0.60550853383003451169892108,
+      0.29501172360931029887096624,  0.25837438768632204729397911,  0.18453964097831570709183254,
+      -0.39590389413323757733623154, 0.15884190655515560089621075,  -0.38947496264484728640807860,
+      0.56116298177510838456196441,  0.13020248308889008087881763};
+};
+
+template <class Base, class Coefficients>
+struct Composition {
+  static_assert(Base::symmetric && Base::order == 2, "the coefficients are those for symmetric methods of order 2");
+  static constexpr int order = Coefficients::order;
+  static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
+  static constexpr bool symplectic = Base::symplectic, symmetric = true;
+  static constexpr bool adaptive = false;
+  static constexpr double stability_limit = Coefficients::stability_limit;
+
+  template <class S>
+  using Workspace = typename Base::template Workspace<S>;
+  template <class S>
+  static constexpr bool fits = Base::template fits<S>;
+
+  /// Some substeps go backwards in time, where a dissipative force would pump energy in.
+  template <class S>
+  static Status accepts(const S& system) {
+    if (dissipative(system))
+      return Status::failure(
+          "compositions take some substeps backwards in time, where dissipation would feed energy in; use rattle or "
+          "explicit-8");
+    return Base::accepts(system);
+  }
+
+  template <ConstrainedSystem S>
+  static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
+    for (const double gamma : Coefficients::gamma)
+      if (Status status = Base::advance(system, gamma * h, state, w); !status) return status;
+    return {};
+  }
+
+  template <ConstrainedSystem S>
+  static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
+    return Base::project_velocity(system, state, w);
+  }
+};
+
+struct Rattle4 : Composition<Rattle, Suzuki4> {
+  static constexpr bool chosen_by_auto = true;
+  static constexpr const char* name = "rattle-4";
+  static constexpr const char* documentation = "RATTLE composed to order 4, 5 forces a step";
+};
+struct Rattle6 : Composition<Rattle, KahanLi6> {
+  static constexpr bool chosen_by_auto = true;
+  static constexpr const char* name = "rattle-6";
+  static constexpr const char* documentation = "RATTLE composed to order 6, 9 forces a step";
+};
+struct Rattle8 : Composition<Rattle, KahanLi8> {
+  static constexpr bool chosen_by_auto = true;
+  static constexpr const char* name = "rattle-8";
+  static constexpr const char* documentation = "RATTLE composed to order 8, 17 forces a step";
+};
+
+}  // namespace pseudorigid::mechanics

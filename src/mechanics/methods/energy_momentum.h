@@ -1,0 +1,401 @@
+#pragma once
+/// The conserving method: energy, momenta and constraints are kept exactly, at any step size (discrete gradients of
+/// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999) 165; here in phase space
+/// and with the velocity constraint). With X = (q, p), p = M v, Hamilton's function H = K(p) + V(q), the constraints
+/// g(q) = 0 and their rates γ(X) = G(q) M⁻¹p = 0, a step of size h is
+///
+///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
+///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
+///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
+///
+/// where Π takes away what lies along the orbit of the system's symmetries at X_m (orbit_complement.h; covectors and
+/// vectors alike, in (q, v)). In (q, v), with ∇F = (−A, M v + B):
+///
+///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
+///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
+///
+/// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. Both ends satisfy g = 0 and γ = 0: ΔH = 0. (K is quadratic, so that
+///   its gradient at X_m is a discrete gradient already.)
+/// - A momentum J is bilinear in (q, p): ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m), and 𝒥∇J(X_m) is tangent to the orbit, on
+///   which the invariants H, g, γ are constant and to which C is orthogonal: ΔJ = 0.
+/// - The step is symmetric, and of order 2: C = O(h²), μ = O(h²).
+/// - D matters near relative equilibria (motions along the orbit, P = 0). X_m lies inside the arc of the motion, where
+///   ∇F differs from that on the arc by O(h²); θP alone would have to make up for it, and has no limit as P → 0. The
+///   two points of D are P/2 away from the ends, on one orbit (Cayley transform) if one group of turns or shifts acts,
+///   or the two of a body about one common axis; θP is then O(h|P|). Near a steady motion with two different axes θP
+///   stays O(h²), and the iteration may need smaller steps.
+///
+/// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
+/// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
+/// up. ν is that of the first state as long as P is so large that round-off corrected by mistake does no harm. It grows
+/// along a motion (terms of V cancel in another way where the body has turned), so it is measured at every step, and
+/// where a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
+/// is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right to round-off without θ,
+/// which is left out. What round-off takes of the momenta is given back too (momentum_keeper.h).
+///
+/// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
+///
+///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
+///
+/// until the increments are round-off; the last iterations hold C, which would pass on the noise of V and of small
+/// components. An oscillation of frequency ω is contracted by (hω/2)² each time.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mechanics/core/conservative_system.h"
+#include "mechanics/core/orbit_complement.h"
+#include "mechanics/core/second_order_field.h"
+#include "mechanics/methods/fixed_point_monitor.h"
+#include "mechanics/methods/momentum_keeper.h"
+#include "mechanics/methods/rattle.h"
+
+namespace pseudorigid::mechanics {
+
+/// Temporaries and warm starts of one integration.
+template <ConservativeSystem S>
+struct EnergyMomentumWorkspace {
+  using Vector = typename S::Vector;
+  using Multiplier = typename S::Multiplier;
+
+  explicit EnergyMomentumWorkspace(const S& system)
+      : system(system.make_workspace()),
+        dq(system.make_vector()),
+        dv(dq),
+        dq_before(dq),
+        dv_before(dq),
+        q_middle(dq),
+        v_middle(dq),
+        q_end(dq),
+        v_end(dq),
+        q_side(dq),
+        v_side(dq),
+        force(dq),
+        A(dq),
+        B(dq),
+        C_q(dq),
+        C_v(dq),
+        P_q(dq),
+        P_v(dq),
+        acceleration(dq),
+        q_rounding(make_rounding(system)),
+        v_rounding(q_rounding),
+        lambda(system.make_multiplier()),
+        mu(lambda),
+        residual(lambda),
+        delta(lambda),
+        history(system),
+        orbit(system),
+        momenta(system) {}
+
+  typename S::Workspace system;
+  Vector dq, dv, dq_before, dv_before;                      // Δq, Δv; of the iteration before
+  Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
+  Vector force, A, B, C_q, C_v, P_q, P_v;                   // as above
+  Vector acceleration;                                      // Δv/h of the last step
+  Vector q_rounding, v_rounding;                            // what rounding has kept back from q and v
+  Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
+  MultiplierHistory<S> history;                             // of λ, at the middle of the steps
+  OrbitComplement<S> orbit;
+  MomentumKeeper<S> momenta;
+  double V_start = 0, theta = 0;  // V(q₀), θ
+  int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
+  double energy_gained = 0;       // by round-off, since the first step
+  double first_noise = -1;        // round-off of V about the first state; negative: not known yet
+  double largest_noise = 0;       // the largest about the states so far
+  Counters counters;
+
+  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    visit(acceleration);
+    history.visit_memory(visit);
+    visit(energy_gained);
+    visit(first_noise);
+    visit(largest_noise);
+    momenta.visit_memory(visit);
+    if constexpr (VectorSpace<Vector>::compensated) {
+      visit(q_rounding);
+      visit(v_rounding);
+    }
+  }
+};
+
+namespace detail {
+
+inline double pairing(double lambda, double r) { return lambda * r; }
+template <class Multiplier>
+double pairing(const Multiplier& lambda, const Multiplier& r) {
+  return dot(lambda, r);
+}
+
+}  // namespace detail
+
+struct EnergyMomentum {
+  static constexpr const char* name = "energy-momentum";
+  static constexpr const char* documentation =
+      "keeps energy, momenta and constraints exactly (equivariant discrete gradients), order 2, implicit";
+  static constexpr int order = 2;
+  static constexpr int n_stages = 1;
+  static constexpr bool symplectic = false, symmetric = true;
+  static constexpr bool adaptive = false, chosen_by_auto = false;
+  /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all.
+  static constexpr double stability_limit = 1.6;
+
+  template <class S>
+  using Workspace = EnergyMomentumWorkspace<S>;
+  template <class S>
+  static constexpr bool fits = ConservativeSystem<S>;
+
+  /// Whether the promises of the method hold for this system; if not, why.
+  template <ConservativeSystem S>
+  static Status accepts(const S& system) {
+    if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
+      return Status::failure(
+          "energy-momentum keeps the energy constant, which forces that dissipate, depend on the velocity or depend on "
+          "time do not do; use rattle or explicit-8");
+    return {};
+  }
+
+  /// One substep. The state is left as it is where the step fails.
+  template <ConservativeSystem S>
+  static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    using Verdict = detail::ConvergenceMonitor::Verdict;
+    w.V_start = system.potential_energy(state.q);
+    w.momenta.begin(system, state);
+    const double noise = noise_of_potential(system, state.q);
+    if (w.first_noise < 0) w.first_noise = noise;
+    w.largest_noise = std::max(w.largest_noise, noise);
+    predict(h, state, w);
+    detail::FixedPointMonitor monitor;
+    for (Verdict verdict = Verdict::go_on; verdict != Verdict::done;) {
+      w.dq_before = w.dq;
+      w.dv_before = w.dv;
+      if (Status status = improve(system, h, state, w); !status) return status;
+      if (Status status = constrain(system, h, state, w); !status) return status;
+      ++w.counters.n_position_iterations;
+
+      axpy(-1.0, w.dq, w.dq_before);
+      axpy(-1.0, w.dv, w.dv_before);
+      const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
+      const double step = std::max(max_norm(w.dq), max_norm(w.dv));
+      // C at first goes along; θ is held when noise stops the increments, C when they are small or stop once more.
+      if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
+        w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
+        monitor.start_again();
+      }
+      verdict = monitor.judge(increment, 4 * epsilon * std::max(max_norm(w.q_end), max_norm(w.v_end)));
+      if (verdict == Verdict::stuck) return does_not_converge(increment);
+    }
+    accept(system, h, state, w);
+    return {};
+  }
+
+  /// Velocities satisfy G v = 0 after every substep.
+  template <ConservativeSystem S>
+  static Status project_velocity(const S&, State<S>&, EnergyMomentumWorkspace<S>&) {
+    return {};
+  }
+
+ private:
+  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  /// |P|/|ΔX| below which the motion is one along the orbit.
+  static constexpr double relative_equilibrium = 1e-7;
+  /// |hθ| up to which a correction by mistake does no harm: the iteration takes the changes for its own increments.
+  static constexpr double harmless = 1e-4;
+
+  static Status does_not_converge(double increment) {
+    return Status::failure(std::string("the iteration of the conserving step ") +
+                           (std::isfinite(increment) ? "does not converge" : "has left the range of numbers") +
+                           "; use a smaller step");
+  }
+
+  /// How much V changes where the entries of q change by a few units of their last place: terms that cancel do not show
+  /// in V itself.
+  template <ConservativeSystem S>
+  static double noise_of_potential(const S& system, const typename S::Vector& q) {
+    const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
+    double noise = 0;
+    for (int k = 1; k <= 8; ++k) {
+      typename S::Vector near = q;
+      int i = 0;
+      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2, as if at random
+      noise = std::max(noise, std::abs(system.potential_energy(near) - V));
+    }
+    return noise;
+  }
+
+  /// ΔX with the acceleration of the last step, λ extrapolated.
+  template <ConservativeSystem S>
+  static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.dv = w.acceleration;
+    scale(h, w.dv);
+    w.dq = state.v;
+    axpy(0.5, w.dv, w.dq);
+    scale(h, w.dq);
+    w.history.guess(state.t + h / 2, w.lambda);
+    scale(0.0, w.mu);
+    w.hold = 0;
+    set_end(state, w);
+  }
+
+  template <ConservativeSystem S>
+  static void set_end(const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.q_end = state.q;
+    w.v_end = state.v;
+    axpy(1.0, w.dq, w.q_end);
+    axpy(1.0, w.dv, w.v_end);
+  }
+
+  /// Δv and Δq from the ones before, with the multipliers known so far.
+  template <ConservativeSystem S>
+  static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    w.q_middle = state.q;
+    w.v_middle = state.v;
+    axpy(0.5, w.dq, w.q_middle);
+    axpy(0.5, w.dv, w.v_middle);
+    scale(0.0, w.A);
+    scale(0.0, w.B);
+    if (Status status = add_gradient(system, 1.0, state.t + h / 2, w.q_middle, w.v_middle, w, w.A, w.B); !status)
+      return status;
+    if (w.hold < 2)
+      if (Status status = correct(system, h, state.t + h / 2, w); !status) return status;
+
+    axpy(-1.0, w.C_q, w.A);
+    axpy(1.0, w.C_v, w.B);
+    system.apply_inverse_mass(w.A, w.A);
+    system.apply_inverse_mass(w.B, w.B);
+    w.dv = w.A;
+    scale(h, w.dv);
+    w.dq = state.v;
+    axpy(0.5, w.dv, w.dq);
+    axpy(1.0, w.B, w.dq);
+    scale(h, w.dq);
+    set_end(state, w);
+    return {};
+  }
+
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ],  B += a G(q)ᵀμ:  (−A, B) is a part of ∇F.
+  template <ConservativeSystem S>
+  static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
+                             const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
+                             typename S::Vector& B) {
+    if (Status status = system.force(t, q, v, w.system, w.force); !status) return status;
+    ++w.counters.n_force;
+    if constexpr (!unconstrained<S>) {
+      system.add_reaction(q, w.lambda, w.force);
+      w.delta = w.mu;
+      scale(-1.0, w.delta);
+      system.add_reaction_rate(q, v, w.delta, w.force);
+      scale(-a, w.delta);
+      system.add_reaction(q, w.delta, B);
+    }
+    axpy(a, w.force, A);
+    return {};
+  }
+
+  /// C = Π D + θ P.
+  template <ConservativeSystem S>
+  static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
+    w.P_q = w.dq;
+    w.P_v = w.dv;
+    w.orbit.set(system, w.q_middle, w.v_middle);
+    const double P = w.orbit.project(w.P_q, w.P_v);
+    scale(0.0, w.C_q);
+    scale(0.0, w.C_v);
+    if (system.n_symmetries() > 0) {
+      for (const double side : {-0.5, 0.5}) {
+        w.q_side = w.q_middle;
+        w.v_side = w.v_middle;
+        axpy(side, w.dq, w.q_side);
+        axpy(-side, w.P_q, w.q_side);
+        axpy(side, w.dv, w.v_side);
+        axpy(-side, w.P_v, w.v_side);
+        if (Status status = add_gradient(system, 0.5, t, w.q_side, w.v_side, w, w.C_q, w.C_v); !status) return status;
+      }
+      axpy(-1.0, w.A, w.C_q);
+      scale(-1.0, w.C_q);
+      axpy(-1.0, w.B, w.C_v);
+      w.orbit.project(w.C_q, w.C_v);
+    }
+    if (w.hold == 0)
+      if (Status status = set_theta(system, h, P, w); !status) return status;
+    axpy(w.theta, w.P_q, w.C_q);
+    axpy(w.theta, w.P_v, w.C_v);
+    return {};
+  }
+
+  /// ΔF − (∇F(X_m) + D)·ΔX and what earlier steps have left over, as far as it exceeds ν. Both covectors vanish along
+  /// the orbit, so that their product with ΔX is that with P.
+  template <ConservativeSystem S>
+  static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
+    w.theta = 0;
+    if (P <= relative_equilibrium * std::sqrt(dot(w.dq, w.dq) + dot(w.dv, w.dv))) return {};
+    const double V_end = system.potential_energy(w.q_end);
+    const double work = dot(w.A, w.P_q) - dot(w.B, w.P_v) - dot(w.C_q, w.P_q) - dot(w.C_v, w.P_v);
+    const double limit = 0.01 * P * P / std::abs(h);
+    double gain = V_end - w.V_start + work + std::clamp(w.energy_gained, -limit, limit);
+    if constexpr (!unconstrained<S>) {  // −λ·Δg + μ·Δγ, as long as the iteration has not made them zero
+      if (Status status = system.constraint(w.q_end, w.residual); !status) return status;
+      gain -= detail::pairing(w.lambda, w.residual);
+      system.constraint_rate(w.q_end, w.v_end, w.residual);
+      gain += detail::pairing(w.mu, w.residual);
+    }
+    const double noise = w.largest_noise < harmless * P * P / std::abs(h) ? w.first_noise : w.largest_noise;
+    const double nu = 2 * noise + 2 * epsilon * (std::abs(w.V_start) + std::abs(V_end) + std::abs(work));
+    w.theta = std::copysign(std::max(std::abs(gain) - nu, 0.0), gain) / (P * P);
+    return {};
+  }
+
+  /// g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by the reactions at q_m.
+  template <ConservativeSystem S>
+  static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    if constexpr (!unconstrained<S>) {
+      if (Status status = system.constraint(w.q_end, w.residual); !status) return status;
+      if (Status status = react(system, w); !status) return status;
+      axpy(1.0, w.B, w.dq);
+      axpy(1 / h, w.delta, w.mu);
+      set_end(state, w);
+
+      system.constraint_rate(w.q_end, w.v_end, w.residual);
+      if (Status status = react(system, w); !status) return status;
+      axpy(1.0, w.B, w.dv);
+      axpy(1 / h, w.delta, w.lambda);
+      axpy(-0.5, w.delta, w.mu);
+      set_end(state, w);
+    }
+    return {};
+  }
+
+  /// δ from G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and B = M⁻¹G(q_m)ᵀ δ.
+  template <ConservativeSystem S>
+  static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
+    scale(-1.0, w.residual);
+    SolveReport report = system.solve_gram(w.q_end, w.q_middle, w.residual, w.system, w.delta);
+    w.counters.n_gram_iterations += report.iterations;
+    if (!report.status) return std::move(report.status);
+    scale(0.0, w.B);
+    system.add_reaction(w.q_middle, w.delta, w.B);
+    system.apply_inverse_mass(w.B, w.B);
+    return {};
+  }
+
+  template <ConservativeSystem S>
+  static void accept(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
+    const double K_start = system.kinetic_energy(state.v);
+    add(1.0, w.dq, state.q, w.q_rounding);
+    add(1.0, w.dv, state.v, w.v_rounding);
+    w.momenta.keep(system, state, w.v_rounding);
+    w.energy_gained += (system.potential_energy(state.q) - w.V_start) + (system.kinetic_energy(state.v) - K_start);
+    w.acceleration = w.dv;
+    scale(1 / h, w.acceleration);
+    w.history.record(state.t + h / 2, w.lambda);
+    state.t += h;
+    ++w.counters.n_substeps;
+  }
+};
+
+}  // namespace pseudorigid::mechanics

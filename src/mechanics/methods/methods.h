@@ -1,0 +1,98 @@
+#pragma once
+/// The methods, for code that chooses among them at run time. A new method is its header and one line of the table.
+///
+/// A method is an empty struct:
+///   name, documentation                  as in parameter files
+///   order, n_stages, symplectic, symmetric, adaptive, stability_limit
+///   chosen_by_auto                       whether Method = auto may take it
+///   Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
+///   fits<S>                              whether it can be compiled for a system of type S
+///   accepts(system) → Status             whether its promises hold for this system; if not, why
+/// and, with fixed steps (adaptive = false),
+///   advance(system, h, state, workspace) → Status            one step, the velocity left for
+///   project_velocity(system, state, workspace) → Status      where a state is looked at;
+/// or, with steps of its own choice (adaptive = true),
+///   step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
+///   interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "mechanics/methods/composition.h"
+#include "mechanics/methods/dormand_prince_8.h"
+#include "mechanics/methods/energy_momentum.h"
+#include "mechanics/methods/rattle.h"
+#include "mechanics/methods/symmetric_multistep.h"
+
+namespace pseudorigid::mechanics {
+
+/// By rising order within each family.
+using MethodTable =
+    std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
+
+/// What every method says of itself; one that leaves a trait out does not compile.
+template <class M>
+concept DeclaresTraits = requires {
+  { M::name } -> std::convertible_to<std::string_view>;
+  { M::documentation } -> std::convertible_to<std::string_view>;
+  { M::order } -> std::convertible_to<int>;
+  { M::symplectic } -> std::convertible_to<bool>;
+  { M::symmetric } -> std::convertible_to<bool>;
+  { M::adaptive } -> std::convertible_to<bool>;
+  { M::chosen_by_auto } -> std::convertible_to<bool>;
+};
+static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTraits<Methods> && ...); }(
+                  static_cast<MethodTable*>(nullptr)),
+              "a method of the table leaves out a trait");
+
+/// Place of a method in the table.
+enum class MethodId : std::size_t {};
+
+namespace detail {
+template <class Method, class... Methods>
+consteval MethodId place_of(std::tuple<Methods...>*) {
+  std::size_t place = 0;
+  (void)((std::is_same_v<Method, Methods> || (++place, false)) || ...);
+  return MethodId{place};
+}
+}  // namespace detail
+
+template <class Method>
+inline constexpr MethodId id_of = detail::place_of<Method>(static_cast<MethodTable*>(nullptr));
+
+inline constexpr std::size_t n_methods = std::tuple_size_v<MethodTable>;
+
+/// Calls visitor(Method{}) for every method of the table, in order.
+template <class Visitor>
+constexpr void for_each_method(Visitor&& visitor) {
+  std::apply([&](auto... method) { (visitor(method), ...); }, MethodTable{});
+}
+
+/// Calls visitor(Method{}) with the method of that id; the result is that of the visitor.
+template <class Visitor, std::size_t place = 0>
+constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
+  using Method = std::tuple_element_t<place, MethodTable>;
+  if constexpr (place + 1 < n_methods)
+    if (id != MethodId{place}) return with_method<Visitor, place + 1>(id, std::forward<Visitor>(visitor));
+  return std::forward<Visitor>(visitor)(Method{});
+}
+
+constexpr std::string_view method_name(MethodId id) {
+  return with_method(id, []<class Method>(Method) { return std::string_view(Method::name); });
+}
+
+/// Nothing if no method is called so.
+constexpr std::optional<MethodId> find_method(std::string_view name) {
+  std::optional<MethodId> found;
+  for_each_method([&]<class Method>(Method) {
+    if (name == Method::name) found = id_of<Method>;
+  });
+  return found;
+}
+
+}  // namespace pseudorigid::mechanics

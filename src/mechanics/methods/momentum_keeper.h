@@ -1,0 +1,94 @@
+#pragma once
+/// Round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩ of a method that keeps them exactly. A step loses some 10⁻¹⁸ of them,
+/// which would add up; where a momentum is off by more than its own round-off, the velocity is moved along the orbit of
+/// the symmetries, in the metric of the kinetic energy the least change that mends it:
+///
+///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i.
+///
+/// It is tangent to the constraints, which the symmetries leave as they are.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mechanics/core/conservative_system.h"
+
+namespace pseudorigid::mechanics {
+
+namespace detail {
+
+/// α of Σ_j gram_ij α_j = lost_i. Symmetries that move nothing, or together nothing (a turn of space and of the body
+/// about a common axis), have no part in it.
+Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
+
+}  // namespace detail
+
+template <ConservativeSystem S>
+class MomentumKeeper {
+ public:
+  using Vector = typename S::Vector;
+
+  explicit MomentumKeeper(const S& system)
+      : xi_(static_cast<std::size_t>(system.n_symmetries()), system.make_vector()),
+        momentum_(system.make_vector()),
+        unused_(momentum_),
+        start_(xi_.size()) {}
+
+  /// The momenta to keep are those of the first state seen.
+  void begin(const S& system, const State<S>& state) {
+    if (known_) return;
+    known_ = true;
+    set_symmetries(system, state);
+    for (std::size_t i = 0; i < xi_.size(); ++i) start_[i] = dot(momentum_, xi_[i]);
+  }
+
+  void keep(const S& system, State<S>& state, Vector& v_rounding) {
+    const auto n = static_cast<Eigen::Index>(xi_.size());
+    if (n == 0) return;
+    set_symmetries(system, state);
+    Eigen::VectorXd lost(n);
+    bool beyond_round_off = false;
+    const double size = std::sqrt(dot(momentum_, momentum_));
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Vector& xi = xi_[static_cast<std::size_t>(i)];
+      lost[i] = start_[static_cast<std::size_t>(i)] - dot(momentum_, xi);
+      beyond_round_off |=
+          std::abs(lost[i]) > 4 * std::numeric_limits<double>::epsilon() * size * std::sqrt(dot(xi, xi));
+    }
+    if (beyond_round_off) give_back(system, lost, state, v_rounding);
+  }
+
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    visit(std::span<double>(start_));
+    visit(known_);
+  }
+
+ private:
+  void set_symmetries(const S& system, const State<S>& state) {
+    system.apply_mass(state.v, momentum_);
+    for (std::size_t i = 0; i < xi_.size(); ++i)
+      system.symmetry(static_cast<int>(i), state.q, state.v, xi_[i], unused_);
+  }
+
+  void give_back(const S& system, const Eigen::VectorXd& lost, State<S>& state, Vector& v_rounding) {
+    const Eigen::Index n = lost.size();
+    Eigen::MatrixXd gram(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+      system.apply_mass(xi_[static_cast<std::size_t>(i)], momentum_);
+      for (Eigen::Index j = 0; j < n; ++j) gram(i, j) = dot(momentum_, xi_[static_cast<std::size_t>(j)]);
+    }
+    const Eigen::VectorXd alpha = detail::least_solution(gram, lost);
+    for (Eigen::Index i = 0; i < n; ++i) add(alpha[i], xi_[static_cast<std::size_t>(i)], state.v, v_rounding);
+  }
+
+  std::vector<Vector> xi_;
+  Vector momentum_, unused_;
+  std::vector<double> start_;  // p(0)
+  bool known_ = false;
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,111 @@
+#pragma once
+/// The time loop. Samples t_k = k T/N, k = 0 … N; each interval holds a whole number n of steps, so that samples do not
+/// disturb the steps and the last sample is T exactly:  h = (t_{k+1} − t_k)/n,  t = t_k + j h.
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <string>
+#include <utility>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/methods/rattle.h"
+
+namespace pseudorigid::mechanics {
+
+struct SampleTimes {
+  double end = 0;
+  long n_samples = 1;
+  double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
+  double interval() const { return end / static_cast<double>(n_samples); }
+  /// Least whole number of steps, none longer than `step`, that fills an interval.
+  long steps_per_interval(double step) const {
+    const double n = std::ceil(interval() / step * (1 - 1e-12));
+    constexpr double most = 9e18;  // below the largest long; run_time_loop refuses steps long before
+    return static_cast<long>(std::clamp(n, 1.0, most));
+  }
+};
+
+/// Where a run stands: `step` steps of the interval after sample `sample` are done.
+struct Cursor {
+  long sample = 0, step = 0;
+};
+
+enum class Outcome { finished, interrupted, failed };
+
+struct RunResult {
+  Outcome outcome = Outcome::finished;
+  std::string reason;  ///< of a failure: one sentence
+  double t = 0;        ///< time reached
+};
+
+/// What the caller does along the way.
+///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
+///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1 (not asked by adaptive methods);
+///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run. All samples up to the
+///   state's time have been taken then.
+template <class H, class S, class W>
+concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cursor cursor) {
+  { hooks.sample(k, state, w) } -> std::same_as<Status>;
+  { hooks.steps_per_interval(k, state, w) } -> std::convertible_to<long>;
+  { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
+};
+
+/// Runs from `cursor` (the start, or where a checkpoint was written) to the last sample. `cursor` and `state` are left
+/// where the run ended; after a failure the state is that of the failing step and not to be used.
+template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
+requires(!Method::adaptive) RunResult
+    run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
+                  typename Method::template Workspace<S>& w, Hooks& hooks) {
+  const auto fail = [&](Status status) { return RunResult{Outcome::failed, status.reason(), state.t}; };
+  if (cursor.sample == 0 && cursor.step == 0)
+    if (Status status = hooks.sample(0, state, w); !status) return fail(std::move(status));
+
+  while (cursor.sample < times.n_samples) {
+    const double t_start = times[cursor.sample], t_end = times[cursor.sample + 1];
+    const long n = hooks.steps_per_interval(cursor.sample, state, w);
+    const double h = (t_end - t_start) / static_cast<double>(n);
+    if (!(t_end - h < t_end))
+      return fail(Status::failure("the step is shorter than what double precision can tell apart of times"));
+    for (; cursor.step < n;) {
+      state.t = t_start + static_cast<double>(cursor.step) * h;
+      if (Status status = Method::advance(system, h, state, w); !status) return fail(std::move(status));
+      ++w.counters.n_steps;
+      ++cursor.step;
+      if (!hooks.step_done(cursor, state, w)) return {Outcome::interrupted, "interrupted", state.t};
+    }
+    state.t = t_end;
+    if (Status status = Method::project_velocity(system, state, w); !status) return fail(std::move(status));
+    cursor = {cursor.sample + 1, 0};
+    if (Status status = hooks.sample(cursor.sample, state, w); !status) return fail(std::move(status));
+  }
+  return {Outcome::finished, "", state.t};
+}
+
+/// The same with steps of the method's own choice: they run past the samples, which are interpolated; the last one ends
+/// at T.
+template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
+requires(Method::adaptive) RunResult
+    run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,
+                  typename Method::template Workspace<F>& w, Hooks& hooks) {
+  const auto fail = [&](Status status) { return RunResult{Outcome::failed, status.reason(), state.t}; };
+  if (cursor.sample == 0 && cursor.step == 0)
+    if (Status status = hooks.sample(0, state, w); !status) return fail(std::move(status));
+
+  State<F> between = state;
+  while (cursor.sample < times.n_samples) {
+    if (Status status = Method::step(field, times.end, state, w); !status) return fail(std::move(status));
+    ++w.counters.n_steps;
+    ++cursor.step;
+    while (cursor.sample < times.n_samples && times[cursor.sample + 1] <= state.t) {
+      const double t = times[cursor.sample + 1];
+      if (Status status = Method::interpolate(field, t, between, w); !status) return fail(std::move(status));
+      cursor = {cursor.sample + 1, 0};
+      if (Status status = hooks.sample(cursor.sample, between, w); !status) return fail(std::move(status));
+    }
+    if (!hooks.step_done(cursor, state, w)) return {Outcome::interrupted, "interrupted", state.t};
+  }
+  return {Outcome::finished, "", state.t};
+}
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,218 @@
+#pragma once
+/// Largest frequency of small motions about a state, tangent to the constraints: with λ the multiplier of the motion,
+///
+///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (central differences, λ and v fixed).
+///
+/// The stability limit of a method is a bound on hω. Where forces dissipate, the largest rate of damping is likewise
+///
+///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
+///
+/// and bounds the step of a method that iterates on it. Lanczos' iteration for M⁻¹K (M⁻¹C) in the inner product of M,
+/// with the projection
+///
+///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
+///
+/// keeps each u together with its w = M u. So only M⁻¹ is needed, and ⟨u, u'⟩_M = uᵀw' also where M⁻¹ has zeros
+/// (components that are held fixed: u = 0 there, whatever w is).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+/// ω, or why it could not be had.
+struct [[nodiscard]] FrequencyReport {
+  Status status;
+  double omega = 0;
+};
+/// γ, or why it could not be had.
+struct [[nodiscard]] DampingReport {
+  Status status;
+  double gamma = 0;
+};
+
+namespace detail {
+
+/// A displacement u and w = M u.
+template <class S>
+struct MassPair {
+  typename S::Vector u, w;
+
+  void add(double a, const MassPair& x) {
+    axpy(a, x.u, u);
+    axpy(a, x.w, w);
+  }
+  void scale_by(double a) {
+    scale(a, u);
+    scale(a, w);
+  }
+  double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
+};
+
+/// Fixed numbers in (−1, 1) without pattern: every mode has a part in them. A system whose vectors are distributed has
+/// its own, which do not depend on the ranks.
+template <class S>
+void fill_irregular(const S& system, typename S::Vector& x) {
+  if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
+  std::uint32_t bits = 1;
+  for (double& value : local_values(x)) {
+    bits = bits * 1664525u + 1013904223u;  // D. E. Knuth, The Art of Computer Programming 2, 3.3.4
+    value = static_cast<double>(bits) / 2147483648.0 - 1;
+  }
+}
+
+/// K or C.
+template <ConstrainedSystem S>
+class TangentOperator {
+ public:
+  /// `scale` is the size of what is changed by differences, 0 counting as 1.
+  TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
+                  double scale)
+      : system_(system),
+        state_(state),
+        workspace_(workspace),
+        of_velocity_(of_velocity),
+        increment_(std::cbrt(std::numeric_limits<double>::epsilon()) * (scale > 0 ? scale : 1)),
+        moved_(state),
+        force_(system.make_vector()),
+        lambda_(system.make_multiplier()),
+        residual_(system.make_multiplier()),
+        delta_(system.make_multiplier()) {}
+
+  Status prepare() { return of_velocity_ ? Status() : multiplier_of_motion(system_, state_, workspace_, lambda_); }
+
+  /// w ← K u, u ← M⁻¹K u, projected. A body that is thin beside its length may not stand the usual increment.
+  Status apply(const typename S::Vector& u, MassPair<S>& result) {
+    Status status = difference(u, result.w);
+    for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
+      increment_ /= 10;
+      status = difference(u, result.w);
+    }
+    if (!status) return status;
+    system_.apply_inverse_mass(result.w, result.u);
+    return project(result);
+  }
+
+  Status project(MassPair<S>& x) {
+    if constexpr (!unconstrained<S>) {
+      system_.constraint_rate(state_.q, x.u, residual_);
+      scale(-1.0, residual_);
+      if (auto report = system_.solve_gram(state_.q, state_.q, residual_, workspace_, delta_); !report.status)
+        return std::move(report.status);
+      scale(0.0, force_);
+      system_.add_reaction(state_.q, delta_, force_);
+      axpy(1.0, force_, x.w);
+      system_.apply_inverse_mass(force_, force_);
+      axpy(1.0, force_, x.u);
+    }
+    return {};
+  }
+
+ private:
+  /// w ← K u.
+  Status difference(const typename S::Vector& u, typename S::Vector& w) {
+    const double increment = increment_ / max_norm(u);
+    typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
+    scale(0.0, w);
+    for (const double side : {1.0, -1.0}) {
+      changed = of_velocity_ ? state_.v : state_.q;
+      axpy(side * increment, u, changed);
+      if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force_); !status) return status;
+      if constexpr (!unconstrained<S>)
+        if (!of_velocity_) system_.add_reaction(moved_.q, lambda_, force_);
+      axpy(-side / (2 * increment), force_, w);
+    }
+    return {};
+  }
+
+  const S& system_;
+  const State<S>& state_;
+  typename S::Workspace& workspace_;
+  bool of_velocity_;
+  double increment_;
+  State<S> moved_;
+  typename S::Vector force_;
+  typename S::Multiplier lambda_, residual_, delta_;
+};
+
+/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, beside it beta) and the residual of its vector,
+/// |β_n s_n|: some eigenvalue lies that near.
+double upper_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
+
+/// How many independent displacements the constraints leave, where that can be known; the iteration has then seen all,
+/// and what would follow is round-off that may grow without bound.
+template <ConstrainedSystem S>
+int most_directions(const S& system) {
+  if constexpr (VectorSpace<typename S::Vector>::dense) {
+    auto vector = system.make_vector();
+    auto multiplier = system.make_multiplier();
+    return static_cast<int>(local_values(vector).size()) - static_cast<int>(local_values(multiplier).size());
+  }
+  return std::numeric_limits<int>::max();
+}
+
+/// The largest eigenvalue from at most `n_iterations` steps of Lanczos, two forces each.
+template <ConstrainedSystem S>
+Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double& value) {
+  if (Status status = tangent.prepare(); !status) return status;
+
+  MassPair<S> x{system.make_vector(), system.make_vector()}, before = x, next = x;
+  fill_irregular(system, x.w);
+  system.apply_inverse_mass(x.w, x.u);
+  if (Status status = tangent.project(x); !status) return status;
+
+  std::vector<double> alpha, beta;
+  double norm = x.norm(), largest = 0;
+  n_iterations = std::min(n_iterations, most_directions(system));
+  for (int j = 0; j < n_iterations && norm > 1e-6 * largest; ++j) {
+    x.scale_by(1 / norm);
+    if (Status status = tangent.apply(x.u, next); !status) return status;
+    alpha.push_back(dot(x.u, next.w));
+    next.add(-alpha.back(), x);
+    if (j > 0) next.add(-beta.back(), before);
+    norm = next.norm();
+    beta.push_back(norm);
+    largest = std::max({largest, std::abs(alpha.back()), norm});
+    std::swap(before, x);
+    std::swap(x, next);
+  }
+  value = alpha.empty() ? 0 : std::max(0.0, upper_ritz_value(alpha, beta));
+  return {};
+}
+
+}  // namespace detail
+
+/// ω from at most `n_iterations` steps of Lanczos, two forces each. The residual is added to the Ritz value, so that
+/// few iterations rather err on the side of a large ω, a small step. Exact up to the differences (≈ 1e-9) once the
+/// iteration has seen every mode; 0 where nothing oscillates.
+template <ConstrainedSystem S>
+FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
+                                  int n_iterations) {
+  double omega_squared = 0;
+  Status status =
+      detail::largest_eigenvalue(detail::TangentOperator<S>(system, state, workspace, false, max_norm(state.q)), system,
+                                 n_iterations, omega_squared);
+  return {std::move(status), std::sqrt(omega_squared)};
+}
+
+/// γ likewise, of a system with the largest frequency `omega`: ω|q| is a velocity that is not too small to be felt. 0
+/// without dissipation.
+template <ConstrainedSystem S>
+DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
+                              int n_iterations) {
+  DampingReport report;
+  if (!dissipative(system)) return report;
+  const double scale = std::max(max_norm(state.v), omega * max_norm(state.q));
+  report.status = detail::largest_eigenvalue(detail::TangentOperator<S>(system, state, workspace, true, scale), system,
+                                             n_iterations, report.gamma);
+  return report;
+}
+
+}  // namespace pseudorigid::mechanics

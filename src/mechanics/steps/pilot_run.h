@@ -1,0 +1,164 @@
+#pragma once
+/// Pilot runs: a short piece of the motion, computed to find out what method and step a tolerance asks for.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/core/field_of.h"
+#include "mechanics/methods/methods.h"
+#include "mechanics/methods/time_loop.h"
+
+namespace pseudorigid::mechanics {
+
+struct StepRequest {
+  double end = 0;                    ///< T
+  double window = 0;                 ///< w, of the pilot runs
+  double tolerance = 0;              ///< of the configuration over [0, T]
+  double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
+  double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
+  double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
+  std::optional<MethodId> method{};  ///< empty: the cheapest
+  std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search
+};
+
+namespace detail {
+
+inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
+inline constexpr long max_pilot_samples = 32;
+/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
+/// chaos.
+inline constexpr double asymptotic_difference = 0.1;
+/// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
+inline constexpr long max_pilot_forces = 4'000'000;
+/// Pilot runs meet constraints that cost a solve to this part of the difference that two of them may have: the steps
+/// found are the same to three digits (measured for the ball with 0 … 5e-3; with 5e-2 one changed by 4 %).
+inline constexpr double pilot_constraint = 5e-3;
+
+/// The configuration at the samples of a pilot run, and the size of the velocity.
+struct PilotRun {
+  Status status;
+  double t = 0;  ///< time reached
+  std::vector<Eigen::VectorXd> q;
+  double speed = 0;
+  long n_force = 0;
+};
+
+/// Methods as the searches see them: their traits, and pilot runs of one system over the window.
+struct FixedStepMethod {
+  MethodId id;
+  double order, n_stages, stability_limit;
+  std::function<PilotRun(long n_samples, long n_steps)> pilot;  ///< n_steps from each sample to the next
+};
+struct AdaptiveMethod {
+  MethodId id;
+  std::function<PilotRun(double local_tolerance)> pilot;
+};
+
+inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
+
+/// Q_of(state) is what the tolerance speaks of.
+template <class S, class QOf>
+struct PilotHooks {
+  const QOf& Q_of;
+  long n_steps;
+  const std::function<bool()>& give_up;
+  PilotRun run{};
+
+  template <class W>
+  Status sample(long, const State<S>& state, const W&) {
+    auto q = Q_of(state);
+    const auto values = local_values(q);
+    run.q.emplace_back(Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size())));
+    run.speed = std::max(run.speed, max_norm(state.v));
+    return {};
+  }
+  template <class W>
+  long steps_per_interval(long, const State<S>&, const W&) const {
+    return n_steps;
+  }
+  template <class W>
+  bool step_done(Cursor, const State<S>&, const W& w) const {
+    return w.counters.n_force < max_pilot_forces && !(give_up && give_up());
+  }
+};
+
+/// Of a pilot run that has not reached its end.
+inline Status failure_of(RunResult result) {
+  return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
+                                                           : "it takes too many steps to look ahead");
+}
+
+/// `form`: what the method works on. `prepare(workspace)` comes first.
+template <class Method, class Form, class QOf, class Prepare>
+PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, long n_samples,
+                   long n_steps, Prepare&& prepare) {
+  PilotHooks<Form, QOf> hooks{Q_of, n_steps, request.give_up};
+  typename Method::template Workspace<Form> workspace(form);
+  prepare(workspace);
+  Cursor cursor;
+  RunResult result = run_time_loop<Method>(form, {pilot_window(request), n_samples}, state, cursor, workspace, hooks);
+  hooks.run.n_force = workspace.counters.n_force;
+  hooks.run.t = result.t;
+  if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
+  return std::move(hooks.run);
+}
+
+/// They refer to what they are given.
+template <class Method, class S, class QOf>
+FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
+                                  const QOf& Q_of) {
+  return {id, Method::order, Method::n_stages, Method::stability_limit, [&](long n_samples, long n_steps) {
+            return run_pilot<Method>(system, initial, request, Q_of, n_samples, n_steps, [&](auto& workspace) {
+              if constexpr (requires { workspace.constraint_tolerance; } && !VectorSpace<typename S::Vector>::dense)
+                workspace.constraint_tolerance =
+                    std::max(workspace.constraint_tolerance, pilot_constraint * (error_safety * request.tolerance) *
+                                                                 pilot_window(request) / request.end);
+            });
+          }};
+}
+template <class Method, class S, class QOf>
+AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
+                               const QOf& Q_of) {
+  return {id, [&](double local_tolerance) {
+            const auto& field = field_of(system);
+            return run_pilot<Method>(field, initial, request, Q_of, max_pilot_samples, 1, [&](auto& workspace) {
+              workspace.tolerance = local_tolerance;
+              workspace.h_max = request.step_bound;
+            });
+          }};
+}
+
+inline double largest_difference(const PilotRun& a, const PilotRun& b) {
+  double d = 0;
+  for (std::size_t k = 0; k < a.q.size(); ++k) d = std::max(d, max_norm<Eigen::VectorXd>(a.q[k] - b.q[k]));
+  return d;
+}
+
+/// Random walk of round-off through N substeps of size h: of the velocity itself, or, where sums are compensated, of
+/// the kicks alone, which are smaller by hω.
+inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
+  const double part = compensated ? std::min(1.0, h_omega) : 1.0;
+  return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
+}
+
+/// What one method offers.
+struct Trial {
+  enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
+  MethodId method = id_of<Rattle>;
+  double limit = 0, step = 0;  ///< outer step; of an adaptive method: its bound
+  double local_tolerance = 0;  ///< of an adaptive method
+  double error = 0, n_forces_of_run = 0;
+  bool at_round_off = false;
+  std::string reason{};
+};
+
+}  // namespace detail
+
+}  // namespace pseudorigid::mechanics

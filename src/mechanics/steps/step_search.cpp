@@ -1,0 +1,118 @@
+#include "mechanics/steps/step_search.h"
+
+#include <string>
+#include <utility>
+
+namespace pseudorigid::mechanics::detail {
+namespace {
+
+constexpr int max_step_halvings = 12;
+/// Of a run; more would take hours.
+constexpr double max_run_forces = 1e11;
+
+/// n_samples times n_steps steps, none longer than h, fill the window; as few steps as the choice of n_samples allows.
+struct Grid {
+  long n_samples, n_steps;
+  Grid(double window, double h) {
+    const long n = std::max(1L, static_cast<long>(std::ceil(window / h * (1 - 1e-12))));
+    n_samples = std::min(n, max_pilot_samples);
+    n_steps = (n + n_samples - 1) / n_samples;
+    for (long fewer = n_samples - 1; fewer >= max_pilot_samples / 2; --fewer)
+      if (const long steps = (n + fewer - 1) / fewer; fewer * steps < n_samples * n_steps) {
+        n_samples = fewer;
+        n_steps = steps;
+      }
+  }
+};
+
+/// Steps h and h/2 that fail at nearly the same time, many steps from the start: it is the motion that ends there, and
+/// no step helps. (Steps beyond stability fail within the first few.)
+bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
+  return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
+}
+
+}  // namespace
+
+Trial StepSearch::try_method(const FixedStepMethod& method, double n_forces_to_beat) {
+  Trial trial{.method = method.id, .limit = limit(method)};
+  if (!(least_forces(method) <= max_run_forces)) {
+    trial.reason = "the stable step is so small that the run would take more than 1e11 of them";
+    return trial;
+  }
+  const Grid grid(window_, trial.limit);
+  const long n_force_at_start = n_force_;
+  long n = grid.n_steps;
+  double d_before = 0;
+  PilotRun coarse = pilot(method, grid.n_samples, n);
+  for (int halving = 0; halving <= max_step_halvings; ++halving, n *= 2) {
+    PilotRun fine = pilot(method, grid.n_samples, 2 * n);
+    const double h = window_ / static_cast<double>(grid.n_samples * n);
+    const bool both = coarse.status.ok() && fine.status.ok();
+    const double d = both ? largest_difference(coarse, fine) : 0;
+    if (both && settle(method, trial, h, d, d_before, fine.speed)) return trial;
+    if ((both ? predicted_forces(method, h, d) : run_forces(method, h)) >= n_forces_to_beat) {
+      trial.verdict = Trial::Verdict::dearer;
+      return trial;
+    }
+    trial.reason = !fine.status ? fine.status.reason() : coarse.status.reason();
+    if (motion_ends(coarse, fine, h) || given_up()) return trial;
+    if (n_force_ - n_force_at_start > max_pilot_forces) break;
+    d_before = d;
+    coarse = std::move(fine);
+  }
+  if (trial.reason.empty()) trial.reason = "the error does not fall with the step as the order of the method promises";
+  return trial;
+}
+
+/// Forces of the run if the difference d at h falls as the order promises. Above the asymptotic regime errors saturate
+/// and this is too small, so a method that it rules out is ruled out.
+double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
+  const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
+  return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
+}
+
+PilotRun StepSearch::pilot(const FixedStepMethod& method, long n_samples, long n_steps) {
+  PilotRun run = method.pilot(n_samples, n_steps);
+  n_force_ += run.n_force;
+  return run;
+}
+
+/// Sets the step if the differences d at h, and d_before at 2h (0: unknown), suffice to say it.
+bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
+                        double speed) const {
+  const double p = method.order;
+  const double richardson = std::exp2(p) / (std::exp2(p) - 1) * std::max(1.0, request_.end / window_);
+  const double e = d * richardson, target = allowed_error();
+  const double walk = round_off(method, speed, h);
+  const double fall = d > 0 && d_before > 0 ? std::log2(d_before / d) : 0;
+  const bool regular = fall >= p - 0.5 && d <= asymptotic_difference, enough = e <= target || e <= walk;
+
+  if (!regular && !enough) return false;
+  if (fall == 0 || e == 0) {
+    // The grid of the pilot rounds its step down; where accuracy has room, the limit itself is taken.
+    const double step = std::min(trial.limit, h * std::clamp(e > 0 ? std::pow(target / e, 1 / p) : 1.25, 1.0, 1.25));
+    return accept(method, trial, step, e * std::pow(step / h, p), walk);
+  }
+  const double exponent = e > target ? p : std::max(p, fall);  // never trust a fast fall to go on
+  const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
+  const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
+  const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
+  return accept(method, trial, step, e * std::pow(step / h, p), round_off(method, speed, step));
+}
+
+bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step, double truncation,
+                        double walk) const {
+  trial.verdict = Trial::Verdict::accepted;
+  trial.step = step;
+  trial.error = truncation + walk;
+  trial.at_round_off = walk > allowed_error();
+  trial.n_forces_of_run = run_forces(method, step);
+  return true;
+}
+
+double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
+  const double h_omega = Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit);
+  return round_off_walk(compensated_, speed, request_.end, run_forces(method, h), h_omega);
+}
+
+}  // namespace pseudorigid::mechanics::detail

@@ -1,0 +1,64 @@
+#pragma once
+/// The step of one method from a tolerance of the time error of the configuration over a run of length T (maximum norm
+/// over samples).
+///
+/// Pilot runs over a window w ≤ T with steps h and h/2 give, for a method of order p, Richardson's estimate
+///
+///   e(h) = max_k |Q_h(t_k) − Q_{h/2}(t_k)| · 2^p/(2^p − 1) · T/w.
+///
+/// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
+/// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
+/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. From the stability limit the step is
+/// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
+/// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
+///
+/// Round-off walks at random through the velocity and so costs about
+///
+///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps,
+///
+/// of accuracy, times hω where sums are compensated: no step smaller than where e = e₀ is taken.
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/steps/pilot_run.h"
+
+namespace pseudorigid::mechanics::detail {
+
+/// `compensated`: whether the vectors of the system are summed so.
+class StepSearch {
+ public:
+  StepSearch(const StepRequest& request, bool compensated)
+      : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
+
+  /// The step of one method; given up as soon as it needs more than `n_forces_to_beat` forces for the run.
+  Trial try_method(const FixedStepMethod& method, double n_forces_to_beat);
+
+  /// Forces of the whole run at the stability limit: the least that a method can cost.
+  double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
+  long n_force() const { return n_force_; }
+
+ private:
+  bool given_up() const { return request_.give_up && request_.give_up(); }
+  /// The target of the estimate e.
+  double allowed_error() const { return error_safety * request_.tolerance; }
+  double limit(const FixedStepMethod& method) const {
+    return std::min(request_.rattle_limit * (method.stability_limit / Rattle::stability_limit),
+                    std::min(request_.step_bound, request_.interval));
+  }
+  double run_forces(const FixedStepMethod& method, double h) const {
+    return std::ceil(request_.end / h) * method.n_stages;
+  }
+  double predicted_forces(const FixedStepMethod& method, double h, double d) const;
+  PilotRun pilot(const FixedStepMethod& method, long n_samples, long n_steps);
+  bool settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before, double speed) const;
+  bool accept(const FixedStepMethod& method, Trial& trial, double step, double truncation, double walk) const;
+  double round_off(const FixedStepMethod& method, double speed, double h) const;
+
+  const StepRequest& request_;
+  bool compensated_;
+  double window_;
+  long n_force_ = 0;
+};
+
+}  // namespace pseudorigid::mechanics::detail

@@ -1,0 +1,124 @@
+#include "mechanics/steps/step_size.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+#include "mechanics/steps/step_search.h"
+#include "mechanics/steps/tolerance_search.h"
+
+namespace pseudorigid::mechanics {
+
+double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot) {
+  const Eigen::Matrix3d L = Q.inverse() * Qdot;
+  return std::sqrt(std::max(0.0, (L.transpose() * L).eval().selfadjointView<Eigen::Lower>().eigenvalues()(2)));
+}
+
+namespace detail {
+namespace {
+
+/// A method that needs this many times the least cost of a method of higher order is not pursued.
+constexpr double clearly_dearer = 4;
+/// What the invariants of the motion are worth: forces that a geometric method may need for each of an adaptive one.
+constexpr double price_of_invariants = 2;
+
+std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
+  std::ostringstream s;
+  s.precision(3);
+  s << method_name(chosen.method) << " with ";
+  if (chosen.local_tolerance > 0)
+    s << "steps of its own choice, local tolerance " << chosen.local_tolerance;
+  else
+    s << "steps of at most " << chosen.step << " internal time units ("
+      << (chosen.step < 0.99 * chosen.limit                                       ? "set by accuracy"
+          : std::min(request.step_bound, request.interval) <= chosen.limit * 1.01 ? "the bound given"
+                                                                                  : "set by stability")
+      << ")";
+  s << ": estimated time error " << chosen.error << ", tolerance " << request.tolerance;
+  if (chosen.at_round_off) s << ", which is below what double precision gives over this run";
+  s << "; " << chosen.n_forces_of_run << " forces";
+  for (const Trial& other : others)
+    if (other.method != chosen.method && other.verdict == Trial::Verdict::accepted)
+      s << ", " << method_name(other.method) << " would need " << other.n_forces_of_run
+        << (other.n_forces_of_run < chosen.n_forces_of_run ? ", but keeps no invariants" : "");
+  return s.str();
+}
+
+class MethodChoice {
+ public:
+  MethodChoice(bool compensated, const StepRequest& request) : compensated_(compensated), request_(request) {}
+
+  void try_adaptive(const std::vector<AdaptiveMethod>& methods) {
+    for (const AdaptiveMethod& method : methods) {
+      trials_.push_back(search_tolerance(request_, compensated_, method, n_force_));
+      const Trial& trial = trials_.back();
+      if (trial.verdict == Trial::Verdict::accepted) adaptive_ = trial;
+      hopeless_ = !adaptive_ || trial.error > asymptotic_difference;
+    }
+  }
+
+  void try_fixed_steps(const std::vector<FixedStepMethod>& methods) {
+    StepSearch search(request_, compensated_);
+    for (auto method = methods.begin(); method != methods.end() && !hopeless_; ++method) {
+      const double cheapest = least_cost();
+      if (search.least_forces(*method) >= cheapest) continue;
+      double least_later = HUGE_VAL;
+      for (auto later = method + 1; later != methods.end(); ++later)
+        least_later = std::min(least_later, search.least_forces(*later));
+      trials_.push_back(search.try_method(*method, std::min(cheapest, clearly_dearer * least_later)));
+      const Trial& trial = trials_.back();
+      hopeless_ = trial.verdict == Trial::Verdict::failed && !adaptive_;
+      if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < cheapest) best_ = trial;
+    }
+    n_force_ += search.n_force();
+  }
+
+  StepChoice result() {
+    if (adaptive_ && (!best_ || adaptive_cost() < best_->n_forces_of_run)) best_ = adaptive_;
+    StepChoice choice{.rattle_limit = request_.rattle_limit, .n_force = n_force_};
+    if (!best_) {
+      choice.status =
+          Status::failure(trials_.empty() ? "no method fits"
+                                          : "no step of " + std::string(method_name(trials_.back().method)) +
+                                                " can be found: " + trials_.back().reason);
+      return choice;
+    }
+    choice.method = best_->method;
+    choice.step = best_->step;
+    choice.local_tolerance = best_->local_tolerance;
+    choice.error = best_->error;
+    choice.at_round_off = best_->at_round_off;
+    choice.why = describe(*best_, request_, trials_);
+    return choice;
+  }
+
+ private:
+  /// What the adaptive method counts for among the others; beyond reach where it misses the tolerance.
+  double adaptive_cost() const {
+    return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
+  }
+  double least_cost() const { return std::min(best_ ? best_->n_forces_of_run : HUGE_VAL, adaptive_cost()); }
+
+  bool compensated_;
+  const StepRequest& request_;
+  std::vector<Trial> trials_;
+  std::optional<Trial> best_, adaptive_;
+  bool hopeless_ = false;  // a motion that ends within the window, or is too sensitive, is so for every method
+  long n_force_ = 0;
+};
+
+}  // namespace
+
+StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
+                        bool compensated, const StepRequest& request) {
+  MethodChoice choice(compensated, request);
+  choice.try_adaptive(adaptive);
+  choice.try_fixed_steps(fixed);
+  return choice.result();
+}
+
+}  // namespace detail
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,17 @@
+#pragma once
+/// The local tolerance of an adaptive method from a tolerance of the time error of the configuration over a run of
+/// length T: pilot runs over a window w ≤ T with local tolerances τ and τ/16 give
+///
+///   e(τ) = max_k |q_τ(t_k) − q_{τ/16}(t_k)| · (T/w)²,
+///
+/// for the error of a method without geometric structure grows like t² (its energy drifts; Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, X.3). Then e ~ τ gives the tolerance.
+
+#include "mechanics/steps/pilot_run.h"
+
+namespace pseudorigid::mechanics::detail {
+
+/// `compensated`: whether the vectors of the system are summed so; n_force grows by what the pilots take.
+Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
+
+}  // namespace pseudorigid::mechanics::detail
