@@ -30,7 +30,9 @@ struct Gauged {
 
 std::unique_ptr<continuum::CellKernels> make_gauged_kernels(const continuum::BallSpace& space, double c) {
   using Law = continuum::LawAtPoints<Gauged>;
-  return std::make_unique<continuum::DegreeKernels<gauged_degree>>(space, std::make_unique<Law>(Gauged{{1, 0}, c}));
+  return std::make_unique<continuum::CellKernels>(
+      space, std::make_unique<continuum::DegreeKernels<gauged_degree>>(local_cells(space),
+                                                                       std::make_unique<Law>(Gauged{{1, 0}, c})));
 }
 
 }  // namespace pseudorigid::testing

@@ -48,7 +48,7 @@ TEST(SurfaceStretch, OfAShearComesNearTheRatioOfAxes) {
 
 /// Values that differ by round-off, in any order; a clearly smaller one and a NaN are taken wherever they are.
 TEST(LeastPlace, OfSymmetricPlacesIsTheGreatest) {
-  const std::vector<dealii::Point<3>> places{{-0.7, 0.7, 0}, {0.7, -0.7, 0}, {-0.7, -0.7, 0}, {0.7, 0.7, -0.1}};
+  const std::vector<std::array<double, 3>> places{{-0.7, 0.7, 0}, {0.7, -0.7, 0}, {-0.7, -0.7, 0}, {0.7, 0.7, -0.1}};
   std::vector<int> order{0, 1, 2, 3};
   do {
     continuum::LeastPlace least;

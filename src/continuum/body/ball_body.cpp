@@ -110,10 +110,7 @@ LeastPlace BallBody::least(const Vector& x, double (*value)(const Eigen::Matrix3
 }
 LeastPlace BallBody::least_reserve(const Vector& x) const { return of_all_ranks(kernels_->locate_least_reserve(x)); }
 
-LeastPlace BallBody::of_all_ranks(LeastPlace least) const {
-  if (n_ranks(space_.communicator()) > 1) least.take_others(space_.communicator());
-  return least;
-}
+LeastPlace BallBody::of_all_ranks(LeastPlace least) const { return least_over_ranks(least, space_.communicator()); }
 
 CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
   CellIntegrals sums = kernels_->integrals(x, v);
@@ -121,8 +118,8 @@ CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
   if (n_ranks(communicator) == 1) return sums;
   sums.elastic = sum_over_ranks(sums.elastic, communicator);
   sums.volume = sum_over_ranks(sums.volume, communicator);
-  sums.F = dealii::Utilities::MPI::sum(sums.F, communicator);
-  sums.X_pulled_back = dealii::Utilities::MPI::sum(sums.X_pulled_back, communicator);
+  for (CellIntegrals::Matrix* matrix : {&sums.F, &sums.X_pulled_back})
+    for (auto& row : *matrix) row = sum_over_ranks(row, communicator);
   return sums;
 }
 

@@ -10,10 +10,10 @@
 #include <memory>
 #include <vector>
 
+#include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/pressure_basis.h"
 #include "continuum/kernels/quadrature_point.h"
 #include "continuum/kernels/sum_factorization.h"
-#include "continuum/mesh/ball_space.h"
 #include "materials/tensor.h"
 
 namespace pseudorigid::continuum {
@@ -34,17 +34,16 @@ class CellBatches {
     L cell_volume;
   };
 
-  explicit CellBatches(const BallSpace& space)
-      : factorization(space.reference_cell()), reference_positions(&space.reference_positions()) {
-    const auto& w = space.reference_cell().point_weights;
+  explicit CellBatches(const LocalCells& cells) : factorization(cells.reference), reference_positions(cells.positions) {
+    const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
-    const std::size_t n_batches = (space.n_cells() + n_lanes - 1) / n_lanes;
+    const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
     points_.reserve(n_batches * n_points);  // exactly: nothing is held that is not used
     pressure_points_.reserve(n_batches * n_points);
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);
-    for (unsigned int cell = 0; cell < space.n_cells(); cell += n_lanes) add_batch(space, cell);
+    for (unsigned int cell = 0; cell < cells.nodes.size(); cell += n_lanes) add_batch(cells, cell);
   }
 
   const QuadraturePoint* points(std::size_t batch) const { return &points_[batch * n_points]; }
@@ -52,23 +51,23 @@ class CellBatches {
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
   /// u[c][node] of the batch from a vector.
-  void gather(const Vector& x, std::size_t batch, L (*u)[n_nodes]) const {
+  void gather(const double* x, std::size_t batch, L (*u)[n_nodes]) const {
     const auto* offsets = &offsets_[batch * n_nodes];
-    for (int i = 0; i < n_nodes; ++i) L::load_triples(x.begin(), offsets[i].data(), u[0][i], u[1][i], u[2][i]);
+    for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
   }
 
   /// Asks for the entries that the batch after this one will gather for a layer of nodes.
-  void prefetch_layer(const Vector& x, std::size_t batch, int layer) const {
+  void prefetch_layer(const double* x, std::size_t batch, int layer) const {
     if (batch + 1 == batches.size()) return;
     const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
     for (int i = 0; i < n * n; ++i)
-      for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x.begin() + offsets[i][l]);
+      for (int l = 0; l < n_lanes; ++l) __builtin_prefetch(x + offsets[i][l]);
   }
 
-  void scatter_add(const L (*u)[n_nodes], std::size_t batch, Vector& f) const {
+  void scatter_add(const L (*u)[n_nodes], std::size_t batch, double* f) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     const int n_active = batches[batch].n_active;
-    for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f.begin(), offsets[i].data());
+    for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f, offsets[i].data());
   }
 
   /// Coefficients of the monomials for λ_h = Σ λ_j ψ_j.
@@ -89,17 +88,17 @@ class CellBatches {
     }
   }
 
-  void load_multiplier(const Vector& lambda, std::size_t batch, L* values) const {
+  void load_multiplier(const double* lambda, std::size_t batch, L* values) const {
     const Batch& b = batches[batch];
-    const double* entries = lambda.begin() + b.first_cell * n_pressure;
+    const double* entries = lambda + b.first_cell * n_pressure;
     for (int j = 0; j < n_pressure; ++j)
       values[j] = L::of([&](int l) { return entries[(l < b.n_active ? l : 0) * n_pressure + j]; });
   }
 
-  void store_multiplier(const L* values, std::size_t batch, Vector& lambda) const {
+  void store_multiplier(const L* values, std::size_t batch, double* lambda) const {
     const Batch& b = batches[batch];
     for (int l = 0; l < b.n_active; ++l)
-      for (int j = 0; j < n_pressure; ++j) lambda.local_element((b.first_cell + l) * n_pressure + j) = values[j][l];
+      for (int j = 0; j < n_pressure; ++j) lambda[(b.first_cell + l) * n_pressure + j] = values[j][l];
   }
 
   std::size_t memory() const {
@@ -109,17 +108,17 @@ class CellBatches {
 
   SumFactorization<n> factorization;
   std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
-  const Vector* reference_positions;          ///< with the ghost nodes
+  const double* reference_positions;          ///< with the ghost nodes
   std::vector<Batch> batches;
 
  private:
-  void add_batch(const BallSpace& space, unsigned int first_cell) {
+  void add_batch(const LocalCells& cells, unsigned int first_cell) {
     Batch batch{};
     batch.first_cell = first_cell;
-    batch.n_active = static_cast<int>(std::min<unsigned int>(n_lanes, space.n_cells() - first_cell));
+    batch.n_active = static_cast<int>(std::min<std::size_t>(n_lanes, cells.nodes.size() - first_cell));
     for (int i = 0; i < n_nodes; ++i) {
       auto& offsets = offsets_.emplace_back();
-      for (int l = 0; l < n_lanes; ++l) offsets[l] = 3 * space.cell_nodes(first_cell + (l < batch.n_active ? l : 0))[i];
+      for (int l = 0; l < n_lanes; ++l) offsets[l] = 3 * cells.nodes[first_cell + (l < batch.n_active ? l : 0)][i];
     }
     const std::size_t index = batches.size();
     batches.push_back(batch);
@@ -129,7 +128,7 @@ class CellBatches {
 
   void compute_geometry(std::size_t index) {
     auto nodes = std::make_unique<L[][n_nodes]>(3);
-    gather(*reference_positions, index, nodes.get());
+    gather(reference_positions, index, nodes.get());
     for (int c = 0; c < 3; ++c) factorization.interpolate_layers(nodes[c]);
 
     Batch& batch = batches[index];

@@ -2,32 +2,127 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "continuum/parallel/ghost_values.h"
 
 namespace pseudorigid::continuum {
+namespace {
 
-template <int degree>
-std::unique_ptr<CellKernels> make_kernels_of_degree(const BallSpace& space, const materials::AnyLaw& law);
+std::unique_ptr<LocalKernels> make_local_kernels(int degree, const LocalCells& cells, std::unique_ptr<PointLaw> law) {
+  switch (degree) {
+    case 1:
+      return make_local_kernels<1>(cells, std::move(law));
+    case 2:
+      return make_local_kernels<2>(cells, std::move(law));
+    case 3:
+      return make_local_kernels<3>(cells, std::move(law));
+    case 4:
+      return make_local_kernels<4>(cells, std::move(law));
+    case 5:
+      return make_local_kernels<5>(cells, std::move(law));
+    case 6:
+      return make_local_kernels<6>(cells, std::move(law));
+    case 7:
+      return make_local_kernels<7>(cells, std::move(law));
+    case 8:
+      return make_local_kernels<8>(cells, std::move(law));
+  }
+  throw std::invalid_argument("no kernels for degree " + std::to_string(degree));
+}
+
+}  // namespace
+
+CellKernels::CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local)
+    : local_(std::move(local)), degree_(space.degree()) {}
+
+double CellKernels::force(const Vector& x, Vector& f) const {
+  const GhostValues of_x(x);
+  f = 0.0;
+  const double least = local_->add_force(x.begin(), f.begin());
+  add_to_owners(f);
+  return least;
+}
+
+double CellKernels::constraint(const Vector& x, Vector& g) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  return local_->constraint(x.begin(), g.begin());
+}
+
+void CellKernels::constraint_rate(const Vector& x, const Vector& v, Vector& r) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  const GhostValues of_v(v);
+  local_->constraint_rate(x.begin(), v.begin(), r.begin());
+}
+
+void CellKernels::constraint_curvature(const Vector& x, const Vector& v, Vector& r) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  const GhostValues of_v(v);
+  local_->constraint_curvature(x.begin(), v.begin(), r.begin());
+}
+
+void CellKernels::add_reaction(const Vector& x, const Vector& lambda, Vector& f) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  local_->add_reaction(x.begin(), lambda.begin(), f.begin());
+  add_to_owners(f);
+}
+
+double CellKernels::add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const {
+  const GhostValues of_x(x);
+  const GhostValues of_v(v);
+  const double power = local_->add_viscous_force(viscosity, x.begin(), v.begin(), f.begin());
+  add_to_owners(f);
+  return power;
+}
+
+CellIntegrals CellKernels::integrals(const Vector& x, const Vector& v) const {
+  const GhostValues of_x(x);
+  const GhostValues of_v(v);
+  return local_->integrals(x.begin(), v.begin());
+}
+
+LeastPlace CellKernels::locate_least_jacobian(const Vector& x) const {
+  const GhostValues of_x(x);
+  return local_->locate_least_jacobian(x.begin());
+}
+
+LeastPlace CellKernels::locate_least(const Vector& x, const FunctionOfF& value) const {
+  const GhostValues of_x(x);
+  return local_->locate_least(x.begin(), value);
+}
+
+LeastPlace CellKernels::locate_least_reserve(const Vector& x) const {
+  const GhostValues of_x(x);
+  return local_->locate_least_reserve(x.begin());
+}
+
+void CellKernels::multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const {
+  local_->multiplier_at_nodes(lambda.begin(), cell, values);
+}
+
+void CellKernels::constraint_rows(const Vector& x, const UseRows& use) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  local_->constraint_rows(x.begin(), use);
+}
+
+void CellKernels::pressure_basis_at_nodes(const UseRows& use) const { local_->pressure_basis_at_nodes(use); }
+
+void CellKernels::require_constraint() const {
+  if (degree_ < 2) throw std::invalid_argument("the constraint needs displacements of degree 2 or more");
+}
+
+LocalCells local_cells(const BallSpace& space) {
+  return {space.reference_cell(), space.cells(), space.reference_positions().begin()};
+}
 
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const materials::AnyLaw& law) {
-  switch (space.degree()) {
-    case 1:
-      return make_kernels_of_degree<1>(space, law);
-    case 2:
-      return make_kernels_of_degree<2>(space, law);
-    case 3:
-      return make_kernels_of_degree<3>(space, law);
-    case 4:
-      return make_kernels_of_degree<4>(space, law);
-    case 5:
-      return make_kernels_of_degree<5>(space, law);
-    case 6:
-      return make_kernels_of_degree<6>(space, law);
-    case 7:
-      return make_kernels_of_degree<7>(space, law);
-    case 8:
-      return make_kernels_of_degree<8>(space, law);
-  }
-  throw std::invalid_argument("no kernels for degree " + std::to_string(space.degree()));
+  return std::make_unique<CellKernels>(space,
+                                       make_local_kernels(space.degree(), local_cells(space), make_point_law(law)));
 }
 
 }  // namespace pseudorigid::continuum

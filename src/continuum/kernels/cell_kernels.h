@@ -12,65 +12,63 @@
 /// Vectors may be distributed: each rank integrates over its own cells, reads ghost entries that the kernels bring up
 /// to date, and adds to those of others. Sums and minima over cells are those of the rank.
 ///
-/// One implementation a degree (cell_kernels_impl.h), chosen at run time by make_cell_kernels; the law is a function
-/// that it calls for the points of a batch (point_law.h).
+/// The integrals themselves are those of local_kernels.h: one implementation a degree (cell_kernels_impl.h); the law is
+/// a function that it calls for the points of a batch (point_law.h).
 
-#include <deal.II/base/tensor.h>
-
-#include <functional>
 #include <memory>
 #include <span>
 
-#include "continuum/kernels/least_place.h"
+#include "continuum/kernels/local_kernels.h"
 #include "continuum/mesh/ball_space.h"
 #include "materials/law_table.h"
 
 namespace pseudorigid::continuum {
 
-/// Integrals over the computed sector that observables are made of.
-struct CellIntegrals {
-  double elastic = 0;                  ///< ∫W dX
-  double volume = 0;                   ///< ∫J dX
-  dealii::Tensor<2, 3> F;              ///< ∫F dX
-  dealii::Tensor<2, 3> X_pulled_back;  ///< ∫ρ X ⊗ (Fᵀẋ) dX
-};
-
 class CellKernels {
  public:
-  virtual ~CellKernels() = default;
+  CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local);
 
   /// f = −∫P:∇φ. Returns the least of J and of the law's reserve; where it is not positive, f is not to be used.
-  virtual double force(const Vector& x, Vector& f) const = 0;
+  double force(const Vector& x, Vector& f) const;
   /// g; returns the least J; where it is not positive, g is not to be used.
-  virtual double constraint(const Vector& x, Vector& g) const = 0;
-  virtual void constraint_rate(const Vector& x, const Vector& v, Vector& r) const = 0;
-  virtual void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const = 0;
-  virtual void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const = 0;
+  double constraint(const Vector& x, Vector& g) const;
+  void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
+  void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
+  void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
   /// f += the viscous force; returns its power, which dissipation takes.
-  virtual double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const = 0;
+  double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
-  virtual CellIntegrals integrals(const Vector& x, const Vector& v) const = 0;
+  CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
-  virtual LeastPlace locate_least_jacobian(const Vector& x) const = 0;
+  LeastPlace locate_least_jacobian(const Vector& x) const;
   /// Likewise the least value of a function of F, given row by row.
-  virtual LeastPlace locate_least(const Vector& x, const std::function<double(const double* F)>& value) const = 0;
+  LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
   /// Likewise the least reserve of the law (materials/law_limits.h).
-  virtual LeastPlace locate_least_reserve(const Vector& x) const = 0;
+  LeastPlace locate_least_reserve(const Vector& x) const;
   /// λ_h at the nodes of a cell (first direction fastest).
-  virtual void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const = 0;
+  void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
   /// Calls `use(cell, rows)` for each cell; rows[j·3n + 3i + c] is the entry of G for function j, node i, component c.
-  using UseRows = std::function<void(unsigned int, std::span<const double>)>;
-  virtual void constraint_rows(const Vector& x, const UseRows& use) const = 0;
+  void constraint_rows(const Vector& x, const UseRows& use) const;
   /// Calls `use(cell, values)` for each cell; values[j·n + i] is ψ_j at the cell's node i.
-  virtual void pressure_basis_at_nodes(const UseRows& use) const = 0;
+  void pressure_basis_at_nodes(const UseRows& use) const;
 
   /// Volume of the sector and of its smallest cell, by the quadrature of the kernels.
-  virtual double reference_volume() const = 0;
-  virtual double least_cell_volume() const = 0;
+  double reference_volume() const { return local_->reference_volume(); }
+  double least_cell_volume() const { return local_->least_cell_volume(); }
   /// Bytes held for geometry, indices and basis.
-  virtual std::size_t memory() const = 0;
+  std::size_t memory() const { return local_->memory(); }
+
+ private:
+  /// Q1 with a constant pressure is not stable.
+  void require_constraint() const;
+
+  std::unique_ptr<LocalKernels> local_;
+  int degree_;
 };
+
+/// What the kernels of a space are made of.
+LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the law. Throws std::invalid_argument for another degree. Degree 1
 /// is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.

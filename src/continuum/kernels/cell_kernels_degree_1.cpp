@@ -1,4 +1,4 @@
 #include "continuum/kernels/cell_kernels_impl.h"
 
-template std::unique_ptr<pseudorigid::continuum::CellKernels> pseudorigid::continuum::make_kernels_of_degree<1>(
-    const BallSpace&, const materials::AnyLaw&);
+template std::unique_ptr<pseudorigid::continuum::LocalKernels> pseudorigid::continuum::make_local_kernels<1>(
+    const LocalCells&, std::unique_ptr<PointLaw>);

@@ -1,5 +1,5 @@
 #pragma once
-/// The kernels of cell_kernels.h for one degree; the law is behind point_law.h. What happens at the points is done
+/// The kernels of local_kernels.h for one degree; the law is behind point_law.h. What happens at the points is done
 /// plane by plane (sum_factorization.h); geometry and positions that come next are asked for ahead of time. In
 /// reference coordinates, H = ∂x/∂ξ:
 ///
@@ -8,19 +8,17 @@
 ///
 /// so the constraint's operators read one scalar of geometry a point beside its position.
 
-#include <stdexcept>
 #include <utility>
 
 #include "continuum/kernels/cell_batches.h"
-#include "continuum/kernels/cell_kernels.h"
+#include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/pressure_at_nodes.h"
-#include "continuum/parallel/ghost_values.h"
 
 namespace pseudorigid::continuum {
 
 template <int degree>
-class DegreeKernels final : public CellKernels {
+class DegreeKernels final : public LocalKernels {
   using Batches = CellBatches<degree>;
   using L = typename Batches::L;
   using Tensor = materials::Tensor<L>;
@@ -28,13 +26,11 @@ class DegreeKernels final : public CellKernels {
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
-  DegreeKernels(const BallSpace& space, std::unique_ptr<PointLaw> law)
-      : law_(std::move(law)), batches_(space), buffers_(std::make_unique<Buffers>()) {}
+  DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw> law)
+      : law_(std::move(law)), batches_(cells), buffers_(std::make_unique<Buffers>()) {}
 
-  double force(const Vector& x, Vector& f) const override {
-    const GhostValues of_x(x);
+  double add_force(const double* x, double* f) const override {
     double least = HUGE_VAL;
-    f = 0.0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
       L least_in_batch(HUGE_VAL);
@@ -48,13 +44,10 @@ class DegreeKernels final : public CellKernels {
       distribute_layers();
       batches_.scatter_add(buffers_->result, b, f);
     }
-    add_to_owners(f);
     return least;
   }
 
-  double constraint(const Vector& x, Vector& g) const override {
-    require_constraint();
-    const GhostValues of_x(x);
+  double constraint(const double* x, double* g) const override {
     double least = HUGE_VAL;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
@@ -77,12 +70,12 @@ class DegreeKernels final : public CellKernels {
     return least;
   }
 
-  void constraint_rate(const Vector& x, const Vector& v, Vector& r) const override {
+  void constraint_rate(const double* x, const double* v, double* r) const override {
     pull_back(x, v, r,
               [](const Tensor& cof, const L& inverse_det, const Tensor& dv) { return dot(cof, dv) * inverse_det; });
   }
 
-  void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const override {
+  void constraint_curvature(const double* x, const double* v, double* r) const override {
     pull_back(x, v, r, [](const Tensor& cof, const L& inverse_det, const Tensor& dv) {
       L trace_of_square(0.0);  // of H⁻¹ ∂v/∂ξ
       Tensor A;
@@ -95,22 +88,17 @@ class DegreeKernels final : public CellKernels {
     });
   }
 
-  void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const override {
-    require_constraint();
-    const GhostValues of_x(x);
+  void add_reaction(const double* x, const double* lambda, double* f) const override {
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
       batches_.load_multiplier(lambda, b, buffers_->multiplier);
       reaction_of_batch(b);
       batches_.scatter_add(buffers_->result, b, f);
     }
-    add_to_owners(f);
   }
 
   /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
-  double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const override {
-    const GhostValues of_x(x);
-    const GhostValues of_v(v);
+  double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const override {
     double power = 0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
@@ -135,13 +123,10 @@ class DegreeKernels final : public CellKernels {
       distribute_layers();
       batches_.scatter_add(buffers_->result, b, f);
     }
-    add_to_owners(f);
     return power;
   }
 
-  void constraint_rows(const Vector& x, const UseRows& use) const override {
-    require_constraint();
-    const GhostValues of_x(x);
+  void constraint_rows(const double* x, const UseRows& use) const override {
     constexpr std::size_t size = std::size_t{n_pressure} * 3 * n_nodes;
     std::vector<double> rows(Batches::n_lanes * size);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -158,9 +143,7 @@ class DegreeKernels final : public CellKernels {
     }
   }
 
-  CellIntegrals integrals(const Vector& x, const Vector& v) const override {
-    const GhostValues of_x(x);
-    const GhostValues of_v(v);
+  CellIntegrals integrals(const double* x, const double* v) const override {
     CellIntegrals sums;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
@@ -170,7 +153,7 @@ class DegreeKernels final : public CellKernels {
     return sums;
   }
 
-  LeastPlace locate_least(const Vector& x, const std::function<double(const double* F)>& value) const override {
+  LeastPlace locate_least(const double* x, const FunctionOfF& value) const override {
     return locate(x, [&](const QuadraturePoint* points, L* values) {
       for (int q = 0; q < plane; ++q) {
         const Tensor F = points[q].deformation_gradient(load(buffers_->H, q));
@@ -182,18 +165,18 @@ class DegreeKernels final : public CellKernels {
       }
     });
   }
-  LeastPlace locate_least_jacobian(const Vector& x) const override {
+  LeastPlace locate_least_jacobian(const double* x) const override {
     return locate(x, [&](const QuadraturePoint* points, L* J) {
       for (int q = 0; q < plane; ++q)
         J[q] = materials::determinant(points[q].deformation_gradient(load(buffers_->H, q)));
     });
   }
-  LeastPlace locate_least_reserve(const Vector& x) const override {
+  LeastPlace locate_least_reserve(const double* x) const override {
     return locate(
         x, [&](const QuadraturePoint* points, L* reserve) { law_->reserve(points, plane, buffers_->H[0], reserve); });
   }
 
-  void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const override {
+  void multiplier_at_nodes(const double* lambda, unsigned int cell, std::span<double> values) const override {
     continuum::multiplier_at_nodes(batches_, lambda, cell, values);
   }
   void pressure_basis_at_nodes(const UseRows& use) const override { continuum::pressure_basis_at_nodes(batches_, use); }
@@ -211,11 +194,6 @@ class DegreeKernels final : public CellKernels {
   std::size_t memory() const override { return batches_.memory() + sizeof(Buffers); }
 
  private:
-  /// Q1 with a constant pressure is not stable.
-  static void require_constraint() {
-    if constexpr (degree < 2) throw std::invalid_argument("the constraint needs displacements of degree 2 or more");
-  }
-
   /// s (A Bᵀ + B Aᵀ)
   static Tensor symmetric_part_of_product(const Tensor& A, const Tensor& B, const L& s) {
     Tensor AB, result;
@@ -233,7 +211,7 @@ class DegreeKernels final : public CellKernels {
     return {{{T[0][q], T[1][q], T[2][q]}, {T[3][q], T[4][q], T[5][q]}, {T[6][q], T[7][q], T[8][q]}}};
   }
 
-  void load_layers(const Vector& x, std::size_t b, Nodal& layers) const {
+  void load_layers(const double* x, std::size_t b, Nodal& layers) const {
     batches_.gather(x, b, layers);
     for (int c = 0; c < 3; ++c) batches_.factorization.interpolate_layers(layers[c]);
   }
@@ -264,10 +242,7 @@ class DegreeKernels final : public CellKernels {
 
   /// r_j = ∫ψ_j s(H, ∂v/∂ξ); `integrand` gets cof H, 1/det H and ∂v/∂ξ.
   template <class Integrand>
-  void pull_back(const Vector& x, const Vector& v, Vector& r, const Integrand& integrand) const {
-    require_constraint();
-    const GhostValues of_x(x);
-    const GhostValues of_v(v);
+  void pull_back(const double* x, const double* v, double* r, const Integrand& integrand) const {
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       load_layers(x, b, buffers_->x);
       load_layers(v, b, buffers_->v);
@@ -350,8 +325,7 @@ class DegreeKernels final : public CellKernels {
 
   /// `evaluate(points, values)` for the points of a plane, of which the buffer has H = ∂x/∂ξ.
   template <class Evaluate>
-  LeastPlace locate(const Vector& x, const Evaluate& evaluate) const {
-    const GhostValues of_x(x);
+  LeastPlace locate(const double* x, const Evaluate& evaluate) const {
     LeastPlace result;
     L values[plane];
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -368,13 +342,13 @@ class DegreeKernels final : public CellKernels {
   void take_least(const L& value, std::size_t b, const PressurePoint& p, LeastPlace& result) const {
     const auto& batch = batches_.batches[b];
     for (int l = 0; l < batch.n_active; ++l) {
-      dealii::Point<3> where;
+      std::array<double, 3> where;
       for (int c = 0; c < 3; ++c) where[c] = batch.center[c][l] + batch.scale[l] * p.position[c][l];
       result.take(value[l], where);
     }
   }
 
-  void store(const L* moments, std::size_t b, Vector& g) const {
+  void store(const L* moments, std::size_t b, double* g) const {
     L values[n_pressure];
     batches_.from_moments(moments, b, values);
     batches_.store_multiplier(values, b, g);
@@ -385,10 +359,9 @@ class DegreeKernels final : public CellKernels {
   std::unique_ptr<Buffers> buffers_;
 };
 
-/// Defined in one source file a degree, which are compiled for the widest vectors of the machine.
 template <int degree>
-std::unique_ptr<CellKernels> make_kernels_of_degree(const BallSpace& space, const materials::AnyLaw& law) {
-  return std::make_unique<DegreeKernels<degree>>(space, make_point_law(law));
+std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, std::unique_ptr<PointLaw> law) {
+  return std::make_unique<DegreeKernels<degree>>(cells, std::move(law));
 }
 
 }  // namespace pseudorigid::continuum

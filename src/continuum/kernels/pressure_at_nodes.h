@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "continuum/kernels/cell_batches.h"
-#include "continuum/kernels/cell_kernels.h"
+#include "continuum/kernels/local_kernels.h"
 
 namespace pseudorigid::continuum {
 
@@ -19,16 +19,16 @@ template <int degree>
 auto local_node_positions(const CellBatches<degree>& batches, std::size_t b) {
   using Batches = CellBatches<degree>;
   auto local = std::make_unique<typename Batches::L[][Batches::n_nodes]>(3);
-  batches.gather(*batches.reference_positions, b, local.get());
+  batches.gather(batches.reference_positions, b, local.get());
   const auto& batch = batches.batches[b];
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < Batches::n_nodes; ++i) local[c][i] = (local[c][i] - batch.center[c]) / batch.scale;
   return local;
 }
 
-/// As CellKernels::multiplier_at_nodes.
+/// As LocalKernels::multiplier_at_nodes.
 template <int degree>
-void multiplier_at_nodes(const CellBatches<degree>& batches, const Vector& lambda, unsigned int cell,
+void multiplier_at_nodes(const CellBatches<degree>& batches, const double* lambda, unsigned int cell,
                          std::span<double> values) {
   using Batches = CellBatches<degree>;
   const std::size_t b = cell / Batches::n_lanes;
@@ -41,9 +41,9 @@ void multiplier_at_nodes(const CellBatches<degree>& batches, const Vector& lambd
     values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
 }
 
-/// As CellKernels::pressure_basis_at_nodes.
+/// As LocalKernels::pressure_basis_at_nodes.
 template <int degree>
-void pressure_basis_at_nodes(const CellBatches<degree>& batches, const CellKernels::UseRows& use) {
+void pressure_basis_at_nodes(const CellBatches<degree>& batches, const UseRows& use) {
   using Batches = CellBatches<degree>;
   using L = typename Batches::L;
   constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;

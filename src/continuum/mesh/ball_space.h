@@ -42,6 +42,7 @@ class BallSpace {
 
   /// Nodes of a cell by their local numbers, first direction fastest; vector entries are 3·node + component.
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
+  const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
   const Vector& reference_positions() const { return X_; }      ///< with the ghost nodes
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
   const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 where a symmetry plane holds the component

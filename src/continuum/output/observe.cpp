@@ -33,7 +33,7 @@ Vector relative(const BallBody& ball, const Vector& x, const Eigen::Vector3d& c)
   return result;
 }
 
-Eigen::Matrix3d to_eigen(const dealii::Tensor<2, 3>& t) {
+Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   Eigen::Matrix3d m;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) m(i, j) = t[i][j];

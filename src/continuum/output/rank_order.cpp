@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -52,13 +51,7 @@ RankOrder::Order RankOrder::make_order(const std::vector<std::size_t>& keys, std
     order.of_ranks[rank].resize(keys_of_ranks[rank].size());
   for (std::size_t place = 0; place < sorted.size(); ++place)
     order.of_ranks[sorted[place].second.first][sorted[place].second.second] = place;
-  if (n_ranks(communicator_) == 1) {
-    order.own = order.of_ranks[0];
-  } else {
-    std::map<unsigned int, std::vector<std::size_t>> for_ranks;
-    for (std::size_t rank = 0; rank < order.of_ranks.size(); ++rank) for_ranks[rank] = order.of_ranks[rank];
-    order.own = dealii::Utilities::MPI::some_to_some(communicator_, for_ranks).at(0);
-  }
+  order.own = scatter(communicator_, order.of_ranks);
   order.n_entries = block * dealii::Utilities::MPI::sum(keys.size(), communicator_);
   return order;
 }

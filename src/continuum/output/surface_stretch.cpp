@@ -43,8 +43,7 @@ LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x) {
       least.take(ratio, {X(0, i), X(1, i), X(2, i)});
     }
   }
-  if (n_ranks(space.communicator()) > 1) least.take_others(space.communicator());
-  return least;
+  return least_over_ranks(least, space.communicator());
 }
 
 }  // namespace pseudorigid::continuum

@@ -12,8 +12,8 @@
 /// A half-space of a law loses its smooth shape where it falls to the law's surface limit (materials/law_limits.h):
 /// waves of every length then grow, the shorter the faster.
 
-#include "continuum/kernels/least_place.h"
 #include "continuum/mesh/ball_space.h"
+#include "continuum/parallel/least_place.h"
 
 namespace pseudorigid::continuum {
 

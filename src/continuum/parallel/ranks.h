@@ -4,8 +4,12 @@
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include "continuum/parallel/least_place.h"
 
 namespace pseudorigid::continuum {
 
@@ -30,10 +34,28 @@ Eigen::Matrix<double, rows, columns> sum_over_ranks(const Eigen::Matrix<double, 
   return sum;
 }
 
+template <std::size_t n>
+std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Comm communicator) {
+  std::array<double, n> sum;
+  dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(values.data(), n), communicator,
+                              dealii::ArrayView<double>(sum.data(), n));
+  return sum;
+}
+
 /// The least over the ranks, a NaN counting as −∞.
 inline double least_over_ranks(double value, MPI_Comm communicator) {
   return dealii::Utilities::MPI::min(std::isnan(value) ? -std::numeric_limits<double>::infinity() : value,
                                      communicator);
+}
+
+inline LeastPlace least_over_ranks(const LeastPlace& own, MPI_Comm communicator) {
+  const std::array<double, 4> entry{own.value, own.where[0], own.where[1], own.where[2]};
+  std::vector<std::array<double, 4>> entries(n_ranks(communicator), entry);
+  if (entries.size() > 1)
+    MPI_Allgather(entry.data(), entry.size(), MPI_DOUBLE, entries.data(), entry.size(), MPI_DOUBLE, communicator);
+  LeastPlace least;
+  for (const auto& [value, x, y, z] : entries) least.take(value, {x, y, z});
+  return least;
 }
 
 }  // namespace pseudorigid::continuum

@@ -3,9 +3,6 @@
 /// a motion has gathered, that with the greatest x counts, then y, then z: neither round-off nor the number of ranks
 /// decides.
 
-#include <deal.II/base/mpi.h>
-#include <deal.II/base/point.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,26 +12,18 @@ namespace pseudorigid::continuum {
 
 struct LeastPlace {
   double value = std::numeric_limits<double>::infinity();
-  dealii::Point<3> where;
+  std::array<double, 3> where{};
 
   /// A NaN is less than all.
-  void take(double other, const dealii::Point<3>& there) {
+  void take(double other, const std::array<double, 3>& there) {
     if (std::isnan(value)) return;
     const double tie = 1e-6 * std::abs(other);
     if (std::isnan(other) || other < value - tie || (other <= value + tie && is_greater(there, where))) where = there;
     value = std::isnan(other) ? other : std::min(value, other);
   }
 
-  /// Of all ranks.
-  void take_others(MPI_Comm communicator) {
-    const std::array<double, 4> own{value, where[0], where[1], where[2]};
-    const auto all = dealii::Utilities::MPI::all_gather(communicator, own);
-    *this = {};
-    for (const auto& [v, x, y, z] : all) take(v, {x, y, z});
-  }
-
  private:
-  static bool is_greater(const dealii::Point<3>& a, const dealii::Point<3>& b) {
+  static bool is_greater(const std::array<double, 3>& a, const std::array<double, 3>& b) {
     for (int c = 0; c < 3; ++c)
       if (std::abs(a[c] - b[c]) > 1e-9) return a[c] > b[c];
     return false;

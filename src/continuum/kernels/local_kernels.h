@@ -1,0 +1,67 @@
+#pragma once
+/// The integrals of cell_kernels.h over the cells of one process, for the entries of its vectors as they lie in memory:
+/// its own, then those of ghost nodes, which are up to date. What is added to a ghost node is its owner's to collect.
+/// Nothing of deal.II is known here, so that the kernels compile in a few seconds a degree.
+
+#include <array>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "continuum/kernels/point_law.h"
+#include "continuum/mesh/reference_cell.h"
+#include "continuum/parallel/least_place.h"
+
+namespace pseudorigid::continuum {
+
+/// What the kernels are made of. All of it outlives them.
+struct LocalCells {
+  const ReferenceCell& reference;
+  const std::vector<std::vector<unsigned int>>& nodes;  ///< of a cell, first direction fastest
+  const double* positions;                              ///< X, entry 3·node + component
+};
+
+/// Integrals over the computed sector that observables are made of.
+struct CellIntegrals {
+  using Matrix = std::array<std::array<double, 3>, 3>;
+  double elastic = 0;      ///< ∫W dX
+  double volume = 0;       ///< ∫J dX
+  Matrix F{};              ///< ∫F dX
+  Matrix X_pulled_back{};  ///< ∫ρ X ⊗ (Fᵀẋ) dX
+};
+
+/// Calls `use(cell, values)` for each cell.
+using UseRows = std::function<void(unsigned int, std::span<const double>)>;
+
+/// A function of F, given row by row.
+using FunctionOfF = std::function<double(const double* F)>;
+
+class LocalKernels {
+ public:
+  virtual ~LocalKernels() = default;
+  /// Adds to f. Returns the least of J and of the law's reserve.
+  virtual double add_force(const double* x, double* f) const = 0;
+  virtual double constraint(const double* x, double* g) const = 0;
+  virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
+  virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;
+  virtual void add_reaction(const double* x, const double* lambda, double* f) const = 0;
+  virtual double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const = 0;
+  virtual CellIntegrals integrals(const double* x, const double* v) const = 0;
+  virtual LeastPlace locate_least_jacobian(const double* x) const = 0;
+  virtual LeastPlace locate_least(const double* x, const FunctionOfF& value) const = 0;
+  virtual LeastPlace locate_least_reserve(const double* x) const = 0;
+  virtual void multiplier_at_nodes(const double* lambda, unsigned int cell, std::span<double> values) const = 0;
+  virtual void constraint_rows(const double* x, const UseRows& use) const = 0;
+  virtual void pressure_basis_at_nodes(const UseRows& use) const = 0;
+  virtual double reference_volume() const = 0;
+  virtual double least_cell_volume() const = 0;
+  virtual std::size_t memory() const = 0;
+};
+
+/// One source file a degree defines it, compiled for the widest vectors of the machine.
+template <int degree>
+std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, std::unique_ptr<PointLaw> law);
+
+}  // namespace pseudorigid::continuum
