@@ -77,6 +77,18 @@ Json to_json(const Manifest& content) {
 
 std::string to_text(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
+std::string_view state_word(mechanics::Outcome outcome) {
+  switch (outcome) {
+    case mechanics::Outcome::finished:
+      return "done";
+    case mechanics::Outcome::interrupted:
+      return "interrupted";
+    case mechanics::Outcome::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
 /// Needs no more room than the file has.
 void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
   constexpr std::string_view running = "\"state\": \"running\"", failed = "\"state\": \"failed\" ";
@@ -94,7 +106,7 @@ void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept try {
   Json json = Json::parse(read_file(manifest));
   json["end"] = utc(SystemClock::now());
-  json["state"] = "failed";
+  json["state"] = state_word(mechanics::Outcome::failed);
   json["exit_code"] = exit_code;
   json["message"] = message;
   write_file_atomically(manifest, {to_text(json)});
@@ -135,37 +147,38 @@ std::string cpu_model() {
 
 ManifestFile::ManifestFile(std::filesystem::path path, Manifest content)
     : path_(std::move(path)), content_(std::move(content)), start_(SystemClock::now()) {
-  write("running", nullptr, {});
+  write(std::nullopt);
 }
 
 ManifestFile::~ManifestFile() {
   if (finished_) return;
   try {
-    write("failed", nullptr, {});
+    write(End{mechanics::Outcome::failed});
   } catch (const std::exception&) {
   }
 }
 
-void ManifestFile::finish(const std::string& state, int exit_code, const std::string& message) {
+void ManifestFile::finish(mechanics::Outcome outcome, int exit_code, const std::string& message) {
   finished_ = true;
-  write(state, &exit_code, message);
+  write(End{outcome, exit_code, message});
 }
 
-void ManifestFile::write(const std::string& state, const int* exit_code, const std::string& message) {
+void ManifestFile::write(const std::optional<End>& end) {
   Json json = to_json(content_);
   json["start"] = utc(start_);
-  if (state != "running") {
-    const auto end = SystemClock::now();
-    json["end"] = utc(end);
-    json["wall_seconds"] = std::chrono::duration<double>(end - start_).count();
+  json["state"] = "running";
+  if (end) {
+    const auto now = SystemClock::now();
+    json["end"] = utc(now);
+    json["wall_seconds"] = std::chrono::duration<double>(now - start_).count();
+    json["state"] = state_word(end->outcome);
+    if (end->exit_code) json["exit_code"] = *end->exit_code;
+    if (!end->message.empty()) json["message"] = end->message;
   }
-  json["state"] = state;
-  if (exit_code != nullptr) json["exit_code"] = *exit_code;
-  if (!message.empty()) json["message"] = message;
   try {
     write_file_atomically(path_, {to_text(json)});
   } catch (const WriteError&) {
-    if (state != "running") replace_running_by_failed(path_);
+    if (end) replace_running_by_failed(path_);
     throw;
   }
 }

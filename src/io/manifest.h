@@ -4,10 +4,12 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/build_info.h"
+#include "mechanics/core/outcome.h"
 #include "scene/catalogue.h"
 #include "scene/print_scene.h"
 
@@ -41,12 +43,18 @@ class ManifestFile {
 
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
-  /// `state`: done, interrupted, failed; `message` is the sentence the user saw, if any. Where the disk has no room for
-  /// a new file the old one says "failed" in place of "running", and the WriteError goes on.
-  void finish(const std::string& state, int exit_code, const std::string& message = {});
+  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. Where the
+  /// disk has no room for a new file the old one says "failed" in place of "running", and the WriteError goes on.
+  void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
  private:
-  void write(const std::string& state, const int* exit_code, const std::string& message);
+  struct End {
+    mechanics::Outcome outcome;
+    std::optional<int> exit_code{};
+    std::string message{};
+  };
+  /// No end: the run is on its way.
+  void write(const std::optional<End>& end);
   std::filesystem::path path_;
   Manifest content_;
   std::chrono::system_clock::time_point start_;

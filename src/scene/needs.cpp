@@ -164,6 +164,7 @@ Needs needs(const Scene& scene) {
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
   needs.quantities.nonaffine = needs.quantities.nonaffine && needs.discretized;
+  needs.surface_watch = needs.discretized && needs.constraint;
   if (needs.discretized) needs.sector = sector(scene);
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,

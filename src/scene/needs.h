@@ -18,6 +18,7 @@ struct Needs {
   bool pressure_space = false;                  ///< of the discretized model
   bool comparison = false;                      ///< of the others with the last of the models
   bool companion = false;                       ///< a run on another discretisation, for the error of the first
+  bool surface_watch = false;                   ///< of the discretized model: has its surface reached its law's limit
   bool graphics = false;                        ///< files for ParaView
   bool report = false;                          ///< report.html, and shapes.csv of a discretized model
   Quantities quantities;                        ///< the observables to evaluate

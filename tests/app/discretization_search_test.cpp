@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "app/models/catalogue.h"
+#include "app/run/model_files.h"
 #include "app/search/error_estimate.h"
 #include "support/scratch_directory.h"
 
@@ -32,8 +33,8 @@ struct Law {
 /// The continuum: Q = Id, but for the error at one sample, and as many forces as the stable step takes.
 struct Continuum {
   Law law;
-  std::function<ModelOutcome::State(const scene::Discretization&)> state = [](const auto&) {
-    return ModelOutcome::State::finished;
+  std::function<mechanics::Outcome(const scene::Discretization&)> end = [](const auto&) {
+    return mechanics::Outcome::finished;
   };
   std::vector<Call> calls{};
 
@@ -42,14 +43,16 @@ struct Continuum {
   }
   static double forces(const scene::Discretization& d) { return 8 * d.degree * std::ldexp(d.degree, d.refinements); }
 
-  ModelOutcome operator()(const RunContext& c) {
-    const scene::Discretization d = c.discretization;
-    calls.push_back({d, !c.rows, c.stepping.has_value(), c.stepping ? c.stepping->step : 0, c.scene.time.tolerance});
-    ModelOutcome outcome{.state = state(d), .message = "stopped", .statistics = {}};
+  ModelOutcome operator()(const RunContext& context, const ContinuumTask& task) {
+    const scene::Discretization d = task.discretization;
+    const bool written = context.sink_of(context, "continuum")->keeps_states();
+    calls.push_back(
+        {d, written, task.stepping.has_value(), task.stepping ? task.stepping->step : 0, context.scene.time.tolerance});
+    ModelOutcome outcome{.end = end(d), .message = "stopped", .statistics = {}};
     outcome.statistics.counters = {{"unknowns", unknowns(d)}, {"forces", forces(d)}};
-    outcome.stepping = KnownStepping{mechanics::id_of<mechanics::Rattle4>, 0.1};
-    for (int k = 0; c.trace && k <= n_samples; ++k) (*c.trace)[k] = Eigen::Matrix3d::Identity();
-    if (c.trace) (*c.trace)[law.in_step || d.degree % 2 ? 3 : 7](2, 2) += law.error(d);
+    outcome.stepping = Stepping{mechanics::id_of<mechanics::Rattle4>, 0.1};
+    for (int k = 0; task.trace && k <= n_samples; ++k) (*task.trace)[k] = Eigen::Matrix3d::Identity();
+    if (task.trace) (*task.trace)[law.in_step || d.degree % 2 ? 3 : 7](2, 2) += law.error(d);
     return outcome;
   }
 };
@@ -72,8 +75,8 @@ class DiscretizationSearchTest : public ::testing::Test {
                              .directory = directory,
                              .units = io::ball_units(1, 1, 1),
                              .log = io::make_logger(io::Verbosity::silent, {}),
-                             .resume = resume,
-                             .show_progress = false};
+                             .sink_of = files_of_models(false),
+                             .resumes = resume};
     if (scene::fixed_discretization(scene_)) return run_with_estimate(context, std::ref(continuum));
     return DiscretizationSearch(context, std::ref(continuum)).run();
   }
@@ -146,7 +149,7 @@ TEST_F(DiscretizationSearchTest, HonoursAFixedDegreeOrRefinement) {
 TEST_F(DiscretizationSearchTest, TakesTheFinestWhereNoneSuffices) {
   Continuum continuum{.law = {[](const auto& d) { return 1 / scene::resolution(d); }}};
   const ModelOutcome outcome = search(continuum, 1e-6);
-  EXPECT_EQ(outcome.state, ModelOutcome::State::finished);
+  EXPECT_EQ(outcome.end, mechanics::Outcome::finished);
   EXPECT_EQ(continuum.calls.back().discretization, scene::ladder(scene_).back());
   EXPECT_GT(outcome.statistics.counters.at("estimated_space_error"), 1e-6);
 }
@@ -156,10 +159,10 @@ TEST_F(DiscretizationSearchTest, GoesOnAfterAnInterruptWithoutRepeatingARun) {
   const ModelOutcome expected = search(whole, 1e-4);
   for (std::size_t stop = 0; stop < whole.calls.size(); ++stop) {
     Continuum parts{.law = laws[1]};
-    parts.state = [&](const auto&) {
-      return parts.calls.size() == stop + 1 ? ModelOutcome::State::interrupted : ModelOutcome::State::finished;
+    parts.end = [&](const auto&) {
+      return parts.calls.size() == stop + 1 ? mechanics::Outcome::interrupted : mechanics::Outcome::finished;
     };
-    EXPECT_EQ(search(parts, 1e-4).state, ModelOutcome::State::interrupted);
+    EXPECT_EQ(search(parts, 1e-4).end, mechanics::Outcome::interrupted);
     const ModelOutcome resumed = search(parts, 1e-4, true);
     EXPECT_EQ(resumed.statistics.counters, expected.statistics.counters);
     EXPECT_EQ(parts.calls.size(), whole.calls.size() + 1);  // that in hand, twice
@@ -172,19 +175,19 @@ TEST_F(DiscretizationSearchTest, GoesOnAfterAnInterruptWithoutRepeatingARun) {
 
 TEST_F(DiscretizationSearchTest, PassesOverAMeshThatIsTooCoarseForTheMotion) {
   Continuum continuum{.law = laws[0]};
-  continuum.state = [](const auto& d) {
-    return d.degree == 2 && d.refinements == 0 ? ModelOutcome::State::failed : ModelOutcome::State::finished;
+  continuum.end = [](const auto& d) {
+    return d.degree == 2 && d.refinements == 0 ? mechanics::Outcome::failed : mechanics::Outcome::finished;
   };
   const ModelOutcome outcome = search(continuum, 1e-3);
-  EXPECT_EQ(outcome.state, ModelOutcome::State::finished);
+  EXPECT_EQ(outcome.end, mechanics::Outcome::finished);
   EXPECT_LE(laws[0].error(continuum.calls.back().discretization), 1e-3);
 }
 
 TEST_F(DiscretizationSearchTest, StopsWhereTheMotionBreaksOff) {
   Continuum continuum{.law = laws[0]};
-  continuum.state = [](const auto&) { return ModelOutcome::State::failed; };
+  continuum.end = [](const auto&) { return mechanics::Outcome::failed; };
   const ModelOutcome outcome = search(continuum, 1e-3);
-  EXPECT_EQ(outcome.state, ModelOutcome::State::failed);
+  EXPECT_EQ(outcome.end, mechanics::Outcome::failed);
   ASSERT_EQ(continuum.calls.size(), 3u);
   EXPECT_TRUE(continuum.calls.back().written);
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/run/model_files.h"
 #include "app/run/refuses_method.h"
 #include "app/systems/system_run.h"
 #include "examples/spherical_pendulum_scene.h"
@@ -37,9 +38,14 @@ class SphericalPendulumProgram : public scene::test::SceneFiles {
     const auto needs = scene::needs(scene);
     const io::RunDirectory directory(folder_ / "run");
     directory.prepare_fresh();
-    const RunContext context{scene, needs, directory, {}, io::make_logger(io::Verbosity::silent, {}), false, false};
+    const RunContext context{.scene = scene,
+                             .needs = needs,
+                             .directory = directory,
+                             .units = {},
+                             .log = io::make_logger(io::Verbosity::silent, {}),
+                             .sink_of = files_of_models(false)};
     const ModelOutcome outcome = run_system(system_, context);
-    EXPECT_EQ(outcome.state, ModelOutcome::State::finished) << outcome.message;
+    EXPECT_EQ(outcome.end, mechanics::Outcome::finished) << outcome.message;
     return io::read_csv(directory.csv(name));
   }
 };

@@ -131,7 +131,7 @@ TEST(Manifest, TellsWhatRanAndHowItEnded) {
   EXPECT_FALSE(manifest_in(scratch).contains("end"));
   file.content().models["reduced"].counters["steps"] = 1e6;
   file.content().models["reduced"].timers["stepping"] = 0.25;
-  file.finish("done", 0);
+  file.finish(mechanics::Outcome::finished, 0);
   const auto json = manifest_in(scratch);
   EXPECT_EQ(json["state"], "done");
   EXPECT_EQ(json["exit_code"], 0);
@@ -153,7 +153,7 @@ TEST(Manifest, AnExceptionLeavesOneThatSaysFailed) {
   } catch (const std::runtime_error&) {
   }
   EXPECT_EQ(manifest_in(scratch)["state"], "failed");
-  ManifestFile(scratch / "manifest.json", {}).finish("failed", 3, "det F = -0.1");
+  ManifestFile(scratch / "manifest.json", {}).finish(mechanics::Outcome::failed, 3, "det F = -0.1");
   EXPECT_EQ(manifest_in(scratch)["message"], "det F = -0.1");
   EXPECT_EQ(manifest_in(scratch)["exit_code"], 3);
 }
@@ -162,7 +162,7 @@ TEST(Manifest, WithoutRoomForANewFileTheOldOneSaysFailed) {
   const ScratchDirectory scratch;
   ManifestFile file(scratch / "manifest.json", titled("\"state\": \"running\""));
   std::filesystem::create_directory(scratch / "manifest.json.partial");
-  EXPECT_THROW(file.finish("interrupted", 3), WriteError);
+  EXPECT_THROW(file.finish(mechanics::Outcome::interrupted, 3), WriteError);
   EXPECT_EQ(manifest_in(scratch)["state"], "failed");
   EXPECT_EQ(manifest_in(scratch)["title"], "\"state\": \"running\"");
 }

@@ -11,6 +11,7 @@
 #include "app/ranks/on_all_ranks.h"
 #include "app/reduced/ball_equilibria.h"
 #include "app/run/model_checkpoint.h"
+#include "app/run/model_files.h"
 #include "app/run/run_models.h"
 #include "app/run/scene_to_model.h"
 #include "app/search/discretization_search.h"
@@ -29,17 +30,14 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model and notes it in the manifest. False: the run ends here.
-bool run_model(const std::string& name, RunModel run, const RunContext& context, io::ManifestFile& manifest,
-               std::string& message, bool& interrupted) {
+/// Runs one model and notes it in the manifest.
+ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
   if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // an equilibrium has none
     context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
-                      context.resume ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
-  manifest.content().models[name] = std::move(outcome.statistics);
-  interrupted = outcome.state == ModelOutcome::State::interrupted;
-  message = std::move(outcome.message);
-  return outcome.state == ModelOutcome::State::finished;
+                      context.resumes ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
+  manifest.content().models[std::string(name)] = outcome.statistics;
+  return outcome;
 }
 
 /// What may leave files of its own name: the models, and every system of the catalogue.
@@ -71,53 +69,48 @@ RunContext context_of(const scene::ModelDescription& model, const RunContext& co
   return of_model;
 }
 
-int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
-  std::string message;
-  bool interrupted = false, complete = true;
-  if (const auto* system = context.needs.system)
-    complete = run_model(std::string(system->file), run_system, context, manifest, message, interrupted);
-  for (const scene::ModelDescription* model : context.needs.models)
-    if (complete)
-      complete = run_model(std::string(model->name), executable.models.at(model->name),
-                           context_of(*model, context, executable), manifest, message, interrupted);
-  std::string not_printed;
-  if (context.needs.comparison && !interrupted) not_printed = compare_models(context, manifest.content(), quiet);
-  if (complete) {
+/// What remains to be said of a run, in the log and in the manifest. Returns the exit code.
+int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
+            const RunContext& context, io::ManifestFile& manifest) {
+  if (outcome == mechanics::Outcome::finished)
     context.log->info("results are in {}", context.directory.path().string());
-    if (!not_printed.empty()) {
-      context.log->error("{}; the results are complete", not_printed);
-      manifest.finish("failed", exit_stopped, not_printed);
-      return exit_stopped;
-    }
-    manifest.finish("done", exit_done);
-    return exit_done;
+  else
+    context.log->error("{}{}", message, advice);
+  manifest.finish(outcome, exit_code, message);
+  return exit_code;
+}
+
+int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
+  using enum mechanics::Outcome;
+  ModelOutcome last;
+  if (const auto* system = context.needs.system) last = run_model(system->file, run_system, context, manifest);
+  for (const scene::ModelDescription* model : context.needs.models)
+    if (last.end == finished)
+      last =
+          run_model(model->name, executable.models.at(model->name), context_of(*model, context, executable), manifest);
+  std::string not_printed;
+  if (context.needs.comparison && last.end != interrupted)
+    not_printed = compare_models(context, manifest.content(), quiet);
+  if (last.end == finished && !not_printed.empty()) {
+    context.log->info("results are in {}", context.directory.path().string());
+    return end_run(failed, exit_stopped, not_printed, "; the results are complete", context, manifest);
   }
-  context.log->error("{}{}", message,
-                     !is_resumable(context) ? ""
-                     : interrupted          ? " (--resume goes on from there)"
-                                            : " (--resume goes on from there, with a smaller Time/Step perhaps)");
-  manifest.finish(interrupted ? "interrupted" : "failed", exit_stopped, message);
-  return exit_stopped;
+  const char* advice = !is_resumable(context)    ? ""
+                       : last.end == interrupted ? " (--resume goes on from there)"
+                                                 : " (--resume goes on from there, with a smaller Time/Step perhaps)";
+  return end_run(last.end, exit_code_of(last.end), last.message, advice, context, manifest);
 }
 
 int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
-                    io::ManifestFile& manifest) {
+                    io::ManifestFile& manifest, bool shows_progress) {
+  using enum mechanics::Outcome;
   const RunModel run = context.needs.system ? run_system : executable.models.at(context.needs.models.front()->name);
-  ModelOutcome outcome = run_sweep(raw, run, context);
-  manifest.content().models["sweep"] = std::move(outcome.statistics);
-  if (outcome.state == ModelOutcome::State::finished) {
-    context.log->info("results are in {}", context.directory.path().string());
-    manifest.finish("done", exit_done);
-    return exit_done;
-  }
-  if (outcome.state == ModelOutcome::State::failed) {
-    context.log->error("{}", outcome.message);
-    manifest.finish("failed", exit_wrong_input, outcome.message);
-    return exit_wrong_input;
-  }
-  context.log->error("{} (--resume goes on from there)", outcome.message);
-  manifest.finish("interrupted", exit_stopped, outcome.message);
-  return exit_stopped;
+  const ModelOutcome sweep = run_sweep(raw, run, context, shows_progress);
+  manifest.content().models["sweep"] = sweep.statistics;
+  // A sweep fails where the input of one of its runs is wrong.
+  const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
+  return end_run(sweep.end, exit_code, sweep.message, sweep.end == interrupted ? " (--resume goes on from there)" : "",
+                 context, manifest);
 }
 
 io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, const std::vector<std::string>& command,
@@ -154,7 +147,7 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   context.log->error("{}{}", failure.message,
                      goes_on ? "; what was written before is kept, and --resume goes on from the last checkpoint" : "");
   try {
-    if (manifest) manifest->finish("failed", failure.exit_code, failure.message);
+    if (manifest) manifest->finish(mechanics::Outcome::failed, failure.exit_code, failure.message);
   } catch (const io::WriteError&) {  // has been said
   }
   return failure.exit_code;
@@ -196,8 +189,14 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
   const io::RunLock lock = prepare(directory, read, options);
   const bool quiet = options.verbosity == io::Verbosity::quiet;
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
-  const RunContext context{
-      scene, needs, directory, units_of(scene), log, options.resume, !quiet && io::Progress::stderr_is_terminal()};
+  const bool shows_progress = !quiet && io::Progress::stderr_is_terminal();
+  const RunContext context{.scene = scene,
+                           .needs = needs,
+                           .directory = directory,
+                           .units = units_of(scene),
+                           .log = log,
+                           .sink_of = files_of_models(shows_progress),
+                           .resumes = options.resume};
   std::optional<io::ManifestFile> manifest;
   try {
     io::write_file_atomically(directory.used_prm(), {scene::to_prm(scene, read.origins)});
@@ -206,7 +205,7 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
     const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
-                                         : run_whole_sweep(raw, context, executable, *manifest);
+                                         : run_whole_sweep(raw, context, executable, *manifest, shows_progress);
     if (needs.report) add_report(context);
     return code;
   } catch (const std::exception& error) {
@@ -219,14 +218,18 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
   const scene::Needs needs = needs_with_effort(scene);
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   io::install_signal_handlers();
-  RunContext context{
-      scene,          needs, directory, units_of(scene), io::make_logger(io::Verbosity::silent, std::nullopt),
-      options.resume, false};
-  context.ranks = executable.ranks;
+  const RunContext context{.scene = scene,
+                           .needs = needs,
+                           .directory = directory,
+                           .units = units_of(scene),
+                           .log = io::make_logger(io::Verbosity::silent, std::nullopt),
+                           .sink_of = files_of_models(false),
+                           .resumes = options.resume,
+                           .ranks = executable.ranks};
   int code = exit_done;
   auto model = std::ranges::find_if(needs.models, &scene::ModelDescription::discretized);
   while (executable.ranks->of_first(false)) try {
-      if (executable.models.at((*model)->name)(context).state != ModelOutcome::State::finished) code = exit_stopped;
+      if (executable.models.at((*model)->name)(context).end != mechanics::Outcome::finished) code = exit_stopped;
       model = std::find_if(model + 1, needs.models.end(), [](const auto* next) { return next->discretized; });
     } catch (const FailureOnAllRanks& error) {
       code = error.failure().exit_code;

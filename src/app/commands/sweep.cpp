@@ -61,8 +61,13 @@ class SweepRun {
   RunResult run(int k) const {
     RunResult result;
     const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
-    const RunContext context{scene, context_.needs, context_.directory, units_of(scene), silent_,
-                             false, false,          &result.rows};
+    const RunContext context{
+        .scene = scene,
+        .needs = context_.needs,
+        .directory = context_.directory,
+        .units = units_of(scene),
+        .log = silent_,
+        .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
     result.outcome = run_(context);
     return result;
   }
@@ -91,7 +96,7 @@ class SweepRun {
     for (const auto& parameter : raw_.scene.sweep) row.push_back(values.at(parameter.name));
     const io::Table& table = result.rows;
     const std::size_t n = table.n_rows();
-    row.push_back(result.outcome.state == ModelOutcome::State::finished);
+    row.push_back(result.outcome.end == mechanics::Outcome::finished);
     row.push_back(n > 0 ? table.row(n - 1)[0] : 0);
     const auto& counters = result.outcome.statistics.counters;
     for (const char* name : {"steps", "forces", "estimated_time_error"}) {
@@ -142,8 +147,8 @@ class Workers {
     try {
       for (k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
         const RunResult result = sweep_.run(k);
-        if (result.outcome.state == ModelOutcome::State::interrupted) return;
-        if (result.outcome.state == ModelOutcome::State::failed) note_failure(k, result.outcome.message);
+        if (result.outcome.end == mechanics::Outcome::interrupted) return;
+        if (result.outcome.end == mechanics::Outcome::failed) note_failure(k, result.outcome.message);
         rows_.deliver(k, sweep_.row(k, result));
       }
     } catch (const UserError& error) {
@@ -191,22 +196,22 @@ void check_sweep(const scene::ReadScene& raw) {
     }
 }
 
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context) {
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context, bool shows_progress) {
   const auto start = std::chrono::steady_clock::now();
   const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
   const SweepRun sweep(raw, run, context);
-  SweepRows rows(context, sweep.columns(), n);
+  SweepRows rows(context, sweep.columns(), n, shows_progress);
   Workers workers(sweep, raw.scene.sweep, context, rows);
   workers.work(n_threads);
   rows.finish();
 
   ModelOutcome outcome;
   if (const auto& wrong = workers.wrong_input()) {
-    outcome.state = ModelOutcome::State::failed;
+    outcome.end = mechanics::Outcome::failed;
     outcome.message = fmt::format("{} (in {}); the {} rows before are kept", wrong->second,
                                   describe_run(raw.scene.sweep, wrong->first), rows.n_written());
   } else if (rows.n_written() < n) {
-    outcome.state = ModelOutcome::State::interrupted;
+    outcome.end = mechanics::Outcome::interrupted;
     outcome.message = fmt::format("sweep interrupted after {} of {} runs", rows.n_written(), n);
   }
   auto& statistics = outcome.statistics;

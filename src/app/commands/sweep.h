@@ -19,6 +19,6 @@ namespace pseudorigid::app {
 void check_sweep(const scene::ReadScene& raw);
 
 /// `context` is that of the first run, `run` runs what moves.
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context);
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context, bool shows_progress);
 
 }  // namespace pseudorigid::app

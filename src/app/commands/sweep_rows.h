@@ -20,15 +20,15 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";
 
-  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int n_runs)
+  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int n_runs, bool shows_progress)
       : identity_(run_identity(context.scene)),
         checkpoint_path_(context.directory.checkpoint(name)),
         n_runs_(n_runs),
-        progress_(name, context.show_progress, "runs") {
+        progress_(name, shows_progress, "runs") {
     const auto path = context.directory.csv(name);
-    if (context.resume) n_written_ = static_cast<int>(io::Checkpoint::load(checkpoint_path_).get_integer("rows"));
-    csv_.emplace(context.resume ? io::CsvWriter::resume(path, columns, n_written_)
-                                : io::CsvWriter::create(path, columns));
+    if (context.resumes) n_written_ = static_cast<int>(io::Checkpoint::load(checkpoint_path_).get_integer("rows"));
+    csv_.emplace(context.resumes ? io::CsvWriter::resume(path, columns, n_written_)
+                                 : io::CsvWriter::create(path, columns));
     save();
   }
 

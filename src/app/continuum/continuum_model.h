@@ -8,6 +8,7 @@
 #include "app/run/mesh_file.h"
 #include "app/run/model_run.h"
 #include "app/run/scene_to_model.h"
+#include "app/search/continuum_run.h"
 #include "continuum/output/material_faces.h"
 #include "continuum/output/nodal_fields.h"
 #include "continuum/output/observe.h"
@@ -30,10 +31,12 @@ class ContinuumModel {
   /// error (measured at Time/Tolerance = 1e-3 and 1e-4, t = 10), so the pilot gets this part of the tolerance.
   static constexpr double pilot_reserve = 0.4;
 
-  explicit ContinuumModel(const RunContext& context)
+  ContinuumModel(const RunContext& context, const ContinuumTask& task)
       : context_(context),
+        trace_(task.trace),
         law_(internal_law(context.scene)),
-        ball_(mesh_of(context), context.discretization.degree, law_, internal_loads(context.scene)),
+        ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree, law_,
+              internal_loads(context.scene)),
         rank_order_(ball_.space()),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
@@ -66,16 +69,15 @@ class ContinuumModel {
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     trajectory_.row(time, observables_, row);
-    if (context_.trace) (*context_.trace)[sample_at(time)] = configuration(state);
+    if (trace_) (*trace_)[sample_at(time)] = configuration(state);
     wrinkling_.look(time, ball_.space(), state.q);
     return {};
   }
   void take_up(const io::Table& rows) {
-    if (!context_.trace || !rows.has_column("Q11")) return;
+    if (!trace_ || !rows.has_column("Q11")) return;
     const std::size_t first = rows.column_index("Q11");
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
-      (*context_.trace)[sample_at(rows.row(n)[0])] =
-          Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
+      (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
 
   mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
@@ -140,9 +142,8 @@ class ContinuumModel {
   long sample_at(double time) const {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
-  static continuum::BallMesh mesh_of(const RunContext& context) {
+  static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
-    const int n_refinements = context.discretization.refinements;
     if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
     const CenteredMesh body = read_mesh_file(context.scene);
     if (body.is_moved)
@@ -175,6 +176,7 @@ class ContinuumModel {
   }
 
   const RunContext& context_;
+  DeformationTrace* trace_;  ///< null: nobody asks for it
   materials::AnyLaw law_;
   System ball_;
   continuum::RankOrder rank_order_;

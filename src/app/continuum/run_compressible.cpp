@@ -4,9 +4,9 @@
 
 namespace pseudorigid::app {
 
-ModelOutcome run_compressible(const RunContext& context) {
-  ContinuumModel<continuum::CompressibleBall> model(context);
-  return ModelRun(model, context).run();
+ModelOutcome run_compressible(const RunContext& context, const ContinuumTask& task) {
+  ContinuumModel<continuum::CompressibleBall> model(context, task);
+  return ModelRun(model, context, task.stepping).run();
 }
 
 }  // namespace pseudorigid::app

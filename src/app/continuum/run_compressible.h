@@ -1,10 +1,10 @@
 #pragma once
 /// The compressible continuum, in a source file of its own, which compiles beside that of the incompressible one.
 
-#include "app/run/run_context.h"
+#include "app/search/continuum_run.h"
 
 namespace pseudorigid::app {
 
-ModelOutcome run_compressible(const RunContext& context);
+ModelOutcome run_compressible(const RunContext& context, const ContinuumTask& task);
 
 }  // namespace pseudorigid::app

@@ -8,10 +8,10 @@
 namespace pseudorigid::app {
 namespace {
 
-ModelOutcome run_ball(const RunContext& context) {
-  if (!context.scene.body.incompressible) return run_compressible(context);
-  ContinuumModel<continuum::ElasticBall> model(context);
-  return ModelRun(model, context).run();
+ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
+  if (!context.scene.body.incompressible) return run_compressible(context, task);
+  ContinuumModel<continuum::ElasticBall> model(context, task);
+  return ModelRun(model, context, task.stepping).run();
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["eigenpairs"] = report.n_eigenpairs;
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
   if (!status) {
-    outcome.state = ModelOutcome::State::failed;
+    outcome.end = mechanics::Outcome::failed;
     outcome.message = status.reason();
     return outcome;
   }

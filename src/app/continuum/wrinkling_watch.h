@@ -16,7 +16,7 @@ namespace pseudorigid::app {
 class WrinklingWatch {
  public:
   WrinklingWatch(const RunContext& context, const materials::AnyLaw& law) : context_(context) {
-    if (context.scene.body.incompressible && !context.rows) limit_ = materials::surface_limit(law);
+    if (context.needs.surface_watch) limit_ = materials::surface_limit(law);
   }
 
   void look(double time, const continuum::BallSpace& space, const continuum::Vector& x) {

@@ -4,9 +4,15 @@
 #include <exception>
 #include <string>
 
+#include "mechanics/core/outcome.h"
+
 namespace pseudorigid::app {
 
 constexpr int exit_done = 0, exit_defect = 1, exit_wrong_input = 2, exit_stopped = 3;
+
+constexpr int exit_code_of(mechanics::Outcome outcome) {
+  return outcome == mechanics::Outcome::finished ? exit_done : exit_stopped;
+}
 
 struct Failure {
   int exit_code;

@@ -187,7 +187,7 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   for (const auto& missing : family.missing)
     context.log->warn("no equilibrium at {} = {:.9g}: {}", name, missing.parameter, missing.reason);
   if (family.points.empty()) {
-    outcome.state = ModelOutcome::State::failed;
+    outcome.end = mechanics::Outcome::failed;
     outcome.message = "the family has no member in this range";
     return outcome;
   }

@@ -1,10 +1,12 @@
 #pragma once
-/// One model's run, the same for all systems: choice of method and step, time loop, CSV rows, pictures, checkpoints,
-/// progress.
+/// One model's run, the same for all systems: choice of method and step, time loop, and what goes to its sink: rows,
+/// pictures, checkpoints, progress.
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,13 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/ranks/on_all_ranks.h"
 #include "app/run/model_checkpoint.h"
-#include "app/run/model_files.h"
 #include "app/run/model_stepping.h"
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
-#include "io/csv.h"
-#include "io/progress.h"
 #include "mechanics/methods/time_loop.h"
 
 namespace pseudorigid::app {
@@ -32,24 +32,23 @@ class ModelRun {
   using Outcome = mechanics::Outcome;
 
  public:
-  ModelRun(Model& model, const RunContext& context)
+  /// `stepping`: found by another run of the scene, in place of a search.
+  ModelRun(Model& model, const RunContext& context, const std::optional<Stepping>& stepping = {})
       : model_(model),
         context_(context),
-        identity_(context.rows ? RunIdentity{} : run_identity(context.scene)),
-        checkpoint_path_(context.directory.checkpoint(model.name)),
+        sink_(context.sink_of(context, model.name)),
+        identity_(sink_->keeps_states() ? run_identity(context.scene) : RunIdentity{}),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
-        stepping_(model, context, times_.end, times_.interval()),
-        files_(context, model.name),
-        state_(model.initial_state()),
-        progress_(model.name, context.show_progress) {
+        stepping_(model, context, stepping, times_.end, times_.interval()),
+        state_(model.initial_state()) {
     good_.state = state_;
   }
 
   ModelOutcome run() {
     const auto start = Clock::now();
     if (Status status = begin(); !status) {
-      if (context_.interrupted()) return outcome(ModelOutcome::State::interrupted, status.reason(), start);
-      return outcome(ModelOutcome::State::failed, stopped(state_.t, status.reason()), start);
+      if (context_.interrupted()) return outcome(Outcome::interrupted, status.reason(), start);
+      return outcome(Outcome::failed, stopped(state_.t, status.reason()), start);
     }
     mechanics::RunResult result;
     if (next_stepping_) result = run_until(position_.cursor.sample + 1);
@@ -57,7 +56,7 @@ class ModelRun {
       if (next_stepping_) step_anew();
       result = run_until(times_.n_samples);
     }
-    progress_.finish();
+    sink_->progress_ends();
     return end(std::move(result), start);
   }
 
@@ -65,18 +64,18 @@ class ModelRun {
 
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
-    const double time = files_.time_of_sample(k);
+    const double time = context_.time_of_sample(k);
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
       return Status::failure("the motion has grown beyond what numbers can hold");
     measure_constraint(state);
-    files_.append(row_);
-    if constexpr (requires { model_.write_frame(checkpoint_path_, state, system_workspace); })
-      if (files_.wants_frame(k))
-        files_.draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
+    sink_->append(row_);
+    if constexpr (requires { model_.write_frame(std::filesystem::path(), state, system_workspace); })
+      if (sink_->wants_frame(k))
+        sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
     if constexpr (has_shapes)
-      if (files_.wants_shape(k)) files_.append_shape(model_.shape(time, state));
+      if (sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
     position_.cursor = {k, 0};
     position_.steps_in_interval = 0;
     if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
@@ -103,7 +102,7 @@ class ModelRun {
     if (stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
     if (++steps_since_look_ < Model::steps_between_looks) return true;
     steps_since_look_ = 0;
-    progress_.step(state.t / times_.end);
+    sink_->progress(state.t / times_.end);
     const bool interrupted = context_.interrupted();
     const bool due = context_.ranks->of_first(Clock::now() - last_save_ > seconds_between_checkpoints);
     if (interrupted || due) {
@@ -130,7 +129,7 @@ class ModelRun {
       return std::type_identity<NoLayout>();
   }())::type;
 
-  struct Stepping {
+  struct NextStepping {
     mechanics::MethodId method;
     double step, local_tolerance;
     std::string entries;  ///< of the scene, as in RunIdentity
@@ -152,7 +151,7 @@ class ModelRun {
       layout_.emplace(model_.rank_order());
       workspace.visit_memory(*layout_);
     }
-    files_.together([&] {
+    on_all_ranks(*context_.ranks, [&] {
       take_own_memory();
       if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
     });
@@ -195,25 +194,22 @@ class ModelRun {
 
   Status begin() {
     const std::vector<std::string> columns = model_.columns();
-    if (context_.rows) *context_.rows = {columns, {}};
-    if (files_.exists_to_resume(checkpoint_path_)) {
-      if (Status status = restore(); !status) return status;
+    if (const std::optional<io::Checkpoint> left = sink_->state_to_resume()) {
+      if (Status status = restore(*left); !status) return status;
       // A run that stands at the very start takes sample 0 again.
       const mechanics::Cursor& at = position_.cursor;
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
-      files_.resume(columns, n_samples_taken);
+      sink_->resume(columns, n_samples_taken);
       if constexpr (has_shapes)
-        if (files_.has_shapes()) files_.resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
+        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
-        files_.together([&] {
-          if (n_samples_taken > 0) model_.take_up(io::read_csv(context_.directory.csv(model_.name)));
-        });
+        if (n_samples_taken > 0) model_.take_up(sink_->rows_so_far());
       context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
     } else {
       const Status status = stepping_.choose(state_, position_, statistics_);
-      files_.create(columns);
+      sink_->create(columns);
       if constexpr (has_shapes)
-        if (files_.has_shapes()) files_.create_shapes(model_.shape_columns());
+        if (sink_->has_shapes()) sink_->create_shapes(model_.shape_columns());
       // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
       // gives where none was found.
       save(good_);
@@ -265,10 +261,8 @@ class ModelRun {
       return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
   }
 
-  Status restore() {
-    io::Checkpoint file;
-    files_.together([&] {
-      file = io::Checkpoint::load(checkpoint_path_);
+  Status restore(const io::Checkpoint& file) {
+    on_all_ranks(*context_.ranks, [&] {
       from_checkpoint(file, good_);
       take_vectors(file);
     });
@@ -305,23 +299,19 @@ class ModelRun {
   }
 
   void save(Snapshot<System>& snapshot) {
-    if (context_.rows) return;
+    if (!sink_->keeps_states()) return;
     const SavedVectors vectors = vectors_to_save(snapshot);
-    files_.together([&] {
-      if (!context_.writes()) return;
-      files_.flush();
-      to_checkpoint(identity_, snapshot, vectors).save(checkpoint_path_);
-    });
+    sink_->save([&] { return to_checkpoint(identity_, snapshot, vectors); });
     last_save_ = Clock::now();
   }
 
   ModelOutcome end(mechanics::RunResult result, Clock::time_point start) {
     if (result.outcome == Outcome::interrupted)
-      return outcome(ModelOutcome::State::interrupted, "interrupted at t = " + physical_time(result.t), start);
+      return outcome(Outcome::interrupted, "interrupted at t = " + physical_time(result.t), start);
     save(good_);
-    if (result.outcome == Outcome::finished) return outcome(ModelOutcome::State::finished, "", start);
-    return outcome(ModelOutcome::State::failed,
-                   stopped(result.t, result.reason) + (context_.rows ? "" : "; " + saved_state()), start);
+    if (result.outcome == Outcome::finished) return outcome(Outcome::finished, "", start);
+    return outcome(Outcome::failed,
+                   stopped(result.t, result.reason) + (sink_->keeps_states() ? "; " + saved_state() : ""), start);
   }
 
   std::string saved_state() const {
@@ -341,7 +331,7 @@ class ModelRun {
     return text;
   }
 
-  ModelOutcome outcome(ModelOutcome::State state, const std::string& message, Clock::time_point start) {
+  ModelOutcome outcome(Outcome end, const std::string& message, Clock::time_point start) {
     const mechanics::Counters& n = counters_;
     auto& c = statistics_.counters;
     c["steps"] = static_cast<double>(n.n_steps);
@@ -356,27 +346,25 @@ class ModelRun {
       c["max_scaled_constraint_rate"] = position_.max_constraint_rate;
     }
     statistics_.timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
-    return {state, message.empty() ? message : std::string(model_.name) + " " + message, std::move(statistics_),
-            KnownStepping{position_.method, position_.step}};
+    return {end, message.empty() ? message : std::string(model_.name) + " " + message, std::move(statistics_),
+            Stepping{position_.method, position_.step}};
   }
 
   Model& model_;
   const RunContext& context_;
+  std::unique_ptr<ModelSink> sink_;
   RunIdentity identity_;
-  std::filesystem::path checkpoint_path_;
   mechanics::SampleTimes times_;
   ModelStepping<Model> stepping_;
-  ModelFiles files_;
   State state_;
   mechanics::Counters counters_;
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
   RunPosition position_;
-  std::optional<Stepping> next_stepping_;  ///< from the next sample on, if it changes
-  Status verdict_;                         ///< of the model on its state, where that ends the run
-  Snapshot<System> good_;                  ///< at the last sample: where a failed run is taken up again
-  bool memory_is_whole_ = false;           ///< that of good_, as it stands in the checkpoint
-  std::optional<MemoryLayout> layout_;     ///< of the method's memory, where vectors are distributed
-  io::Progress progress_;
+  std::optional<NextStepping> next_stepping_;  ///< from the next sample on, if it changes
+  Status verdict_;                             ///< of the model on its state, where that ends the run
+  Snapshot<System> good_;                      ///< at the last sample: where a failed run is taken up again
+  bool memory_is_whole_ = false;               ///< that of good_, as it stands in the checkpoint
+  std::optional<MemoryLayout> layout_;         ///< of the method's memory, where vectors are distributed
   io::Manifest::Model statistics_;
   std::vector<double> row_;
   Clock::time_point last_save_{};

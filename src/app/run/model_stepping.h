@@ -29,13 +29,15 @@ class ModelStepping {
   using Status = mechanics::Status;
 
  public:
-  ModelStepping(const Model& model, const RunContext& context, double end, double interval)
-      : model_(model), context_(context), end_(end), interval_(interval) {}
+  /// `known`: found by another run of the scene, in place of a search.
+  ModelStepping(const Model& model, const RunContext& context, const std::optional<Stepping>& known, double end,
+                double interval)
+      : model_(model), context_(context), known_(known), end_(end), interval_(interval) {}
 
   /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
   /// somebody is announced and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
-    if (context_.stepping) return take_over(*context_.stepping, state, position);
+    if (known_) return take_over(*known_, state, position);
     const std::optional<mechanics::MethodId> method = mechanics::find_method(context_.scene.time.method);  // or auto
     const double bound = step_bound();
     if (method && std::isfinite(bound) && !is_adaptive(*method)) {
@@ -137,7 +139,7 @@ class ModelStepping {
   long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
 
   /// What another run has found, the step no longer than stability admits here.
-  Status take_over(const KnownStepping& known, const State& state, RunPosition& position) const {
+  Status take_over(const Stepping& known, const State& state, RunPosition& position) const {
     position.method = known.method;
     position.step = known.step;
     if constexpr (mechanics::ConstrainedSystem<System>) {
@@ -185,6 +187,7 @@ class ModelStepping {
 
   const Model& model_;
   const RunContext& context_;
+  std::optional<Stepping> known_;
   double end_, interval_;
 };
 

@@ -1,30 +1,30 @@
 #pragma once
 /// What all models of one run share.
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "app/ranks/ranks.h"
-#include "app/run/deformation_trace.h"
+#include "app/run/model_sink.h"
 #include "entries/units.h"
-#include "io/csv.h"
 #include "io/log.h"
 #include "io/manifest.h"
 #include "io/run_directory.h"
 #include "io/signals.h"
 #include "mechanics/core/body_observables.h"
+#include "mechanics/core/outcome.h"
 #include "mechanics/methods/methods.h"
-#include "scene/discretization.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
 
-/// What a run steps with.
-struct KnownStepping {
-  mechanics::MethodId method;
-  double step;  ///< internal time, an upper bound
-};
+struct RunContext;
+
+/// Where the model of that name leaves what it finds.
+using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
 struct RunContext {
   const scene::Scene& scene;
@@ -32,20 +32,17 @@ struct RunContext {
   const io::RunDirectory& directory;
   io::Units units;
   std::shared_ptr<io::Logger> log;
-  bool resume;
-  bool show_progress;
-  io::Table* rows = nullptr;  ///< where the rows go instead of files, and no checkpoint is written (sweeps)
+  SinkOfModel sink_of;
+  bool resumes = false;  ///< goes on from what an earlier run has left in the directory
   const Ranks* ranks = &one_rank();
-  scene::Discretization discretization{};   ///< of the continuum
-  std::optional<KnownStepping> stepping{};  ///< found by another run of the scene, in place of a search
-  DeformationTrace* trace = nullptr;        ///< where the continuum leaves Q as it goes
 
   /// The scene's times in internal units.
   double internal_time(double physical) const { return physical / units.time; }
+  double time_of_sample(long k) const {
+    return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
+  }
   /// Whether Ctrl-C has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
-  /// Whether this process writes the results.
-  bool writes() const { return !rows && ranks->is_first(); }
   mechanics::ObservableRequest request() const {
     const scene::Quantities& q = needs.quantities;
     return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine, q.pressure, q.bipolar};
@@ -59,17 +56,23 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .directory = context.directory,
           .units = context.units,
           .log = context.log,
-          .resume = context.resume,
-          .show_progress = context.show_progress,
+          .sink_of = context.sink_of,
+          .resumes = context.resumes,
           .ranks = context.ranks};
 }
 
+/// What a run steps with.
+struct Stepping {
+  mechanics::MethodId method;
+  double step;  ///< internal time, an upper bound
+};
+
 /// How a model's run ended.
 struct ModelOutcome {
-  enum class State { finished, interrupted, failed } state = State::finished;
+  mechanics::Outcome end = mechanics::Outcome::finished;
   std::string message;  ///< one sentence, for the user, if not finished
   io::Manifest::Model statistics;
-  std::optional<KnownStepping> stepping{};
+  std::optional<Stepping> stepping{};
 };
 
 }  // namespace pseudorigid::app

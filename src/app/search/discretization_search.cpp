@@ -49,21 +49,21 @@ DiscretizationSearch::DiscretizationSearch(const RunContext& context, ContinuumR
       written_scene_(with_time_tolerance(
           context.scene, std::min(context.scene.time.tolerance, time_part * context.scene.continuum.tolerance))),
       silent_scene_(with_time_tolerance(context.scene, time_part * context.scene.continuum.tolerance)),
-      ladder_(context.resume ? scene::ladder(context.scene) : affordable(context)) {
-  if (context.resume) load();
+      ladder_(context.resumes ? scene::ladder(context.scene) : affordable(context)) {
+  if (context.resumes) load();
 }
 
 ModelOutcome DiscretizationSearch::run() {
-  if (!context_.resume) save();
+  if (!context_.resumes) save();
   while (true) {
     const bool written = writes();
     DeformationTrace trace;
     ModelOutcome outcome = run_rung(trace);
-    if (outcome.state == ModelOutcome::State::interrupted) {
+    if (outcome.end == mechanics::Outcome::interrupted) {
       if (!written) outcome.message = "continuum interrupted while looking for the discretisation";
       return outcome;
     }
-    if (written && outcome.state == ModelOutcome::State::failed) return outcome;
+    if (written && outcome.end == mechanics::Outcome::failed) return outcome;
     if (!settled_ || n_failures_ > 0) note(outcome, std::move(trace));
     settled_ = settles();
     if (settled_ && written) {
@@ -83,24 +83,21 @@ bool DiscretizationSearch::writes() const {
 }
 
 ModelOutcome DiscretizationSearch::run_rung(DeformationTrace& trace) {
-  if (!writes()) return run_silently(run_, context_, silent_scene_, rung(), silent_stepping(), trace);
+  if (!writes()) return run_silently(run_, context_, silent_scene_, {rung(), silent_stepping(), &trace});
   context_.log->info("continuum: {}", scene::describe(rung()));
-  RunContext main = derived(context_, written_scene_, context_.needs);
-  main.discretization = rung();
-  main.trace = &trace;
-  return run_(main);
+  return run_(derived(context_, written_scene_, context_.needs), {.discretization = rung(), .trace = &trace});
 }
 
-std::optional<KnownStepping> DiscretizationSearch::silent_stepping() const {
+std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   if (!first_stepping_) return std::nullopt;
-  KnownStepping stepping = *first_stepping_;
+  Stepping stepping = *first_stepping_;
   if (!context_.scene.time.step) stepping.step *= first_resolution_ / scene::resolution(rung());
   return stepping;
 }
 
 /// Takes a run into the series of errors.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
-  if (outcome.state == ModelOutcome::State::failed) {
+  if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;
     context_.log->info("continuum: {}: {}", scene::describe(rung()), outcome.message);
     return;
@@ -131,14 +128,14 @@ bool DiscretizationSearch::settles() const {
 /// What has been written is of a run that is not the one.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
-    if (context_.writes()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
+    if (context_.ranks->is_first()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
   });
   save();
 }
 
 void DiscretizationSearch::save() const {
   on_all_ranks(*context_.ranks, [this] {
-    if (context_.writes()) write_checkpoint();
+    if (context_.ranks->is_first()) write_checkpoint();
   });
 }
 

@@ -20,7 +20,7 @@
 /// others search_runs and search_work.
 
 #include "analysis/space_error.h"
-#include "app/search/silent_run.h"
+#include "app/search/continuum_run.h"
 #include "io/checkpoint.h"
 
 namespace pseudorigid::app {
@@ -37,7 +37,7 @@ class DiscretizationSearch {
   bool is_last() const { return position_ + 1 == ladder_.size(); }
   bool writes() const;
   ModelOutcome run_rung(DeformationTrace& trace);
-  std::optional<KnownStepping> silent_stepping() const;
+  std::optional<Stepping> silent_stepping() const;
   void note(const ModelOutcome& outcome, DeformationTrace trace);
   bool settles() const;
   void report(ModelOutcome& outcome) const;
@@ -61,7 +61,7 @@ class DiscretizationSearch {
   analysis::SpaceErrorLadder errors_;
   double relative_to_largest_ = 0;  ///< |Q − Q'|/|Q| over the largest entry of the last difference
   DeformationTrace trace_;          ///< of the last run that came to its end
-  std::optional<KnownStepping> first_stepping_;
+  std::optional<Stepping> first_stepping_;
   double first_resolution_ = 0, search_work_ = 0;
 };
 

@@ -7,22 +7,20 @@ namespace pseudorigid::app {
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run) {
   const scene::Discretization discretization = *scene::fixed_discretization(context.scene);
   DeformationTrace trace, coarse;
-  RunContext main = context;
-  main.discretization = discretization;
-  if (context.needs.companion) main.trace = &trace;
-  ModelOutcome outcome = run(main);
+  ModelOutcome outcome =
+      run(context, {.discretization = discretization, .trace = context.needs.companion ? &trace : nullptr});
   auto& counters = outcome.statistics.counters;
   counters["work"] = work(outcome);
-  if (!context.needs.companion || outcome.state != ModelOutcome::State::finished) return outcome;
+  if (!context.needs.companion || outcome.end != mechanics::Outcome::finished) return outcome;
 
   const scene::Discretization other = scene::companion(discretization);
-  ModelOutcome companion = run_silently(run, context, context.scene, other, outcome.stepping, coarse);
-  if (companion.state == ModelOutcome::State::interrupted) {
-    outcome.state = companion.state;
+  ModelOutcome companion = run_silently(run, context, context.scene, {other, outcome.stepping, &coarse});
+  if (companion.end == mechanics::Outcome::interrupted) {
+    outcome.end = companion.end;
     outcome.message = "interrupted while the discretisation error was estimated";
     return outcome;
   }
-  if (companion.state == ModelOutcome::State::failed) {
+  if (companion.end == mechanics::Outcome::failed) {
     context.log->warn("continuum: no estimate of the discretisation error: on {} the {}", scene::describe(other),
                       companion.message);
     return outcome;

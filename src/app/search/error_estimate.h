@@ -5,7 +5,7 @@
 /// Counters: estimated_space_error (largest entry of Q), relative_space_error (|Q − Q'|/|Q|), companion_degree,
 /// companion_refinements, companion_work.
 
-#include "app/search/silent_run.h"
+#include "app/search/continuum_run.h"
 
 namespace pseudorigid::app {
 

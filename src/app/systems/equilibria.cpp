@@ -83,7 +83,7 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
   for (mechanics::CriticalPoint& point : found.points)
     if (status && !dissipative) status = find_own_rates(landscape, point);
   if (!status) {
-    outcome.state = ModelOutcome::State::failed;
+    outcome.end = mechanics::Outcome::failed;
     outcome.message = "the search for critical points failed: " + status.reason();
     return outcome;
   }

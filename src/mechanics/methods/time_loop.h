@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mechanics/core/constrained_system.h"
+#include "mechanics/core/outcome.h"
 #include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::mechanics {
@@ -30,8 +31,6 @@ struct SampleTimes {
 struct Cursor {
   long sample = 0, step = 0;
 };
-
-enum class Outcome { finished, interrupted, failed };
 
 struct RunResult {
   Outcome outcome = Outcome::finished;

@@ -1,0 +1,115 @@
+#include "app/run/model_files.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "app/ranks/on_all_ranks.h"
+
+namespace pseudorigid::app {
+
+ModelFiles::ModelFiles(const RunContext& context, std::string model, bool shows_progress)
+    : context_(context),
+      model_(std::move(model)),
+      frames_(context.scene.output.frames, context.scene.output.samples),
+      shapes_(context.scene.output.samples),
+      progress_(model_, shows_progress) {}
+
+void ModelFiles::create(const std::vector<std::string>& columns) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (!writes()) return;
+    csv_.emplace(io::CsvWriter::create(csv(), columns));
+    if (context_.needs.graphics) pvd_.emplace(context_.directory.pvd(model_));
+  });
+}
+
+void ModelFiles::append(const std::vector<double>& row) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (csv_) csv_->append(row);
+  });
+}
+
+void ModelFiles::save(const std::function<io::Checkpoint()>& checkpoint) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (!writes()) return;
+    if (csv_) csv_->flush();
+    if (shapes_csv_) shapes_csv_->flush();
+    checkpoint().save(this->checkpoint());
+  });
+}
+
+std::optional<io::Checkpoint> ModelFiles::state_to_resume() {
+  if (!context_.resumes) return std::nullopt;
+  bool exists = false;
+  on_all_ranks(*context_.ranks, [&] { exists = std::filesystem::exists(checkpoint()); });
+  // The first rank decides: the others may look at the disk a moment later, or at another one.
+  if (!context_.ranks->of_first(exists)) return std::nullopt;
+  std::optional<io::Checkpoint> state;
+  on_all_ranks(*context_.ranks, [&] { state = io::Checkpoint::load(checkpoint()); });
+  return state;
+}
+
+void ModelFiles::resume(const std::vector<std::string>& columns, long n_samples_taken) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (!writes()) return;
+    csv_.emplace(io::CsvWriter::resume(csv(), columns, n_samples_taken));
+    if (!context_.needs.graphics) return;
+    std::vector<io::PvdCollection::Frame> written;
+    for (long j = 0; j < frames_.n_before(n_samples_taken); ++j)
+      for (const bool of_several_ranks : {false, true})
+        if (const auto path = shown(j, of_several_ranks); std::filesystem::exists(path))
+          written.push_back({context_.time_of_sample(frames_.sample(j)), path});
+    pvd_.emplace(context_.directory.pvd(model_), std::move(written));
+  });
+}
+
+io::Table ModelFiles::rows_so_far() {
+  io::Table rows;
+  on_all_ranks(*context_.ranks, [&] { rows = io::read_csv(csv()); });
+  return rows;
+}
+
+void ModelFiles::draw_frame(long sample, const Draw& draw) {
+  const long j = frames_.n_before(sample);
+  const double time = context_.time_of_sample(sample);
+  if (const mechanics::Status status = draw(shown(j, false)); !status)
+    context_.log->warn("{}: no picture at t = {:.6g}: {}", model_, time, status.reason());
+  else
+    on_all_ranks(*context_.ranks, [&] {
+      if (pvd_) pvd_->add(time, shown(j, context_.ranks->size() > 1));
+    });
+}
+
+void ModelFiles::create_shapes(const std::vector<std::string>& columns) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (writes()) shapes_csv_.emplace(io::CsvWriter::create(context_.directory.csv("shapes"), columns));
+  });
+}
+
+void ModelFiles::resume_shapes(const std::vector<std::string>& columns, std::size_t n_rows_of_shape,
+                               long n_samples_taken) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (!writes()) return;
+    const auto n_rows = shapes_.n_before(n_samples_taken) * static_cast<std::int64_t>(n_rows_of_shape);
+    shapes_csv_.emplace(io::CsvWriter::resume(context_.directory.csv("shapes"), columns, n_rows));
+  });
+}
+
+void ModelFiles::append_shape(const Rows& rows) {
+  on_all_ranks(*context_.ranks, [&] {
+    if (shapes_csv_)
+      for (const std::vector<double>& row : rows) shapes_csv_->append(row);
+  });
+}
+
+std::filesystem::path ModelFiles::shown(long j, bool of_several_ranks) const {
+  auto path = context_.directory.frame(model_, static_cast<int>(j));
+  return of_several_ranks ? path.replace_extension("pvtu") : path;
+}
+
+SinkOfModel files_of_models(bool shows_progress) {
+  return [=](const RunContext& context, const char* model) -> std::unique_ptr<ModelSink> {
+    return std::make_unique<ModelFiles>(context, model, shows_progress);
+  };
+}
+
+}  // namespace pseudorigid::app

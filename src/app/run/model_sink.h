@@ -1,0 +1,71 @@
+#pragma once
+/// Where one model's run leaves what it finds. This class keeps nothing, for runs whose trace is all that is wanted
+/// (search/).
+/// `RowsInMemory` keeps the rows (sweeps), `ModelFiles` writes the files of a run's directory.
+///
+/// All ranks call the same functions in the same order.
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/checkpoint.h"
+#include "io/csv.h"
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::app {
+
+class ModelSink {
+ public:
+  using Rows = std::vector<std::vector<double>>;
+  /// Writes a picture under that name; collective.
+  using Draw = std::function<mechanics::Status(const std::filesystem::path&)>;
+
+  virtual ~ModelSink() = default;
+
+  virtual void create(const std::vector<std::string>& /*columns*/) {}
+  virtual void append(const std::vector<double>& /*row*/) {}
+
+  /// Whether states are kept, so that a run that was stopped can go on.
+  virtual bool keeps_states() const { return false; }
+  /// `checkpoint()` is asked for where it is written.
+  virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
+  /// The state that this run goes on from, if there is one.
+  virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
+  /// Goes on after that many samples.
+  virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
+  virtual io::Table rows_so_far() { return {}; }
+
+  virtual bool wants_frame(long /*sample*/) const { return false; }
+  virtual void draw_frame(long /*sample*/, const Draw&) {}
+
+  /// The table of shapes that a report shows: a block of rows at each of a few samples.
+  virtual bool has_shapes() const { return false; }
+  virtual bool wants_shape(long /*sample*/) const { return false; }
+  virtual void create_shapes(const std::vector<std::string>& /*columns*/) {}
+  virtual void resume_shapes(const std::vector<std::string>& /*columns*/, std::size_t /*n_rows_of_shape*/,
+                             long /*n_samples_taken*/) {}
+  virtual void append_shape(const Rows&) {}
+
+  /// How much of the run is done, from 0 to 1, for whoever waits.
+  virtual void progress(double /*part*/) {}
+  virtual void progress_ends() {}
+};
+
+/// The rows alone.
+class RowsInMemory : public ModelSink {
+ public:
+  explicit RowsInMemory(io::Table& rows) : rows_(rows) {}
+  void create(const std::vector<std::string>& columns) override { rows_ = {columns, {}}; }
+  void append(const std::vector<double>& row) override {
+    rows_.values.insert(rows_.values.end(), row.begin(), row.end());
+  }
+
+ private:
+  io::Table& rows_;
+};
+
+}  // namespace pseudorigid::app
