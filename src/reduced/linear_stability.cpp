@@ -1,22 +1,17 @@
 #include "reduced/linear_stability.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/core/dense_algebra.h"
+
 namespace pseudorigid::reduced {
 namespace detail {
-namespace {
 
-/// Orthonormal basis of {x: Bx = 0}.
-Eigen::MatrixXd null_space(const Eigen::MatrixXd& B) {
-  if (B.rows() == 0) return Eigen::MatrixXd::Identity(B.cols(), B.cols());
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(B, Eigen::ComputeFullV);
-  const Eigen::Index rank = (svd.singularValues().array() > absent * svd.singularValues()[0]).count();
-  return svd.matrixV().rightCols(B.cols() - rank);
-}
+using mechanics::null_space;
+
+namespace {
 
 /// The turns (H, Ḣ) at ζ = e_k, in scaled time, of length 1: turns about the axis of a needle move little.
 Eigen::MatrixXd symmetry_directions(const SteadyMotion& m, const Eigen::MatrixXd& T, double scale) {
@@ -32,18 +27,11 @@ Eigen::MatrixXd symmetry_directions(const SteadyMotion& m, const Eigen::MatrixXd
   return N.colwise().normalized();
 }
 
-/// Orthonormal basis of the span.
-Eigen::MatrixXd span(const Eigen::MatrixXd& N) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(N, Eigen::ComputeThinU);
-  const Eigen::Index rank = (svd.singularValues().array() > absent * svd.singularValues()[0]).count();
-  return svd.matrixU().leftCols(rank);
-}
-
 }  // namespace
 
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible) {
   if (!incompressible) return Eigen::MatrixXd::Identity(9, 9);
-  return null_space(flat(m.A.inverse().transpose()).transpose());
+  return null_space(flat(m.A.inverse().transpose()).transpose(), absent);
 }
 
 ReducedLinearSystem reduce(const SteadyMotion& m, const Eigen::MatrixXd& T, Eigen::MatrixXd K, Eigen::MatrixXd G) {
@@ -60,13 +48,13 @@ ReducedLinearSystem reduce(const SteadyMotion& m, const Eigen::MatrixXd& T, Eige
   W.topRightCorner(n, n).setIdentity();
   W.bottomLeftCorner(n, n) = -Eigen::MatrixXd::Identity(n, n);
 
-  const Eigen::MatrixXd N = span(symmetry_directions(m, T, reduced.scale));
+  const Eigen::MatrixXd N = mechanics::span_of(symmetry_directions(m, T, reduced.scale), absent);
   const Eigen::MatrixXd NW = N.transpose() * W, NWN = NW * N;
   // N ∩ N^W: with J = Z = 0 all of N.
-  const Eigen::MatrixXd both = NWN.norm() > absent ? Eigen::MatrixXd(N * null_space(NWN)) : N;
+  const Eigen::MatrixXd both = NWN.norm() > absent ? Eigen::MatrixXd(N * null_space(NWN, absent)) : N;
   Eigen::MatrixXd conditions(N.cols() + both.cols(), 2 * n);
   conditions << NW, both.transpose();
-  const Eigen::MatrixXd D = null_space(conditions);
+  const Eigen::MatrixXd D = null_space(conditions, absent);
   reduced.S = D.transpose() * S * D;
   reduced.W = D.transpose() * W * D;
   return reduced;
@@ -79,23 +67,23 @@ mechanics::Status analyse_stability(const ReducedLinearSystem& system, LinearSta
     return mechanics::Status::failure("the linearisation about the steady motion is not finite");
   const Eigen::MatrixXd S = (system.S + system.S.transpose()) / 2;
   result = {};
-  result.second_variation = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(S, Eigen::EigenvaluesOnly).eigenvalues();
+  result.second_variation = mechanics::symmetric_spectrum(S).values;
   result.n_negative = static_cast<int>((result.second_variation.array() < -detail::zero_variation).count());
 
-  const Eigen::EigenSolver<Eigen::MatrixXd> spectrum(system.W.fullPivLu().solve(-S));
-  if (spectrum.info() != Eigen::Success)
+  const mechanics::Spectrum spectrum = mechanics::spectrum(mechanics::solve(system.W, -S));
+  if (!spectrum.converged)
     return mechanics::Status::failure("the eigenvalues of the linearised steady motion do not converge");
-  const Eigen::MatrixXcd X = spectrum.eigenvectors();
+  const Eigen::MatrixXcd& X = spectrum.vectors;
   for (Eigen::Index k = 0; k < X.cols(); ++k) {
     const double energy = X.col(k).dot(S * X.col(k)).real() / X.col(k).squaredNorm();
     const int sign = std::abs(energy) < detail::zero_growth ? 0 : energy > 0 ? 1 : -1;
-    result.rates.push_back({system.scale * spectrum.eigenvalues()[k], sign});
+    result.rates.push_back({system.scale * spectrum.values[k], sign});
   }
   std::sort(result.rates.begin(), result.rates.end(), [](const Rate& a, const Rate& b) {
     return a.s.imag() != b.s.imag() ? a.s.imag() < b.s.imag() : a.s.real() < b.s.real();
   });
-  const double largest = system.scale * spectrum.eigenvalues().cwiseAbs().maxCoeff(),
-               growth = system.scale * spectrum.eigenvalues().real().maxCoeff();
+  const double largest = system.scale * spectrum.values.cwiseAbs().maxCoeff(),
+               growth = system.scale * spectrum.values.real().maxCoeff();
   result.stable = growth <= detail::zero_growth * largest;
   result.growth_rate = result.stable ? 0 : growth;
   return {};

@@ -1,11 +1,12 @@
 #include "mechanics/equilibria/critical_point.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <complex>
+
+#include "mechanics/core/dense_algebra.h"
 
 namespace pseudorigid::mechanics {
 namespace {
@@ -30,16 +31,15 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
 }
 
 /// Without damping: z² = −κ for each eigenvalue κ of H, 0 where that counts as zero.
-void linearise_undamped(const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>& H, double zero, const Eigen::MatrixXd& T,
-                        CriticalPoint& p) {
-  const Eigen::Index n = H.eigenvalues().size();
+void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
+  const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
   p.directions.resize(T.rows(), 2 * n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const double kappa = H.eigenvalues()[k], size = std::abs(kappa) <= zero ? 0 : std::sqrt(std::abs(kappa));
+    const double kappa = H.values[k], size = std::abs(kappa) <= zero ? 0 : std::sqrt(std::abs(kappa));
     const std::complex<double> z = kappa < 0 ? std::complex(size, 0.0) : std::complex(0.0, size);
     p.rates.segment<2>(2 * k) << z, -z;
-    p.directions.middleCols<2>(2 * k) = (T * H.eigenvectors().col(k)).replicate<1, 2>();
+    p.directions.middleCols<2>(2 * k) = (T * H.vectors.col(k)).replicate<1, 2>();
   }
   p.n_unstable = p.n_stable = p.morse_index;
 }
@@ -49,9 +49,9 @@ void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // of (y, ẏ)
   A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(A);
-  p.rates = solver.eigenvalues();
-  p.directions = T * solver.eigenvectors().topRows(n).colwise().normalized();
+  const Spectrum solution = spectrum(A);
+  p.rates = solution.values;
+  p.directions = T * solution.vectors.topRows(n).colwise().normalized();
   const double zero = zero_rate * (n > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
   p.n_unstable = static_cast<int>((p.rates.real().array() > zero).count());
   p.n_stable = static_cast<int>((p.rates.real().array() < -zero).count());
@@ -74,14 +74,14 @@ Status describe_critical_point(const AnyLandscape& landscape, const Eigen::Vecto
   p.q = q;
   p.lambda = lambda;
   p.V = landscape.potential(q);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(H);
-  p.hessian_eigenvalues = spectrum.eigenvalues();
+  const SymmetricSpectrum curvature = symmetric_spectrum(H);
+  p.hessian_eigenvalues = curvature.values;
   const double largest = p.hessian_eigenvalues.size() > 0 ? p.hessian_eigenvalues.cwiseAbs().maxCoeff() : 0;
   const double zero = std::max(zero_curvature * largest, round_off_curvature);
   p.morse_index = static_cast<int>((p.hessian_eigenvalues.array() < -zero).count());
   p.nullity = static_cast<int>((p.hessian_eigenvalues.array().abs() <= zero).count());
   if (D.isZero(0))
-    linearise_undamped(spectrum, zero, T, p);
+    linearise_undamped(curvature, zero, T, p);
   else
     linearise(H, D, T, p);
   return {};
