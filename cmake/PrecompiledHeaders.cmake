@@ -34,5 +34,5 @@ endfunction()
 # pseudorigid_not_precompiled(FILE…): sources where g++ 12 sees overflows in "literal" + std::string if the header of the
 # latter is precompiled (GCC bug 105651).
 function(pseudorigid_not_precompiled)
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties(${ARGN} PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()

@@ -13,12 +13,17 @@ if(PSEUDORIGID_SANITIZE)
   target_link_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE})
 endif()
 
+# Headers take more than half of the time of a first build. Sources of a layer are compiled several at once, so that each
+# group reads them once; who works on the sources switches it off (-DPSEUDORIGID_UNITY=OFF).
+option(PSEUDORIGID_UNITY "Compile several sources of a layer at once" ON)
+
 # pseudorigid_layer(NAME [SOURCES file…] [LIBS target…]): the library of one folder of src/; header-only without SOURCES.
 function(pseudorigid_layer name)
   cmake_parse_arguments(LAYER "" "" "SOURCES;LIBS" ${ARGN})
   if(LAYER_SOURCES)
     add_library(${name} STATIC ${LAYER_SOURCES})
     target_link_libraries(${name} PUBLIC pseudorigid_options ${LAYER_LIBS})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 6)
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE pseudorigid_options ${LAYER_LIBS})

@@ -14,7 +14,7 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Index, Eigen::VectorXd;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Below six cycles the peak of a windowed periodogram is displaced by its mirror image and by the drift: try the
 /// neighbourhood and keep the frequency of least residual.

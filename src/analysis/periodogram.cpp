@@ -11,7 +11,7 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Index, Eigen::VectorXd;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Magnitudes at θ = 2πk/n_padded, k = 0 … n_padded/2; padding resolves the peaks.
 std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {

@@ -14,7 +14,7 @@ namespace {
 using scene::Refusal;
 using scene::Scene;
 
-std::string needed(const Scene& scene) {
+std::string continuum_needed(const Scene& scene) {
   const auto found = [](const std::optional<int>& value) { return value ? std::to_string(*value) : "auto"; };
   const auto fixed = scene::fixed_discretization(scene);
   const scene::Sector sector = scene::sector(scene);
@@ -31,7 +31,7 @@ std::string needed(const Scene& scene) {
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
-std::string skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
+std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
 std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.body.incompressible && scene.continuum.degree == 1)
@@ -98,8 +98,8 @@ scene::ModelDescription continuum_description() {
           .has_modes = true,
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-          .needed = needed,
-          .skipped = skipped,
+          .needed = continuum_needed,
+          .skipped = continuum_skipped,
           .refuses = refuses};
 }
 

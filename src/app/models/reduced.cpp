@@ -25,9 +25,9 @@ std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
   return {};
 }
 
-std::string needed(const scene::Scene&) { return "reduced model: the pseudo-rigid body, 9 unknowns"; }
+std::string reduced_needed(const scene::Scene&) { return "reduced model: the pseudo-rigid body, 9 unknowns"; }
 
-std::string skipped(const scene::Scene& scene) {
+std::string reduced_skipped(const scene::Scene& scene) {
   return scene.analysis == scene::Analysis::modes
              ? "reduced model: its frequencies are known in closed form (modes.csv)"
              : "reduced model: not among Models";
@@ -47,8 +47,8 @@ scene::ModelDescription reduced_description() {
           .has_equilibria = true,
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-          .needed = needed,
-          .skipped = skipped,
+          .needed = reduced_needed,
+          .skipped = reduced_skipped,
           .refuses = refuses_motion};
 }
 
