@@ -68,7 +68,7 @@ class Workplace:
         chosen = []
         for layer, share in LAYERS.items():
             count = round(share * self.options.scale)
-            files = sorted(path for path in (SOURCE / "src" / layer).iterdir() if path.suffix in (".h", ".cpp"))
+            files = sorted(path for path in (SOURCE / "src" / layer).rglob("*") if path.suffix in (".h", ".cpp"))
             candidates = [mutant for path in files
                           for mutant in operators.mutants_of(str(path.relative_to(SOURCE)), path.read_text())]
             generator.shuffle(candidates)
@@ -134,7 +134,7 @@ class Workplace:
         if not (self.binaries / "build.ninja").exists():
             with_continuum = "ON" if self.options.continuum else "OFF"
             subprocess.run(["cmake", "-G", "Ninja", "-S", self.copy, "-B", self.binaries, "-DCMAKE_BUILD_TYPE=Release",
-                            f"-DPSEUDORIGID_CONTINUUM={with_continuum}", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
+                            f"-DPSEUDORIGID_CONTINUUM={with_continuum}", "-DPSEUDORIGID_UNITY=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
                             "-DCMAKE_CXX_FLAGS=-ftemplate-backtrace-limit=0"],
                            check=True, stdout=subprocess.DEVNULL)
         targets = [name for layer in self.layers() for name in self.tests_of(layer, self.options.further)]
