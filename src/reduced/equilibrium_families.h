@@ -9,6 +9,7 @@
 ///
 /// A parameter that has no steady motion is reported with the reason and left out.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ namespace pseudorigid::reduced {
 struct ParameterRange {
   double first, last;
   int n;
+  std::function<bool()> give_up{};  ///< asked before each value, if there is one; the family ends there
   double value(int k) const { return k == 0 ? first : k == n - 1 ? last : first + (last - first) * k / (n - 1); }
 };
 
@@ -94,7 +96,7 @@ EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const Paramet
                                      const FamilyCurve& family, const MotionOfParameter& motion) {
   EquilibriumFamily result;
   bool previous = false;
-  for (int k = 0; k < range.n; ++k) {
+  for (int k = 0; k < range.n && !(range.give_up && range.give_up()); ++k) {
     const double p = range.value(k);
     SteadyMotion m;
     EquilibriumPoint point;

@@ -1,8 +1,11 @@
 """Runs that end before their time: inverted elements, Ctrl-C, a full disk, SIGKILL; and how they go on with --resume."""
 import resource
+import signal
+import subprocess
+import time
 import unittest
 
-from program_test import CONTINUUM_COLUMNS, DONE, STOPPED, largest_difference, overrides
+from program_test import CONTINUUM_COLUMNS, DONE, STOPPED, TIME_LIMIT, largest_difference, overrides
 from stopped_run import StoppedRunTest
 
 # About a second each; a step that is given needs no pilot runs.
@@ -95,6 +98,32 @@ class StoppedRun(StoppedRunTest):
         self.assertNotIn("comparison.json", self.files("output/scene"))
         self.run_done("run", "scene.prm", "--resume", "--set", "Time/Step=0.01")
         self.assertEqual(len(self.table("output/scene/comparison.csv")), 11)
+
+    def check_control_c_of_an_analysis(self, entries, message):
+        self.scene(entries)
+        process = self.start_program("run", "scene.prm", stderr=subprocess.PIPE, text=True)
+        self.wait_until((self.scratch / "output/scene/manifest.json").exists, "the run to begin")
+        time.sleep(0.2)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=TIME_LIMIT)
+        self.assertEqual(process.returncode, STOPPED, errors)
+        self.assertIn(message, errors)
+        manifest = self.json("output/scene/manifest.json")
+        self.assertEqual((manifest["state"], manifest["exit_code"]), ("interrupted", STOPPED))
+
+    def test_control_c_while_modes_are_looked_for(self):
+        self.check_control_c_of_an_analysis(
+            {"Analysis": "modes", "Models": "continuum", "Continuum/Degree": 5, "Continuum/Refinements": 1,
+             "Modes/Number": 30},
+            "interrupted while looking for the modes")
+
+    def test_control_c_along_a_family_of_equilibria(self):
+        self.check_control_c_of_an_analysis(
+            {"Analysis": "equilibrium", "Models": "reduced", "Material/Law": "none", "Gravity/Constant": 1,
+             "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.01, "Equilibrium/Last": 0.99,
+             "Equilibrium/Number": 1000000},
+            "equilibria interrupted after ")
+        self.assertGreater(len(self.table("output/scene/equilibria.csv")), 0)
 
     def test_another_method_after_an_interruption_within_an_interval(self):
         self.scene({**LONG_REDUCED, "Output/Samples": 4, "Time/End": 8, "Time/Step": 1e-6, "Time/Method": "rattle"})

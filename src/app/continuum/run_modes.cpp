@@ -101,7 +101,8 @@ ModelOutcome run_modes(const RunContext& context) {
   std::vector<BallFrequency> frequencies;
   continuum::ModesReport report;
   ModelOutcome outcome;
-  const mechanics::Status status = ball_modes(problem, scene.modes.number, frequencies, report);
+  const mechanics::Status status =
+      ball_modes(problem, scene.modes.number, frequencies, report, [&] { return context.interrupted(); });
   auto& [counters, timers] = outcome.statistics;
   timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
   counters["cells"] = space.n_cells();
@@ -109,7 +110,7 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["eigenpairs"] = report.n_eigenpairs;
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
   if (!status) {
-    outcome.end = mechanics::Outcome::failed;
+    outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
     outcome.message = status.reason();
     return outcome;
   }

@@ -181,12 +181,14 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   const scene::Scene::Equilibria& asked = context.scene.equilibria;
   const FamilyMaker maker(context.scene);
   const EquilibriumFamily family =
-      maker.make(asked.family, {asked.first, asked.last, asked.number}, asked.ratio, context.units.time);
+      maker.make(asked.family, {asked.first, asked.last, asked.number, [&] { return context.interrupted(); }},
+                 asked.ratio, context.units.time);
   ModelOutcome outcome;
   const std::string name = parameter_name(asked.family);
   for (const auto& missing : family.missing)
     context.log->warn("no equilibrium at {} = {:.9g}: {}", name, missing.parameter, missing.reason);
-  if (family.points.empty()) {
+  const bool interrupted = context.interrupted();
+  if (family.points.empty() && !interrupted) {
     outcome.end = mechanics::Outcome::failed;
     outcome.message = "the family has no member in this range";
     return outcome;
@@ -199,6 +201,12 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
     context.log->info("  {} at {} = {:.10g}", reduced::name_of(special.kind), name, special.point.parameter);
   outcome.statistics.counters["equilibria"] = static_cast<double>(family.points.size());
   outcome.statistics.counters["special_points"] = static_cast<double>(family.special.size());
+  if (interrupted) {
+    outcome.end = mechanics::Outcome::interrupted;
+    outcome.message =
+        fmt::format("equilibria interrupted after {} of {} values of {}; those before are in equilibria.csv",
+                    family.points.size() + family.missing.size(), asked.number, name);
+  }
   return outcome;
 }
 

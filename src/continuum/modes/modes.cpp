@@ -165,11 +165,14 @@ BallFrequency frequency_of(const Copies& copies) {
 }  // namespace
 
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
-                             ModesReport& report) {
+                             ModesReport& report, const std::function<bool()>& give_up) {
+  const auto interrupted = [&] { return give_up && give_up(); };
+  const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
   // The fundamentals rise by about 1 a degree: among the lowest n frequencies no degree is above n + 2.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {
+    if (interrupted()) return stopped();
     sectors.emplace_back(problem, sector_class, max_degree);
     if (auto s = sectors.back().factorize(); !s) return s;
   }
@@ -187,6 +190,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
       std::ranges::sort(frequencies, {}, &BallFrequency::omega);
       return {};
     }
+    if (interrupted()) return stopped();
     if (report.n_eigenpairs > 200 * (n_frequencies + 1)) break;
     if (auto s = last.extend(last.asked() ? n_more : n_first, modes, report); !s) return s;
   }

@@ -9,6 +9,7 @@
 /// of all that was known before: sectors are asked for more until all wanted frequencies lie below what is complete.
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "continuum/kernels/cell_kernels.h"
@@ -36,9 +37,9 @@ struct ModesReport {
   int n_eigenpairs = 0;
 };
 
-/// The lowest n_frequencies, by rising omega.
+/// The lowest n_frequencies, by rising omega. `give_up` is asked between Krylov runs; a failure if it says so.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
-                             ModesReport& report);
+                             ModesReport& report, const std::function<bool()>& give_up = {});
 
 /// Displacements of the whole ball at the points of nodal_grid(space), three a point.
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape);
