@@ -1,0 +1,68 @@
+#pragma once
+/// Self-gravity of a body of uniform density from its surface alone. With d = x − y and the area vectors N (outward,
+/// N dξdη = n dS) of two points x and y of the surface, and ∂_i∂_j(d_i d_j/|d|) = 6/|d|,
+///
+///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
+///
+/// On a smooth surface d·N = O(|d|²), so the kernel is O(|d|³) and plain Gauss points do; a point with itself counts as
+/// 0. E has the mass grow with the volume V = ⅓∮x·N. Where the volume is kept only up to the error of a discretisation,
+///
+///   Ê = E (V₀/V)^{5/3}
+///
+/// takes its place: the same where V = V₀, but a dilation does no work against it, so that the force has no part that
+/// a pressure alone must balance. Its derivative by the points and the area vectors is exact, that of the sums below:
+///
+///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
+///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
+///
+/// and the sum over j of the energy is e_i = N_i·h_i.
+///
+/// The sums over j are in the order of the sources, so they do not depend on who computes which i.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pseudorigid::gravity {
+
+/// Points of a surface with their area vectors, the weights of the quadrature included: [component][point].
+struct SurfacePoints {
+  std::array<std::vector<double>, 3> x, N;
+
+  std::size_t size() const { return x[0].size(); }
+  void add(const Eigen::Vector3d& point, const Eigen::Vector3d& area);
+  Eigen::Vector3d point(std::size_t i) const { return {x[0][i], x[1][i], x[2][i]}; }
+  Eigen::Vector3d area(std::size_t i) const { return {N[0][i], N[1][i], N[2][i]}; }
+};
+
+/// Σ_j over all sources at each target.
+struct PairSums {
+  std::vector<double> e;  ///< ab/|d|
+  std::array<std::vector<double>, 3> g, h;
+};
+PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
+
+/// Sums over the targets; those of several processes add.
+struct SurfaceTotals {
+  double pairs = 0;   ///< Σ_i e_i
+  double volume = 0;  ///< ⅓ Σ_i x_i·N_i
+};
+SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
+
+/// Ê of the targets' part of the body. `strength`: Gρ²; `rest_volume`: V₀ of that part.
+double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume);
+
+/// The derivative of Ê by the targets' points and area vectors when the sources move with them: the sources are the
+/// targets and, where a body is computed in a part of it, their images.
+struct SurfaceDerivative {
+  std::array<std::vector<double>, 3> by_point, by_area;
+};
+SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,
+                                     double strength, double rest_volume);
+
+/// φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| for points x on the surface or within; `strength`: Gρ.
+std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,
+                                 double strength);
+
+}  // namespace pseudorigid::gravity
