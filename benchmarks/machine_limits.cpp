@@ -5,14 +5,14 @@
 #include <utility>
 #include <vector>
 
-#include "continuum/kernels/lanes.h"
+#include "mechanics/core/lanes.h"
 #include "measuring.h"
 
 namespace pseudorigid::benchmarks {
 namespace {
 
-using continuum::native_lanes;
-using Native = continuum::Lanes<native_lanes>::Native;
+using mechanics::native_lanes;
+using Native = mechanics::Lanes<native_lanes>::Native;
 
 /// The value is needed, and nothing is known of it.
 [[gnu::always_inline]] inline void keep(Native& value) { asm volatile("" : "+v"(value)); }

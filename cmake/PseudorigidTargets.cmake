@@ -31,6 +31,20 @@ function(pseudorigid_layer name)
   add_library(pseudorigid::${name} ALIAS ${name})
 endfunction()
 
+# pseudorigid_native(FILE…): sources compiled for this machine's own instructions. They are few, and no Eigen type crosses
+# their interface, so nothing else has to agree on an alignment. -Wno-psabi: wide vectors are passed between inlined
+# functions only.
+function(pseudorigid_native)
+  set(options -Wno-psabi)
+  if(PSEUDORIGID_NATIVE)
+    list(APPEND options -march=native)
+  endif()
+  if(PSEUDORIGID_SANITIZE)  # at -O1 their small functions are calls, and tests of the ball take hours
+    list(APPEND options -O2)
+  endif()
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
 # pseudorigid_use_dealii(TARGET): links deal.II. Its own macro deal_ii_setup_target would put -g -O2 on the target after
 # ours, so only include directories, definitions and the library are taken from the package.
 function(pseudorigid_use_dealii target)

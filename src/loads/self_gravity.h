@@ -16,8 +16,11 @@ struct SelfGravity {
   }
 
   static constexpr std::string_view no_equilibria = "";
-  static constexpr std::string_view skipped = "self-gravity: Gravity/Constant is 0; no elliptic integrals";
-  std::string needed(const BodyFacts&) const { return "self-gravity of the ellipsoid"; }
+  static constexpr std::string_view skipped =
+      "self-gravity: Gravity/Constant is 0; no elliptic integrals, no pairs of points";
+  std::string needed(const BodyFacts&) const {
+    return "self-gravity: of the ellipsoid in closed form, of finite elements by pairs of points of their surface";
+  }
 
   Forcing forcing() const { return {.gravity_constant = constant}; }
 };

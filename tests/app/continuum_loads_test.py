@@ -228,12 +228,26 @@ class ContinuumLoads(StoppedRunTest):
         self.assertLess(abs((x / math.tan(x) - 1 + x * x / 4 * cp * cp / shear) / (slope * x)), 1e-8)
         self.assertAlmostEqual(radial["reduced"], math.sqrt(5 * (3 * lame + 2 * shear)), delta=1e-12)
 
+    def test_self_gravity(self):
+        """Energies and multiplier of a ball at rest are known; a motion keeps its energy; both models mean the same."""
+        scene = {**BOTH, "Continuum/Degree": 4, "Gravity/Constant": 2, "Time/Tolerance": 1e-6}
+        for table in self.run_scene(scene, "rest"):
+            self.assertAlmostEqual(table.column("gravitational")[-1], -2 * 16 * math.pi**2 / 15, delta=1e-5)
+            self.assertAlmostEqual(table.column("multiplier")[-1], 2 * VOLUME, delta=1e-5)
+            self.assertAlmostEqual(table.column("Q33")[-1], 1, delta=1e-6)
+        released = {**scene, "Initial state/Deformation": "0.95, 0, 0; 0, 0.95, 0; 0, 0, 1.1080332409972299"}
+        reduced, continuum = self.run_scene(released, "released")
+        self.assertAlmostEqual(continuum.column("gravitational")[0] / reduced.column("gravitational")[0], 1, delta=1e-6)
+        for table in reduced, continuum:
+            self.assert_constant(table.column("energy"), 1e-4 * max(table.column("kinetic")))
+            self.assertGreater(max(table.column("gravitational")) - min(table.column("gravitational")), 1e-2)
+
     def test_what_is_refused(self):
         def refuse(entries, *words):
             self.scene({**BOTH, **entries})
             result = self.run_program("run", "scene.prm")
             self.assert_one_sentence(result, *words)
-        refuse({"Gravity/Constant": 1}, "Gravity/Constant: self-gravity", "set Models = reduced")
+        refuse({"Gravity/Constant": 1, "Body/Incompressible": "false"}, "Gravity/Constant: self-gravity", "incompressible")
         refuse({"Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "set Models = reduced")
         refuse({"Material/Law": "none"}, "Material/Law: none, a fluid,")
         refuse({"Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method", "backwards in time")

@@ -48,6 +48,11 @@ class Ranks(RanksTest):
             "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
             "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 10})
 
+    def test_self_gravity(self):
+        self.check_same_on_all({
+            **SCENE, "Continuum/Symmetry": "auto", "Continuum/Refinements": 0, "Gravity/Constant": 2,
+            "Initial state/Velocity": "0.1, 0.2, 0; -0.4, 0, 0; 0, 0.1, -0.1"})
+
     def test_mesh_from_a_file(self):
         self.check_same_on_all({
             "Models": "continuum", "Continuum/Mesh": SOURCE / "meshes/rough_ball.msh", "Continuum/Degree": 2,

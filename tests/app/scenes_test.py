@@ -76,6 +76,9 @@ class Scenes(ProgramTest):
     def test_quickstart(self):
         self.check_scene("quickstart", ["reduced", "continuum"])
 
+    def test_gravitating_ball(self):
+        self.check_scene("gravitating_ball", ["reduced", "continuum"])
+
     def test_lamb(self):
         self.check_scene("lamb", ["reduced", "continuum"])
 
@@ -190,6 +193,15 @@ class Scenes(ProgramTest):
         self.assertIn("18.6 % faster", result.stdout)
         log = (self.scratch / "output/lamb/log.txt").read_text()
         self.assertIn(comparison["summary"], log)
+
+    def test_frequencies_of_the_gravitating_ball(self):
+        """PHYSICS.md 3 with gamma = 5."""
+        self.scene((SOURCE / "params/gravitating_ball.prm").read_text(), "scene.prm")
+        result = self.run_done("run", "scene.prm")
+        comparison = self.json("output/scene/comparison.json")
+        self.assertAlmostEqual(comparison["frequency"]["reduced"]["omega"], 14**0.5, delta=1e-4)
+        self.assertAlmostEqual(comparison["frequency"]["continuum"]["omega"], 3.273115, delta=1e-3)
+        self.assertIn("14.3 % faster", re.sub(r" \+- [0-9.e-]+ %", " %", result.stdout))
 
     def test_quiet_says_nothing(self):
         result = self.run_done("run", "quickstart.prm", "--quiet", *self.shortened("quickstart"))

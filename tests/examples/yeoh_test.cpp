@@ -6,7 +6,7 @@
 
 #include <numbers>
 
-#include "continuum/kernels/lanes.h"
+#include "mechanics/core/lanes.h"
 #include "materials/law_checks.h"
 #include "reduced/turning_point.h"
 
@@ -38,15 +38,15 @@ TEST(Yeoh, EnergyIsThatOfItsDefinition) {
 
 /// The finite elements compute with SIMD vectors: each lane is what a number gives.
 TEST(Yeoh, LanesAreNumbers) {
-  using L = continuum::Lanes<continuum::native_lanes>;
+  using L = mechanics::Lanes<mechanics::native_lanes>;
   RandomDeformations random;
-  materials::Tensor<double> F[continuum::native_lanes];
+  materials::Tensor<double> F[mechanics::native_lanes];
   materials::Tensor<L> wide;
-  for (int lane = 0; lane < continuum::native_lanes; ++lane) {
+  for (int lane = 0; lane < mechanics::native_lanes; ++lane) {
     F[lane] = materials::to_tensor(random.deformation());
     for (int k = 0; k < 9; ++k) wide(k / 3, k % 3).set(lane, F[lane](k / 3, k % 3));
   }
-  for (int lane = 0; lane < continuum::native_lanes; ++lane) {
+  for (int lane = 0; lane < mechanics::native_lanes; ++lane) {
     const double W = law.energy(F[lane]);
     EXPECT_NEAR(law.energy(wide)[lane], W, 1e-13 * (1 + W));
     const auto P = law.stress(F[lane]);

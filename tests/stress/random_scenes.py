@@ -110,6 +110,8 @@ def ball(rng, with_continuum):
             entries["Continuum/Refinements"] = 1
         entries["Continuum/Symmetry"] = rng.choices(("auto", "none", "octant", "z", "xy"), (10, 2, 2, 1, 1))[0]
         entries["Continuum/Error estimate"] = rng.choice(("auto", "none", "none"))
+        if incompressible and rng.random() < 0.3:
+            entries["Gravity/Constant"] = repr(rate**2 / density * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
     choose_method(rng, entries, 1 / rate, reduced_only)

@@ -26,6 +26,7 @@ SCENES = {
     "reduced with loads and dissipation": {"Models": "reduced", **START, **LOADS},
     "reduced, compressible": {"Models": "reduced", **START, "Body/Incompressible": "false", "Material/Lame lambda": 2.5},
     "both models": {"Models": "reduced, continuum", **RELEASE},
+    "both models with gravity": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1.5},
     "both models, loads and dissipation": {"Models": "reduced, continuum", **RELEASE, **LOADS},
     "both models, compressible": {"Models": "reduced, continuum", **RELEASE, "Body/Incompressible": "false"},
 }

@@ -19,6 +19,7 @@ BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, cons
       kernels_(make_cell_kernels(space_, law)),
       loads_(loads, space_, *kernels_),
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
+  if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0) gravity_.emplace(G, space_);
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
@@ -50,6 +51,7 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
 mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
   if (auto status = judge(kernels_->force(x, f), x); !status) return status;
   loads_.add(t, x, v, f);
+  if (gravity_) gravity_->add(x, f);
   return {};
 }
 

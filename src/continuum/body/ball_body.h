@@ -14,10 +14,12 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "continuum/body/ball_loads.h"
+#include "continuum/body/surface_gravity_forces.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
 #include "mechanics/core/body_observables.h"
@@ -65,6 +67,8 @@ class BallBody {
   const BallSpace& space() const { return space_; }
   const CellKernels& kernels() const { return *kernels_; }
   const LoadForces& loads() const { return loads_; }
+  /// Null without self-gravity.
+  const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
   /// A 3×3 integral over the whole ball from that over the sector: its (i, j) entry is odd under a reflection of
   /// exactly one of x_i and x_j, and then cancels.
@@ -96,6 +100,7 @@ class BallBody {
   std::string_view limit_;  ///< of the law, as materials::limit_of has it
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
+  std::optional<SurfaceGravityForces> gravity_;
   Eigen::Matrix3d E0_;
   double volume_;
 };

@@ -2,10 +2,14 @@
 /// Geometry of a quadrature point of a batch of cells, one lane a cell. What the law reads and what the constraint
 /// reads are stored apart: each kernel streams its own numbers and no others.
 
-#include "continuum/kernels/lanes.h"
 #include "materials/tensor.h"
+#include "mechanics/core/lanes.h"
 
 namespace pseudorigid::continuum {
+
+using mechanics::Lanes;
+using mechanics::lesser;
+using mechanics::native_lanes;
 
 /// For ∫P:∇φ.
 struct QuadraturePoint {

@@ -57,15 +57,37 @@ void add_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double l
   fields.von_mises.push_back(std::sqrt(1.5) * (sigma - mean * Eigen::Matrix3d::Identity()).norm());
 }
 
+/// ρ(φ − φ̄) at the nodes of all cells, by which the multiplier is above the pressure; empty without self-gravity.
+/// Collective.
+std::vector<double> pressure_of_gravity(const BallBody& ball, const Vector& position) {
+  if (!ball.gravity()) return {};
+  std::vector<Eigen::Vector3d> points;
+  {
+    const GhostValues ghosts(position);
+    for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell) {
+      const Eigen::Matrix3Xd x = nodal_values(ball.space(), position, cell);
+      for (Eigen::Index i = 0; i < x.cols(); ++i) points.emplace_back(x.col(i));
+    }
+  }
+  std::vector<double> potential = ball.gravity()->potential(position, points);
+  const int n_images = ball.space().mesh().sector().n_images();
+  const double mean = 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
+  for (double& value : potential) value -= mean;
+  return potential;
+}
+
 /// Appends the fields at the nodes of a cell; no multiplier counts as 0.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
-                           const Vector* multiplier, unsigned int cell, NodalFields& fields) {
+                           const Vector* multiplier, const std::vector<double>& of_gravity, unsigned int cell,
+                           NodalFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
                          x = nodal_values(space, position, cell);
   std::vector<double> lambda(n_nodes, 0.0);
   if (multiplier) ball.kernels().multiplier_at_nodes(*multiplier, cell, lambda);
+  if (!of_gravity.empty())
+    for (int i = 0; i < n_nodes; ++i) lambda[i] -= of_gravity[static_cast<std::size_t>(cell) * n_nodes + i];
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
@@ -80,9 +102,10 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
                              const Vector* multiplier, NodalFields& fields) {
   fields = {};
+  const std::vector<double> of_gravity = pressure_of_gravity(ball, position);
   const GhostValues ghosts(position);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
-    if (auto status = add_cell(ball, law, position, multiplier, cell, fields); !status) return status;
+    if (auto status = add_cell(ball, law, position, multiplier, of_gravity, cell, fields); !status) return status;
   const Sector& sector = ball.space().mesh().sector();
   reflect(fields.displacement, 3, sector);
   for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises}) reflect(*scalar, 1, sector);

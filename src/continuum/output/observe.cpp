@@ -40,12 +40,14 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// (1/m̄)∫λ_h dV: the integral tests the constraint force with the dilation x, ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV.
+/// (1/m̄)∫p dV. The integral of λ_h tests the constraint force with the dilation x, ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV. With
+/// self-gravity p = λ_h − ρ(φ − φ̄), ρφ̄V = (5/3)Ê (gravity/surface_gravity.h), of which ∫ρφ dV = 2Ê.
 double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.add_reaction(x, lambda, reaction);
   const double m_bar = ball.E0().trace() / 3;
-  return ball.space().mesh().sector().n_images() * (reaction * x) / (3 * m_bar);
+  const double of_gravity = ball.gravity() ? ball.gravity()->energy(x) / 3 : 0;
+  return ball.space().mesh().sector().n_images() * ((reaction * x) / 3 - of_gravity) / m_bar;
 }
 
 /// All but the multiplier.
@@ -67,6 +69,7 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
     o.elastic = n_images * sums.elastic;
     o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
                                         F_integral, n_images * sums.volume);
+    if (ball.gravity()) o.gravitational = n_images * ball.gravity()->energy(state.q);
     if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
   }

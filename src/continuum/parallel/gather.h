@@ -52,7 +52,22 @@ std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& 
   return of_ranks;
 }
 
-/// The reverse: to each rank its vector. What the other ranks give is not looked at. Collective.
+/// The vectors of all ranks in their order, one after the other, on each of them. Collective.
+template <class T>
+std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values) {
+  const unsigned int n = n_ranks(communicator);
+  if (n == 1) return values;
+  const int size = static_cast<int>(values.size());
+  std::vector<int> sizes(n);
+  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
+  const std::vector<int> offsets = offsets_of(sizes);
+  std::vector<T> all(offsets.back());
+  const MpiType<T> type;
+  MPI_Allgatherv(values.data(), size, type, all.data(), sizes.data(), offsets.data(), type, communicator);
+  return all;
+}
+
+/// The reverse of gather: to each rank its vector. What the other ranks give is not looked at. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

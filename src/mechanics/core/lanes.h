@@ -1,0 +1,197 @@
+#pragma once
+/// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
+/// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
+
+#include <immintrin.h>
+
+#include <cstring>
+#include <limits>
+
+namespace pseudorigid::mechanics {
+
+/// Lanes of the widest vector that this translation unit may use.
+#if defined(__AVX512F__)
+inline constexpr int native_lanes = 8;
+#elif defined(__AVX__)
+inline constexpr int native_lanes = 4;
+#else
+inline constexpr int native_lanes = 2;
+#endif
+
+/// The lesser of two numbers, a NaN being the least of all.
+inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
+
+namespace detail {
+template <int n_lanes>
+struct VectorTypes;  // spelled out, since the compiler ignores a vector size that depends on a template parameter
+template <>
+struct VectorTypes<2> {
+  typedef double Real __attribute__((vector_size(16)));
+  typedef long long Integer __attribute__((vector_size(16)));
+  typedef unsigned long long Bits __attribute__((vector_size(16)));
+};
+template <>
+struct VectorTypes<4> {
+  typedef double Real __attribute__((vector_size(32)));
+  typedef long long Integer __attribute__((vector_size(32)));
+  typedef unsigned long long Bits __attribute__((vector_size(32)));
+};
+template <>
+struct VectorTypes<8> {
+  typedef double Real __attribute__((vector_size(64)));
+  typedef long long Integer __attribute__((vector_size(64)));
+  typedef unsigned long long Bits __attribute__((vector_size(64)));
+};
+
+/// The vector (a, b) of two numbers or vectors.
+[[gnu::always_inline]] inline VectorTypes<2>::Real join(double a, double b) { return VectorTypes<2>::Real{a, b}; }
+template <class Half>
+[[gnu::always_inline]] inline auto join(Half a, Half b) {
+  if constexpr (sizeof(Half) == 2 * sizeof(double))
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3);
+  else
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// The vector (piece(first), piece(first + 1), …) of n pieces.
+template <int n, class Piece>
+[[gnu::always_inline]] inline auto collect(const Piece& piece, int first = 0) {
+  if constexpr (n == 1)
+    return piece(first);
+  else
+    return join(collect<n / 2>(piece, first), collect<n / 2>(piece, first + n / 2));
+}
+}  // namespace detail
+
+template <int n_lanes>
+struct Lanes {
+  using Native = typename detail::VectorTypes<n_lanes>::Real;
+  using NativeInt = typename detail::VectorTypes<n_lanes>::Integer;
+  using NativeBits = typename detail::VectorTypes<n_lanes>::Bits;
+  using Native2 = typename detail::VectorTypes<2>::Real;
+  Native v;
+
+  Lanes() = default;
+  Lanes(Native native) : v(native) {}
+  Lanes(double s) : v(Native{} + s) {}
+
+  /// Lane l holds value(l). Built in registers: lanes set one by one would go through memory.
+  template <class Value>
+  [[gnu::always_inline]] static Lanes of(const Value& value) {
+    return detail::collect<n_lanes>(value);
+  }
+
+  double operator[](int lane) const { return v[lane]; }
+  void set(int lane, double value) { v[lane] = value; }
+
+  friend Lanes operator+(Lanes a, Lanes b) { return a.v + b.v; }
+  friend Lanes operator-(Lanes a, Lanes b) { return a.v - b.v; }
+  friend Lanes operator*(Lanes a, Lanes b) { return a.v * b.v; }
+  friend Lanes operator/(Lanes a, Lanes b) { return a.v / b.v; }
+  friend Lanes operator+(Lanes a, double b) { return a.v + b; }
+  friend Lanes operator-(Lanes a, double b) { return a.v - b; }
+  friend Lanes operator*(Lanes a, double b) { return a.v * b; }
+  friend Lanes operator*(double a, Lanes b) { return a * b.v; }
+  friend Lanes operator/(double a, Lanes b) { return a / b.v; }
+  Lanes operator-() const { return -v; }
+  Lanes& operator+=(Lanes b) {
+    v += b.v;
+    return *this;
+  }
+  /// The lesser lane by lane, a NaN being the least of all.
+  friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
+
+  /// Natural logarithm of positive finite numbers, to about one unit in the last place:
+  /// x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
+  friend Lanes log(Lanes x) {
+    NativeBits bits;
+    std::memcpy(&bits, &x.v, sizeof bits);
+    constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
+    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow where x is not positive
+    const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
+    const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
+    Native m;
+    std::memcpy(&m, &mantissa_bits, sizeof m);
+    const Native z = (m - 1.0) / (m + 1.0), z2 = z * z;
+    Native series = Native{} + 1.0 / 23;
+    for (int i = 21; i >= 3; i -= 2) series = series * z2 + 1.0 / i;
+    const Native e = __builtin_convertvector(exponent, Native);
+    return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
+  }
+
+  /// ln(1 + x) without loss for small x: the rounding error of 1 + x is put back to first order.
+  friend Lanes log1p(Lanes x) {
+    const Native u = 1.0 + x.v;
+    return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
+  }
+
+  /// 1/√x to about one unit in the last place, for positive x in the range of single precision: a guess y of 11 bits or
+  /// more, and with e = 1 − xy² the series y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The root and the quotient of the
+  /// processor take several times as long.
+  friend Lanes inverse_sqrt(Lanes x) {
+    const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
+    return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
+  }
+
+  /// x, y, z of the triples at base + offsets[lane].
+  [[gnu::always_inline]] static void load_triples(const double* base, const unsigned int* offsets, Lanes& x, Lanes& y,
+                                                  Lanes& z) {
+    const auto pair = [&](int lane) {
+      Native2 xy;
+      std::memcpy(&xy, base + offsets[lane], sizeof xy);
+      return xy;
+    };
+    const Native low = detail::collect<n_lanes / 2>(pair), high = detail::collect<n_lanes / 2>(pair, n_lanes / 2);
+    if constexpr (n_lanes == 2) {
+      x = __builtin_shufflevector(low, high, 0, 2);
+      y = __builtin_shufflevector(low, high, 1, 3);
+    } else if constexpr (n_lanes == 4) {
+      x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+      y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
+    } else {
+      x = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14);
+      y = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15);
+    }
+    z = of([&](int lane) { return base[offsets[lane] + 2]; });
+  }
+
+  /// Adds lane by lane to the triples at base + offsets[lane], for the first n_active lanes. Lanes may share a triple.
+  [[gnu::always_inline]] static void add_triples(const Lanes& x, const Lanes& y, const Lanes& z, int n_active,
+                                                 double* base, const unsigned int* offsets) {
+    double xyz[3][n_lanes];
+    std::memcpy(xyz[0], &x, sizeof x);
+    std::memcpy(xyz[1], &y, sizeof y);
+    std::memcpy(xyz[2], &z, sizeof z);
+    for (int lane = 0; lane < n_active; ++lane) {
+      double* triple = base + offsets[lane];
+      Native2 xy;
+      std::memcpy(&xy, triple, sizeof xy);
+      xy += Native2{xyz[0][lane], xyz[1][lane]};
+      std::memcpy(triple, &xy, sizeof xy);
+      triple[2] += xyz[2][lane];
+    }
+  }
+
+  static Native inverse_sqrt_guess(Native x) {
+#if defined(__AVX512F__)
+    if constexpr (n_lanes == 8) return _mm512_rsqrt14_pd(x);
+#endif
+#if defined(__AVX__)
+    if constexpr (n_lanes == 4) return _mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x)));
+#endif
+    if constexpr (n_lanes == 2) return _mm_cvtps_pd(_mm_rsqrt_ps(_mm_cvtpd_ps(x)));
+  }
+
+  double least(int n_active) const {
+    double m = std::numeric_limits<double>::infinity();
+    for (int l = 0; l < n_active; ++l) m = lesser(v[l], m);
+    return m;
+  }
+  double sum(int n_active) const {
+    double s = 0;
+    for (int l = 0; l < n_active; ++l) s += v[l];
+    return s;
+  }
+};
+
+}  // namespace pseudorigid::mechanics
