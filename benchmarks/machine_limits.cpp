@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "mechanics/core/lanes.h"
 #include "measuring.h"
+#include "mechanics/core/lanes.h"
 
 namespace pseudorigid::benchmarks {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <numbers>
 
-#include "mechanics/core/lanes.h"
 #include "materials/law_checks.h"
+#include "mechanics/core/lanes.h"
 #include "reduced/turning_point.h"
 
 namespace pseudorigid::testing {
