@@ -194,6 +194,15 @@ TEST_F(ValidateTest, WhatAModelIgnoresIsNotChecked) {
   EXPECT_NO_THROW(validate(scene));
 }
 
+/// A frequency of 1 is 1e15 in the units of a body as soft as that, but there is no tide.
+TEST_F(ValidateTest, EntriesOfALoadThatDoesNotActAreNotChecked) {
+  Scene scene = test::ball_scene();
+  scene.material.shear_modulus = 1e-30;
+  EXPECT_NO_THROW(validate(scene));
+  scene.loads.get<loads::PeriodicTide>().amplitude[0][0] = 1e-30;
+  EXPECT_THROW(validate(scene), UserError);
+}
+
 TEST_F(ValidateTest, ACompressibleStateIsLeftAlone) {
   Scene scene = test::ball_scene();
   scene.body.incompressible = false;
