@@ -21,11 +21,11 @@ die() {
 # usage FILE: the comment at the head of a script is its help.
 usage() { sed -n '2,/^[^#]/ { s/^# \{0,1\}//p }' "$1"; }
 
-# n_jobs: one a core, but not more than memory allows (a file that includes deal.II takes up to about 1.5 GB).
+# n_jobs: one a core, but not more than memory allows (twelve files that include deal.II take up to about 1.9 GB).
 n_jobs() {
   local cores memory
   cores=$(nproc)
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1900000) }' /proc/meminfo)
   ((memory < cores)) && cores=$memory
   ((cores < 1)) && cores=1
   echo "$cores"
