@@ -13,8 +13,8 @@ if(PSEUDORIGID_SANITIZE)
   target_link_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE})
 endif()
 
-# Headers take more than half of the time of a first build. Sources of a layer are compiled several at once, so that each
-# group reads them once; who works on the sources switches it off (-DPSEUDORIGID_UNITY=OFF).
+# Headers take more than half of the time of a first build. The sources of a layer are compiled in groups, and a group
+# reads each header once. To work on the sources, switch it off (-DPSEUDORIGID_UNITY=OFF).
 option(PSEUDORIGID_UNITY "Compile several sources of a layer at once" ON)
 
 # pseudorigid_layer(NAME [SOURCES file…] [LIBS target…]): the library of one folder of src/; header-only without SOURCES.

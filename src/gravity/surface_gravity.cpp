@@ -1,51 +1,13 @@
 #include "gravity/surface_gravity.h"
 
-#include <algorithm>
 #include <cmath>
-
-#include "mechanics/core/lanes.h"
+#include <numeric>
 
 namespace pseudorigid::gravity {
 namespace {
 
-using L = mechanics::Lanes<mechanics::native_lanes>;
-constexpr std::size_t n_lanes = mechanics::native_lanes;
-
-/// Beside the squares of distances of which anything is seen, and so small that a point with itself counts as 0: all
-/// its terms have the factor d.
-constexpr double no_distance = 1e-36;
-
-/// As many targets as a vector has lanes, and what is summed for them: of g_i all but its part along N_i.
-struct Block {
-  L x[3], N[3], along_N, g[3], h[3];
-};
-
-/// Adds the pairs of a block with the sources.
-void add_pairs(Block& block, const SurfacePoints& sources) {
-  Block s = block;  // in registers
-  for (std::size_t j = 0; j < sources.size(); ++j) {
-    const double N[3] = {sources.N[0][j], sources.N[1][j], sources.N[2][j]};
-    const L d[3] = {s.x[0] - sources.x[0][j], s.x[1] - sources.x[1][j], s.x[2] - sources.x[2][j]};
-    const L inverse = inverse_sqrt(d[0] * d[0] + (d[1] * d[1] + (d[2] * d[2] + no_distance)));
-    const L a_r = (d[0] * s.N[0] + d[1] * s.N[1] + d[2] * s.N[2]) * inverse;
-    const L b_r = (d[0] * N[0] + d[1] * N[1] + d[2] * N[2]) * inverse;
-    const L along_d = a_r * b_r * inverse;
-    s.along_N += b_r;
-    for (int c = 0; c < 3; ++c) {
-      s.g[c] += a_r * N[c] - along_d * d[c];
-      s.h[c] += d[c] * b_r;
-    }
-  }
-  block = s;
-}
-
-L lanes_from(const std::vector<double>& values, std::size_t first) {
-  return L::of([&](int l) { return values[std::min(first + l, values.size() - 1)]; });  // lanes beyond repeat the last
-}
-
-void store(const L& lanes, std::vector<double>& values, std::size_t first) {
-  for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
-}
+/// (V₀/V)^{5/3}
+double gauge(const SurfaceTotals& totals, double rest_volume) { return std::pow(rest_volume / totals.volume, 5.0 / 3); }
 
 }  // namespace
 
@@ -56,42 +18,15 @@ void SurfacePoints::add(const Eigen::Vector3d& point, const Eigen::Vector3d& are
   }
 }
 
-PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources) {
-  const std::size_t n = targets.size();
-  PairSums sums;
-  sums.e.resize(n);
-  for (int c = 0; c < 3; ++c) sums.g[c].resize(n), sums.h[c].resize(n);
-  for (std::size_t first = 0; first < n; first += n_lanes) {
-    Block block{};
-    for (int c = 0; c < 3; ++c) {
-      block.x[c] = lanes_from(targets.x[c], first);
-      block.N[c] = lanes_from(targets.N[c], first);
-    }
-    add_pairs(block, sources);
-    store(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2], sums.e, first);
-    for (int c = 0; c < 3; ++c) {
-      store(block.N[c] * block.along_N + block.g[c], sums.g[c], first);
-      store(block.h[c], sums.h[c], first);
-    }
-  }
-  return sums;
+double enclosed_volume(const SurfacePoints& points) {
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) sum += points.point(i).dot(points.area(i));
+  return sum / 3;
 }
 
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums) {
-  SurfaceTotals totals;
-  for (std::size_t i = 0; i < targets.size(); ++i) {
-    totals.pairs += sums.e[i];
-    for (int c = 0; c < 3; ++c) totals.volume += targets.x[c][i] * targets.N[c][i] / 3;
-  }
-  return totals;
+  return {std::accumulate(sums.e.begin(), sums.e.end(), 0.0), enclosed_volume(targets)};
 }
-
-namespace {
-
-/// (V₀/V)^{5/3}
-double gauge(const SurfaceTotals& totals, double rest_volume) { return std::pow(rest_volume / totals.volume, 5.0 / 3); }
-
-}  // namespace
 
 double surface_energy(const SurfaceTotals& totals, double strength, double rest_volume) {
   return gauge(totals, rest_volume) * strength / 12 * totals.pairs;

@@ -4,20 +4,21 @@
 ///
 ///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
 ///
-/// On a smooth surface d·N = O(|d|²), so the kernel is O(|d|³) and plain Gauss points do; a point with itself counts as
-/// 0. E has the mass grow with the volume V = ⅓∮x·N. Where the volume is kept only up to the error of a discretisation,
+/// On a smooth surface d·N = O(|d|²), so the integrand is O(|d|³) where x and y meet, and Gauss points integrate it
+/// without special rules; a point with itself adds 0. In E the mass grows with the volume V = ⅓∮x·N. A discrete body
+/// keeps its volume only up to the error of its discretisation. For it E is replaced by
 ///
-///   Ê = E (V₀/V)^{5/3}
+///   Ê = E (V₀/V)^{5/3},
 ///
-/// takes its place: the same where V = V₀, but a dilation does no work against it, so that the force has no part that
-/// a pressure alone must balance. Its derivative by the points and the area vectors is exact, that of the sums below:
+/// which is equal to E where V = V₀ and does not change under dilations: its force has no part that only a pressure
+/// could balance. The derivative of Ê, for the sums over points below, is exact:
 ///
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
 ///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
 ///
 /// and the sum over j of the energy is e_i = N_i·h_i.
 ///
-/// The sums over j are in the order of the sources, so they do not depend on who computes which i.
+/// The sums over j follow the order of the sources; they are the same whichever process computes them.
 
 #include <Eigen/Core>
 #include <array>
@@ -43,10 +44,13 @@ struct PairSums {
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
 
-/// Sums over the targets; those of several processes add.
+/// V = ⅓ Σ x·N
+double enclosed_volume(const SurfacePoints& points);
+
+/// Sums over the targets. Those of several processes are added before they are used.
 struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
-  double volume = 0;  ///< ⅓ Σ_i x_i·N_i
+  double volume = 0;  ///< V
 };
 SurfaceTotals totals(const SurfacePoints& targets, const PairSums& sums);
 

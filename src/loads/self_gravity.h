@@ -17,10 +17,8 @@ struct SelfGravity {
 
   static constexpr std::string_view no_equilibria = "";
   static constexpr std::string_view skipped =
-      "self-gravity: Gravity/Constant is 0; no elliptic integrals, no pairs of points";
-  std::string needed(const BodyFacts&) const {
-    return "self-gravity: of the ellipsoid in closed form, of finite elements by pairs of points of their surface";
-  }
+      "self-gravity: Gravity/Constant is 0; no elliptic integrals, no pairs of surface points";
+  std::string needed(const BodyFacts&) const { return "self-gravity"; }
 
   Forcing forcing() const { return {.gravity_constant = constant}; }
 };

@@ -18,13 +18,13 @@ struct Needs {
   bool pressure_space = false;                  ///< of the discretized model
   bool comparison = false;                      ///< of the others with the last of the models
   bool companion = false;                       ///< a run on another discretisation, for the error of the first
-  bool surface_watch = false;                   ///< of the discretized model: has its surface reached its law's limit
-  bool graphics = false;                        ///< files for ParaView
-  bool report = false;                          ///< report.html, and shapes.csv of a discretized model
-  Quantities quantities;                        ///< the observables to evaluate
-  Sector sector;                                ///< of the discretized model
-  std::vector<std::string> needed, skipped;     ///< one line each, for people
-  std::vector<std::string> warnings;            ///< a sentence each: what is allowed but seldom meant
+  bool surface_watch = false;  ///< of the discretized model: whether its surface reaches the limit of its law
+  bool graphics = false;       ///< files for ParaView
+  bool report = false;         ///< report.html, and shapes.csv of a discretized model
+  Quantities quantities;       ///< the observables to evaluate
+  Sector sector;               ///< of the discretized model
+  std::vector<std::string> needed, skipped;  ///< one line each, for people
+  std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
 };
 
 /// Takes a scene that scene::validate returned.

@@ -247,7 +247,7 @@ class ContinuumLoads(StoppedRunTest):
             self.scene({**BOTH, **entries})
             result = self.run_program("run", "scene.prm")
             self.assert_one_sentence(result, *words)
-        refuse({"Gravity/Constant": 1, "Body/Incompressible": "false"}, "Gravity/Constant: self-gravity", "incompressible")
+        refuse({"Gravity/Constant": 1, "Body/Incompressible": "false"}, "Gravity/Constant: self-gravity of a compressible body", "set Models = reduced")
         refuse({"Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "set Models = reduced")
         refuse({"Material/Law": "none"}, "Material/Law: none, a fluid,")
         refuse({"Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method", "backwards in time")

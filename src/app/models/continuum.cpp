@@ -60,16 +60,9 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
     return offered_for_others("Body/Semi-axes", "a reference body that is not a ball");
   if (builtin && scene.body.inertia)
     return offered_for_others("Body/Inertia", "an inertia other than that of the ball");
+  if (!scene.body.incompressible && loads::present(scene.loads.get<loads::SelfGravity>()))
+    return offered_for_others("Gravity/Constant", "self-gravity of a compressible body, whose density is not uniform,");
   return {};
-}
-
-/// Surface forms of self-gravity are for a uniform density.
-std::optional<Refusal> refuses_gravity(const Scene& scene) {
-  if (scene.body.incompressible || !loads::present(scene.loads.get<loads::SelfGravity>())) return {};
-  return Refusal{
-      "Gravity/Constant",
-      "self-gravity is offered for finite elements of an incompressible body, whose density stays uniform; set "
-      "Body/Incompressible = true or Models = reduced"};
 }
 
 std::optional<Refusal> refuses_symmetry(const Scene& scene) {
@@ -87,7 +80,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
 }
 
 std::optional<Refusal> refuses(const Scene& scene) {
-  for (const auto judge : {refuses_discretization, refuses_body, refuses_gravity, refuses_symmetry, refuses_motion})
+  for (const auto judge : {refuses_discretization, refuses_body, refuses_symmetry, refuses_motion})
     if (auto refusal = judge(scene)) return refusal;
   return {};
 }

@@ -187,7 +187,8 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   const std::string name = parameter_name(asked.family);
   for (const auto& missing : family.missing)
     context.log->warn("no equilibrium at {} = {:.9g}: {}", name, missing.parameter, missing.reason);
-  const bool interrupted = context.interrupted();
+  const auto n_values = static_cast<int>(family.points.size() + family.missing.size());
+  const bool interrupted = n_values < asked.number;
   if (family.points.empty() && !interrupted) {
     outcome.end = mechanics::Outcome::failed;
     outcome.message = "the family has no member in this range";
@@ -204,8 +205,8 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   if (interrupted) {
     outcome.end = mechanics::Outcome::interrupted;
     outcome.message =
-        fmt::format("equilibria interrupted after {} of {} values of {}; those before are in equilibria.csv",
-                    family.points.size() + family.missing.size(), asked.number, name);
+        fmt::format("equilibria interrupted after {} of {} values of {}; those before are in equilibria.csv", n_values,
+                    asked.number, name);
   }
   return outcome;
 }

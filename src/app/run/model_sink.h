@@ -1,7 +1,7 @@
 #pragma once
-/// Where one model's run leaves what it finds. This class keeps nothing, for runs whose trace is all that is wanted
-/// (search/).
-/// `RowsInMemory` keeps the rows (sweeps), `ModelFiles` writes the files of a run's directory.
+/// Where the run of one model puts its results. This class keeps nothing: it is for runs of which only the trace is
+/// wanted (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps; `ModelFiles` writes the files of a run's
+/// directory.
 ///
 /// All ranks call the same functions in the same order.
 
@@ -50,7 +50,7 @@ class ModelSink {
                              long /*n_samples_taken*/) {}
   virtual void append_shape(const Rows&) {}
 
-  /// How much of the run is done, from 0 to 1, for whoever waits.
+  /// How much of the run is done, from 0 to 1, for the progress line.
   virtual void progress(double /*part*/) {}
   virtual void progress_ends() {}
 };

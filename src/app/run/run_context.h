@@ -23,7 +23,7 @@ namespace pseudorigid::app {
 
 struct RunContext;
 
-/// Where the model of that name leaves what it finds.
+/// Makes the sink of the model of that name.
 using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
 struct RunContext {

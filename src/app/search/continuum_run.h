@@ -1,6 +1,6 @@
 #pragma once
-/// One run of the continuum among those that a scene may take: the one that is written, and others for their trace
-/// alone, with no observables, no files, no words.
+/// A scene may need several runs of the continuum: the one whose results are written, and others of which only the
+/// trace is wanted. Those have no observables, no files and no messages.
 
 #include <functional>
 #include <optional>

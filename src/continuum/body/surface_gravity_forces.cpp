@@ -16,8 +16,7 @@ SurfaceGravityForces::SurfaceGravityForces(double gravity_constant, const BallSp
       const double weight = face.end == 1 ? point.weight : -point.weight;
       points_.push_back({std::move(point), weight});
     }
-  const gravity::SurfacePoints at_rest = own_points(space.reference_positions());
-  rest_volume_ = over_ranks(totals(at_rest, {.e = std::vector<double>(at_rest.size()), .g = {}, .h = {}})).volume;
+  rest_volume_ = sum_over_ranks(enclosed_volume(own_points(space.reference_positions())), space.communicator());
 }
 
 gravity::SurfacePoints SurfaceGravityForces::own_points(const Vector& x) const {

@@ -1,12 +1,12 @@
 #pragma once
-/// Self-gravity of the finite-element ball (gravity/surface_gravity.h): its free surface is what acts. With the Gauss
-/// points of the faces, as many in a direction as a cell has nodes,
+/// Self-gravity of the finite-element ball (gravity/surface_gravity.h): its free surface is all that it needs. With
+/// the Gauss points of the faces, as many in a direction as a cell has nodes,
 ///
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
 ///
-/// the exact derivative of the discrete Ê: it neither pushes nor turns the body. Sources are the points of all ranks
-/// and, of a sector, their images. A body of uniform density only: the incompressible ball.
+/// the exact derivative of the discrete Ê: total force and total torque are zero. The sources are the points of all
+/// ranks and, where a sector is computed, their mirror images. The density must be uniform: incompressible balls only.
 
 #include <vector>
 
