@@ -45,6 +45,32 @@ SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSum
   return derivative;
 }
 
+Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums) {
+  double growth = 0;
+  for (std::size_t i = 0; i < targets.at.size(); ++i)
+    growth += targets.rate.point(i).dot(targets.at.area(i)) + targets.at.point(i).dot(targets.rate.area(i));
+  return {totals(targets.at, sums.at), {std::accumulate(sums.rate.e.begin(), sums.rate.e.end(), 0.0), growth / 3}};
+}
+
+SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
+                                          const Moving<SurfaceTotals>& totals, double strength, double rest_volume) {
+  const auto& [at, rate] = totals;
+  const double growth = rate.volume / at.volume;
+  const double pair = gauge(at, rest_volume) * strength / 6, pair_rate = -5.0 / 3 * growth * pair;
+  const double dilation = 5 * surface_energy(at, strength, rest_volume) / (9 * at.volume),
+               energy_rate = (pair * rate.pairs + pair_rate * at.pairs) / 2,
+               dilation_rate = 5 * energy_rate / (9 * at.volume) - growth * dilation;
+  SurfaceDerivative derivative;
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < targets.at.size(); ++i) {
+      derivative.by_point[c].push_back(pair_rate * sums.at.g[c][i] + pair * sums.rate.g[c][i] -
+                                       dilation_rate * targets.at.N[c][i] - dilation * targets.rate.N[c][i]);
+      derivative.by_area[c].push_back(pair_rate * sums.at.h[c][i] + pair * sums.rate.h[c][i] -
+                                      dilation_rate * targets.at.x[c][i] - dilation * targets.rate.x[c][i]);
+    }
+  return derivative;
+}
+
 std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,
                                  double strength) {
   std::vector<double> potential;

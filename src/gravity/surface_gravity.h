@@ -44,6 +44,13 @@ struct PairSums {
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
 
+/// What belongs to points that move, and its rate.
+template <class T>
+struct Moving {
+  T at, rate;
+};
+Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
+
 /// V = ⅓ Σ x·N
 double enclosed_volume(const SurfacePoints& points);
 
@@ -64,6 +71,12 @@ struct SurfaceDerivative {
 };
 SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSums& sums, const SurfaceTotals& totals,
                                      double strength, double rest_volume);
+
+Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums);
+
+/// The rate of the derivative, D²Ê applied to the motion.
+SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
+                                          const Moving<SurfaceTotals>& totals, double strength, double rest_volume);
 
 /// φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| for points x on the surface or within; `strength`: Gρ.
 std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,

@@ -86,7 +86,8 @@ void visit_material(S& scene, Visit& visit) {
           "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
           "gent: -(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, with J_m the Gent limit. "
           "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
-          "compression. none: W = 0, a fluid, for the reduced model. As Oliva prints them (5.7.9): "
+          "compression. none: W = 0, a fluid; of the continuum under self-gravity or a confining tidal matrix. As "
+          "Oliva prints them (5.7.9): "
           "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
           "stressed at rest."});
   visit(shear_modulus, positive,
@@ -187,7 +188,7 @@ void visit_time(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_continuum(S& scene, Visit& visit) {
-  auto& [degree, refinements, tolerance, error_estimate, mesh, symmetry] = scene.continuum;
+  auto& [degree, refinements, tolerance, error_estimate, gravity_points, stiffness, mesh, symmetry] = scene.continuum;
   visit(degree, AutoOrInteger{{1, largest_degree}},
         About{"Continuum/Degree", "",
               "Polynomial degree of the displacement; the pressure has one degree less. 1 is for compressible bodies. "
@@ -203,6 +204,19 @@ void visit_continuum(S& scene, Visit& visit) {
         About{"Continuum/Error estimate", "",
               "auto: where the models are compared, the continuum is also run on a coarser discretisation, for about a "
               "third of the cost, and the comparison says its discretisation error; none: it is left out."});
+  visit(gravity_points, AutoOrInteger{{2, 16}},
+        About{"Continuum/Gravity points", "",
+              "Gauss points in a direction of each face of the surface, by whose pairs self-gravity is computed. auto: "
+              "two more than Degree, or one more where an elastic body is refined; then their error is below that of "
+              "the mesh. The cost of gravity grows as the fourth power of their number."});
+  visit(
+      stiffness, AutoOrNumber{not_negative},
+      About{"Continuum/Volumetric stiffness", "pressure",
+            "kappa of the stabilisation of an incompressible body: the elements store (kappa/4) (J^2 - 1 - ln J^2), "
+            "J = det F, beside the energy of the law. An exact motion has J = 1 and does not feel it; of the elements "
+            "it holds those changes of volume that the pressure space leaves. 0: off. auto: the pressure that "
+            "self-gravity and a confining tidal matrix make at the centre, off without them. In violent motions the "
+            "shear modulus is a good choice."});
   visit(
       mesh, BuiltinOrMeshFile{},
       About{

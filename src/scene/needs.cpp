@@ -9,6 +9,7 @@
 #include "scene/entries.h"
 #include "scene/models.h"
 #include "scene/scales.h"
+#include "scene/stabilization.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -34,6 +35,18 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
                  : "discretisation error: Continuum/Error estimate is none; no companion run");
 }
 
+void describe_stabilization(const Scene& scene, Needs& needs) {
+  if (!needs.pressure_space) return;
+  const double kappa = volumetric_stiffness(scene);
+  needs.quantities.volumetric = kappa > 0 && needs.quantities.energies;
+  sort_out(needs, kappa > 0,
+           fmt::format("volumetric stabilisation: kappa = {:.3g}{}", kappa,
+                       needs.quantities.volumetric ? ", its energy in the column volumetric" : ""),
+           scene.continuum.volumetric_stiffness
+               ? "volumetric stabilisation: Continuum/Volumetric stiffness is 0"
+               : "volumetric stabilisation: neither self-gravity nor a confining tidal matrix");
+}
+
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];
@@ -56,6 +69,7 @@ void describe_models(const Scene& scene, Needs& needs) {
                          scene.continuum.degree ? fmt::format("degree {}", *scene.continuum.degree - 1)
                                                 : "one degree less than the displacement"),
              "pressure space: the body is compressible");
+  describe_stabilization(scene, needs);
   const loads::BodyFacts facts = facts_of_body(scene);
   scene.loads.for_each([&]<class L>(const L& load) {
     if (!L::skipped.empty()) sort_out(needs, loads::present(load), load.needed(facts), std::string(L::skipped));

@@ -57,6 +57,8 @@ struct Quantities {
   bool pressure = false;   ///< reduced only: central_pressure
   bool bipolar = false;    ///< reduced only: A, T, S, Ω*, Λ*, residual of (5.121)
   bool stretches = false;  ///< principal stretches
+  /// Continuum only, not asked for by name: with the energies, where the volumetric stabilisation is on.
+  bool volumetric = false;
 };
 
 struct Catalogue;
@@ -108,7 +110,9 @@ struct Scene {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
     double tolerance = 1e-3;
     ErrorEstimate error_estimate = ErrorEstimate::automatic;
-    std::string mesh{builtin_mesh};  ///< or an absolute path
+    std::optional<int> gravity_points;           ///< empty: auto (continuum/body/surface_gravity_forces.h)
+    std::optional<double> volumetric_stiffness;  ///< empty: auto (scene/stabilization.h)
+    std::string mesh{builtin_mesh};              ///< or an absolute path
     Symmetry symmetry = Symmetry::automatic;
   } continuum;
   struct Output {

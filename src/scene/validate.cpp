@@ -182,9 +182,14 @@ class Validator {
              "saint-venant-kirchhoff (as printed) is stressed at rest, which a compressible ball leaves by itself; its "
              "modes have no rest to be about");
     const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
-    if (!is_free(scene_) || !centered)
+    loads::Forcing others = loads::constant_forcing(scene_.loads);
+    others.gravity_constant = 0;
+    if (others.present() || loads::depend_on_time(scene_.loads) || !centered)
       refuse("Analysis",
-             "modes are those of the free ball; leave out loads, viscosity, drag and motions of the centre");
+             "modes are those of the ball alone, with self-gravity or without; leave out other loads, viscosity, drag "
+             "and motions of the centre");
+    if (is_fluid(scene_))
+      refuse("Material/Law", "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0");
     if (!fixed_discretization(scene_))
       refuse(scene_.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
              "auto is offered for motions; modes have their spread as a measure of the mesh's error, so give a number");

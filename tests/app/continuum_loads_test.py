@@ -249,13 +249,13 @@ class ContinuumLoads(StoppedRunTest):
             self.assert_one_sentence(result, *words)
         refuse({"Gravity/Constant": 1, "Body/Incompressible": "false"}, "Gravity/Constant: self-gravity of a compressible body", "set Models = reduced")
         refuse({"Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "set Models = reduced")
-        refuse({"Material/Law": "none"}, "Material/Law: none, a fluid,")
+        refuse({"Material/Law": "none"}, "Material/Law: a fluid with neither")
         refuse({"Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method", "backwards in time")
         refuse({"Loads/Nominal traction": "1, 0; 0, 1"}, "Loads/Nominal traction", "3x3 matrix")
         refuse({"Material/Viscosity": -1}, "Material/Viscosity")
         refuse({"Loads/Acceleration": "1, 0, 0", "Continuum/Symmetry": "octant"}, "Continuum/Symmetry", "normal x",
                "Loads/Acceleration")
-        refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "free ball")
+        refuse({"Models": "continuum", "Analysis": "modes", "Material/Viscosity": 1}, "Analysis", "ball alone")
         tide = {"Models": "reduced", "Loads/Tidal amplitude": "0.2, 0, 0; 0, -0.1, 0; 0, 0, -0.1"}
         refuse({**tide, "Time/Method": "symmetric-8"}, "Time/Method", "depend on the position alone")
         refuse({**tide, "Time/Method": "energy-momentum"}, "Time/Method", "energy-momentum")

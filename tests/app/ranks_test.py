@@ -53,6 +53,11 @@ class Ranks(RanksTest):
             **SCENE, "Continuum/Symmetry": "auto", "Continuum/Refinements": 0, "Gravity/Constant": 2,
             "Initial state/Velocity": "0.1, 0.2, 0; -0.4, 0, 0; 0, 0.1, -0.1"})
 
+    def test_fluid(self):
+        self.check_same_on_all({
+            **SCENE, "Continuum/Symmetry": "auto", "Continuum/Refinements": 0, "Gravity/Constant": 2, "Material/Law": "none",
+            "Initial state/Velocity": "0.1, 0.2, 0; -0.4, 0, 0; 0, 0.1, -0.1"})
+
     def test_mesh_from_a_file(self):
         self.check_same_on_all({
             "Models": "continuum", "Continuum/Mesh": SOURCE / "meshes/rough_ball.msh", "Continuum/Degree": 2,

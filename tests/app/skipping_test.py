@@ -100,6 +100,17 @@ class Skipping(ProgramTest):
         self.assertNotEqual(self.table("general", "reduced.csv").column("Q12")[-1], 0)
         self.close("reduced.csv", "diagonal", "general")
 
+    def test_stabilisation(self):
+        self.scene({**RELEASE, "Models": "continuum"})
+        _, skipped = self.run_scene("without")
+        self.assertIn("volumetric stabilisation: neither", skipped)
+        needed, _ = self.run_scene("with", {"Continuum/Volumetric stiffness": NOTHING})
+        self.assertIn("volumetric stabilisation: kappa = 1e-300", needed)
+        self.assertLess(max(self.table("with", "continuum.csv").column("volumetric")), NOTHING)
+        for column in self.table("without", "continuum.csv").header:
+            for a, b in zip(*(self.table(name, "continuum.csv").column(column) for name in ("without", "with"))):
+                self.assertAlmostEqual(a, b, delta=ROUND_OFF, msg=column)
+
     def test_gravity(self):
         self.scene({**RELEASE, "Models": "reduced"})
         _, skipped = self.run_scene("without")

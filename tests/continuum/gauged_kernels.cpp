@@ -32,7 +32,7 @@ std::unique_ptr<continuum::CellKernels> make_gauged_kernels(const continuum::Bal
   using Law = continuum::LawAtPoints<Gauged>;
   return std::make_unique<continuum::CellKernels>(
       space, std::make_unique<continuum::DegreeKernels<gauged_degree>>(local_cells(space),
-                                                                       std::make_unique<Law>(Gauged{{1, 0}, c})));
+                                                                       std::make_unique<Law>(Gauged{{1, 0}, c}, 0.0)));
 }
 
 }  // namespace pseudorigid::testing

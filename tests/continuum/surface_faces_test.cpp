@@ -29,7 +29,7 @@ struct Surface {
 Surface surface_at(const continuum::BallSpace& space, const continuum::Vector& x) {
   Surface surface;
   for (const CellFace& face : continuum::free_surface(space))
-    for (const FacePoint& point : continuum::quadrature_on(space, face)) {
+    for (const FacePoint& point : continuum::quadrature_on(space, face, space.reference_cell().n)) {
       const FacePoint::Jet at = point.jet(x);
       EXPECT_EQ(at.u, point.value(x));
       const Vector3d outward = (face.end == 1 ? 1 : -1) * point.weight * at.by_p.cross(at.by_q);

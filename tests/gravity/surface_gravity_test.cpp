@@ -144,6 +144,39 @@ TEST(SurfaceGravity, DerivativeIsThatOfTheSums) {
   EXPECT_NEAR(difference, expected, 1e-9 * std::abs(expected));
 }
 
+TEST(SurfaceGravity, SecondDerivativeIsThatOfTheFirst) {
+  const SurfacePoints points = ellipsoid<4>(axes, 1);
+  std::mt19937 generator(8);
+  std::normal_distribution<double> normal;
+  SurfacePoints rate;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    rate.add({normal(generator), normal(generator), normal(generator)},
+             {0.1 * normal(generator), 0.1 * normal(generator), 0.1 * normal(generator)});
+  const Moving surface{points, rate};
+  const auto sums = sum_pairs(surface, surface);
+  const SurfaceDerivative found = surface_derivative_rate(surface, sums, totals(surface, sums), 2, 3);
+  const auto derivative = [&](double s) {
+    SurfacePoints moved;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      moved.add(points.point(i) + s * rate.point(i), points.area(i) + s * rate.area(i));
+    return gravity_of(moved, moved, 2, 3).derivative;
+  };
+  const double h = 1e-4;  // as above
+  const SurfaceDerivative near[] = {derivative(h), derivative(-h), derivative(2 * h), derivative(-2 * h)};
+  const auto difference = [&](auto field, int c, std::size_t i) {
+    const auto value = [&](int k) { return (near[k].*field)[c][i]; };
+    return (8 * (value(0) - value(1)) - (value(2) - value(3))) / (12 * h);
+  };
+  for (const auto field : {&SurfaceDerivative::by_point, &SurfaceDerivative::by_area}) {
+    double size = 0;
+    for (int c = 0; c < 3; ++c)
+      for (const double value : (found.*field)[c]) size = std::max(size, std::abs(value));
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < points.size(); ++i)
+        EXPECT_NEAR((found.*field)[c][i], difference(field, c, i), 1e-9 * size);
+  }
+}
+
 TEST(SurfaceGravity, NeitherPushesNorTurnsTheBody) {
   Matrix3d F = axes;
   F(0, 1) = 0.4;

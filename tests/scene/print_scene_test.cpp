@@ -92,10 +92,14 @@ Scene any_scene(std::mt19937_64& random) {
                      static_cast<int>(random() % 5),
                      std::uniform_real_distribution<>(1e-10, 1e-1)(random),
                      error_estimate_kind.table[random() % error_estimate_kind.table.size()].second,
+                     static_cast<int>(2 + random() % 15),
+                     std::uniform_real_distribution<>(0, 10)(random),
                      random() % 2 ? std::string(builtin_mesh) : "/meshes/a body.msh",
                      symmetry_kind.table[random() % symmetry_kind.table.size()].second};
   if (random() % 2) scene.continuum.degree.reset();
   if (random() % 2) scene.continuum.refinements.reset();
+  if (random() % 2) scene.continuum.gravity_points.reset();
+  if (random() % 2) scene.continuum.volumetric_stiffness.reset();
   const auto coin = [&] { return random() % 2 == 0; };
   scene.output = {"out/" + std::to_string(random()),
                   static_cast<int>(1 + random() % 10'000'000),

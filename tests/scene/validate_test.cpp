@@ -75,14 +75,28 @@ INSTANTIATE_TEST_SUITE_P(
                 {"scene.prm:2: Loads/Nominal traction: expected values up to 1e+12 in the body's own units"}},
         Refused{"modes_under_loads",
                 "set Models = continuum\nset Analysis = modes\nsubsection Material\nset Drag = 1\nend",
-                {"scene.prm:2: Analysis: modes are those of the free ball"}},
+                {"scene.prm:2: Analysis: modes are those of the ball alone"}},
         Refused{"compressible_modes_of_a_law_without_rest",
                 "set Models = continuum\nset Analysis = modes\nsubsection Body\nset Incompressible = false\nend\n"
                 "subsection Material\nset Law = saint-venant-kirchhoff (as printed)\nend",
                 {"scene.prm:7: Material/Law: saint-venant-kirchhoff (as printed) is stressed at rest"}},
-        Refused{"fluid_continuum",
-                "subsection Material\nset Law = none\nend",
-                {"scene.prm:2: Material/Law: none, a fluid, is not offered for the continuum", "Models = reduced"}},
+        Refused{
+            "fluid_continuum",
+            "subsection Material\nset Law = none\nend",
+            {"scene.prm:2: Material/Law: a fluid with neither self-gravity nor a positive definite Loads/Tidal matrix",
+             "Models = reduced"}},
+        Refused{"fluid_in_a_potential_that_lets_go",
+                "subsection Material\nset Law = none\nend\n"
+                "subsection Loads\nset Tidal matrix = 1, 0, 0; 0, 1, 0; 0, 0, -1\nend",
+                {"scene.prm:2: Material/Law: a fluid with neither self-gravity"}},
+        Refused{"fluid_without_stabilisation",
+                "subsection Material\nset Law = none\nend\nsubsection Gravity\nset Constant = 1\nend\n"
+                "subsection Continuum\nset Volumetric stiffness = 0\nend",
+                {"scene.prm:8: Continuum/Volumetric stiffness: expected a number > 0 for a fluid"}},
+        Refused{"modes_of_a_fluid",
+                "set Models = continuum\nset Analysis = modes\nsubsection Material\nset Law = none\nend\n"
+                "subsection Gravity\nset Constant = 1\nend",
+                {"scene.prm:4: Material/Law: modes are those of an elastic ball"}},
         Refused{
             "degree_1_of_an_incompressible_continuum",
             "subsection Continuum\nset Degree = 1\nend",

@@ -112,6 +112,10 @@ def ball(rng, with_continuum):
         entries["Continuum/Error estimate"] = rng.choice(("auto", "none", "none"))
         if incompressible and rng.random() < 0.3:
             entries["Gravity/Constant"] = repr(rate**2 / density * 10 ** rng.uniform(-2, 1))
+            if rng.random() < 0.2 and not {"Material/Viscosity", "Loads/Nominal traction"} & entries.keys():
+                entries["Material/Law"] = "none"
+        if incompressible and rng.random() < 0.15:
+            entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
     choose_method(rng, entries, 1 / rate, reduced_only)

@@ -11,7 +11,7 @@ SAME = 1e-10
 ENERGY = "mass*length^2/time^2"
 COLUMNS = {"time": "time", "Qdot": "1/time", "x": "length", "v": "length/time", "J": "mass*length^2/time",
            "Z": "mass*length^2/time", "multiplier": "1/time^2", "a": "length",
-           **dict.fromkeys(("kinetic", "elastic", "gravitational", "external", "dissipated", "energy"), ENERGY)}
+           **dict.fromkeys(("kinetic", "elastic", "gravitational", "external", "dissipated", "energy", "volumetric"), ENERGY)}
 START = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)), "Initial state/Velocity": "0, 0.4, 0; -0.3, 0, 0; 0, 0, 0",
          "Time/End": 2, "Output/Samples": 10}
 RELEASE = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)),
@@ -27,6 +27,7 @@ SCENES = {
     "reduced, compressible": {"Models": "reduced", **START, "Body/Incompressible": "false", "Material/Lame lambda": 2.5},
     "both models": {"Models": "reduced, continuum", **RELEASE},
     "both models with gravity": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1.5},
+    "both models, a fluid": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1, "Material/Law": "none"},
     "both models, loads and dissipation": {"Models": "reduced, continuum", **RELEASE, **LOADS},
     "both models, compressible": {"Models": "reduced, continuum", **RELEASE, "Body/Incompressible": "false"},
 }

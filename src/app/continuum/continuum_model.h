@@ -3,11 +3,14 @@
 
 #include <fmt/format.h>
 
+#include "app/continuum/nonaffine_watch.h"
+#include "app/continuum/stored_energy.h"
 #include "app/continuum/wrinkling_watch.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/mesh_file.h"
 #include "app/run/model_run.h"
 #include "app/run/scene_to_model.h"
+#include "app/run/tension_watch.h"
 #include "app/search/continuum_run.h"
 #include "continuum/output/material_faces.h"
 #include "continuum/output/nodal_fields.h"
@@ -35,12 +38,17 @@ class ContinuumModel {
       : context_(context),
         trace_(task.trace),
         law_(internal_law(context.scene)),
-        ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree, law_,
-              internal_loads(context.scene)),
+        ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree,
+              stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points),
         rank_order_(ball_.space()),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
-        wrinkling_(context, law_) {}
+        nonaffine_(context),
+        tension_(context, name),
+        wrinkling_(context, law_) {
+    request_.nonaffine |= nonaffine_.watches();
+    request_.multiplier |= tension_.watches();
+  }
 
   const System& system() const { return ball_; }
   using MemoryLayout = continuum::MemoryLayout;
@@ -70,10 +78,14 @@ class ContinuumModel {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     trajectory_.row(time, observables_, row);
     if (trace_) (*trace_)[sample_at(time)] = configuration(state);
+    nonaffine_.look(time, observables_.nonaffine_displacement);
+    tension_.look(time, observables_.multiplier * context_.units.multiplier());
     wrinkling_.look(time, ball_.space(), state.q);
     return {};
   }
   void take_up(const io::Table& rows) {
+    if (tension_.watches() && rows.has_column("multiplier"))
+      tension_.take_up(rows.column("time"), rows.column("multiplier"));
     if (!trace_ || !rows.has_column("Q11")) return;
     const std::size_t first = rows.column_index("Q11");
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
@@ -93,6 +105,8 @@ class ContinuumModel {
                                          {"pressure", 1, scaled(fields.pressure, units.stress())},
                                          {"jacobian", 1, std::move(fields.jacobian)},
                                          {"von_mises", 1, scaled(fields.von_mises, units.stress())}}};
+    if (ball_.gravity())
+      grid.fields.push_back({"gravity_potential", 1, scaled(fields.potential, units.velocity() * units.velocity())});
     // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
     for (std::size_t i = 0; i < grid.points.size(); ++i)
       grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
@@ -135,6 +149,8 @@ class ContinuumModel {
       c["gram_bytes"] = static_cast<double>(gram.memory);
     }
     c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
+    nonaffine_.report(statistics);
+    tension_.report(statistics);
     wrinkling_.report(statistics);
   }
 
@@ -183,6 +199,8 @@ class ContinuumModel {
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
+  NonaffineWatch nonaffine_;
+  TensionWatch tension_;
   WrinklingWatch wrinkling_;
   continuum::NodalGrid reference_;                         ///< empty until the first frame
   mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
-#include "app/run/scene_to_model.h"
+#include "app/continuum/stored_energy.h"
 #include "continuum/modes/modes.h"
 #include "continuum/modes/sphere_frequencies.h"
 #include "continuum/output/nodal_fields.h"
@@ -20,22 +23,28 @@ namespace {
 using continuum::BallFrequency, continuum::ModeKind;
 using Clock = std::chrono::steady_clock;
 
+/// γ = ρgr/μ, g = (4/3)πGρr.
+double gravity_of(const continuum::RestProblem& problem) {
+  return problem.gravity ? 4 * std::numbers::pi / 3 * problem.gravity->constant() / problem.elasticity.shear_modulus()
+                         : 0;
+}
+
 /// The frequency of the sphere.
 double exact_frequency(const BallFrequency& f, const continuum::RestProblem& problem) {
   const double mu = problem.elasticity.shear_modulus(), lambda = problem.elasticity.lame_lambda();
   const bool spheroidal = f.kind == ModeKind::spheroidal;
   return std::sqrt(mu) * (problem.incompressible
-                              ? continuum::sphere_frequency(spheroidal, f.degree, f.overtone)
+                              ? continuum::sphere_frequency(spheroidal, f.degree, f.overtone, gravity_of(problem))
                               : continuum::compressible_sphere_frequency(spheroidal, f.degree, f.overtone,
                                                                          std::sqrt(mu / (lambda + 2 * mu))));
 }
 
-/// The pseudo-rigid ball has the five motions Q = Id + εH with H symmetric and without trace, m̄ Ḧ = −2μ Vol H, and
-/// where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
+/// The pseudo-rigid ball has the five motions Q = Id + εH with H symmetric and without trace, m̄ Ḧ = −(2 + 4γ/25)μ Vol
+/// H, and where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
 double reduced_frequency(const BallFrequency& f, const continuum::RestProblem& problem) {
   if (f.kind != ModeKind::spheroidal || f.overtone != 0) return 0;
   const double mu = problem.elasticity.shear_modulus(), lambda = problem.elasticity.lame_lambda();
-  if (f.degree == 2) return std::sqrt(10 * mu);
+  if (f.degree == 2) return std::sqrt((10 + 0.8 * gravity_of(problem)) * mu);
   return f.degree == 0 ? std::sqrt(5 * (3 * lambda + 2 * mu)) : 0;
 }
 
@@ -93,11 +102,14 @@ void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum
 ModelOutcome run_modes(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   const auto start = Clock::now();
-  const materials::AnyLaw law = internal_law(scene);
+  const continuum::StoredEnergy stored = stored_energy(scene);
   const continuum::BallSpace space(continuum::BallMesh({{true, true, true}}, *scene.continuum.refinements),
                                    *scene.continuum.degree);
-  const auto kernels = continuum::make_cell_kernels(space, law);
-  const continuum::RestProblem problem(space, *kernels, law, scene.body.incompressible);
+  const auto kernels = continuum::make_cell_kernels(space, stored);
+  std::optional<continuum::SurfaceGravityForces> gravity;
+  if (const double G = loads::constant_forcing(internal_loads(scene)).gravity_constant; G > 0)
+    gravity.emplace(G, space, scene.continuum.gravity_points.value_or(continuum::n_gravity_points(space, false)));
+  const continuum::RestProblem problem(space, *kernels, stored, scene.body.incompressible, std::move(gravity));
   std::vector<BallFrequency> frequencies;
   continuum::ModesReport report;
   ModelOutcome outcome;

@@ -6,7 +6,9 @@
 #include "io/trajectory.h"
 #include "scene/discretization.h"
 #include "scene/models.h"
+#include "scene/scales.h"
 #include "scene/sector.h"
+#include "scene/stabilization.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -44,17 +46,23 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
+/// Whether something keeps the elements of a fluid under pressure.
+bool is_held_together(const Scene& scene) {
+  return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
+}
+
 /// What other models have and finite elements have not.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto others = scene::joined(scene::names_where(scene, [](const auto& model) { return !model.discretized; }));
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is offered for the {} model; set Models = {}", what, others, others)};
   };
-  if (scene.material.law == scene::Law::none)
-    return Refusal{"Material/Law",
-                   "none, a fluid, is not offered for the continuum: elements that preserve volume weakly have nothing "
-                   "that holds a fluid's motions at the level of the mesh; set Models = " +
-                       others};
+  if (scene::is_fluid(scene) && !is_held_together(scene))
+    return offered_for_others("Material/Law",
+                              "a fluid with neither self-gravity nor a positive definite Loads/Tidal matrix");
+  if (scene::is_fluid(scene) && scene::volumetric_stiffness(scene) == 0)
+    return Refusal{"Continuum/Volumetric stiffness",
+                   "expected a number > 0 for a fluid: nothing else holds its elements; or auto"};
   const bool builtin = !scene::has_mesh_file(scene);
   if (builtin && scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return offered_for_others("Body/Semi-axes", "a reference body that is not a ball");

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "app/reduced/reduced_scene.h"
-#include "app/reduced/tension_watch.h"
 #include "app/run/run_context.h"
+#include "app/run/tension_watch.h"
 #include "io/ellipsoid_surface.h"
 #include "io/trajectory.h"
 #include "mechanics/core/principal_axes.h"
@@ -38,7 +38,7 @@ class ReducedModel {
         context_(context),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
-        tension_(context, scene::is_fluid(context.scene)) {
+        tension_(context, name) {
     request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
   }
 

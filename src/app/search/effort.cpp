@@ -14,6 +14,7 @@
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
 #include "scene/models.h"
+#include "scene/stabilization.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -107,7 +108,8 @@ double available_memory() {
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
   const auto [lambda, mu] = lame_moduli(internal_law(scene));
   const double of_mesh = 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
-  const double rattle = of_mesh / std::sqrt(mu + 0.296 * lambda) * units_of(scene).time;
+  const double kappa = scene::volumetric_stiffness(scene) / units_of(scene).stress();
+  const double rattle = of_mesh / std::sqrt(mu + 0.296 * (lambda + kappa)) * units_of(scene).time;
   const auto method = mechanics::find_method(scene.time.method);
   if (!method) return rattle;
   return mechanics::with_method(*method, [&]<class Method>(Method) {

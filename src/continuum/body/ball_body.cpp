@@ -4,22 +4,27 @@
 #include <cmath>
 #include <cstdio>
 #include <utility>
+#include <variant>
 
 #include "continuum/parallel/ranks.h"
 
 namespace pseudorigid::continuum {
 
-BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
                    const loads::Loads& loads, MPI_Comm communicator)
-    : BallBody(BallMesh(sector, n_refinements, communicator), degree, law, loads) {}
+    : BallBody(BallMesh(sector, n_refinements, communicator), degree, stored, loads) {}
 
-BallBody::BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads)
+BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads,
+                   std::optional<int> n_points)
     : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative()),
-      limit_(materials::limit_of(law)),
-      kernels_(make_cell_kernels(space_, law)),
+      limit_(materials::limit_of(stored.law)),
+      is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
+      kernels_(make_cell_kernels(space_, stored)),
       loads_(loads, space_, *kernels_),
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
-  if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0) gravity_.emplace(G, space_);
+  if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0)
+
+    gravity_.emplace(G, space_, n_points.value_or(n_gravity_points(space_, is_fluid_)));
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
@@ -45,7 +50,8 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
   const LeastPlace jacobian = least_jacobian(x);
   if (!limit_.empty() && jacobian.value > 0)
     return mechanics::Status::failure(materials::beyond_limit(limit_) + at(least_reserve(x)));
-  return mechanics::Status::failure("an element is turned inside out: " + in_words(jacobian));
+  const char* reason = is_fluid_ ? "the mesh of the fluid has tangled, as nothing resists shear: " : "";
+  return mechanics::Status::failure(reason + ("an element is turned inside out: " + in_words(jacobian)));
 }
 
 mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
@@ -119,6 +125,7 @@ CellIntegrals BallBody::integrals(const Vector& x, const Vector& v) const {
   const MPI_Comm communicator = space_.communicator();
   if (n_ranks(communicator) == 1) return sums;
   sums.elastic = sum_over_ranks(sums.elastic, communicator);
+  sums.volumetric = sum_over_ranks(sums.volumetric, communicator);
   sums.volume = sum_over_ranks(sums.volume, communicator);
   for (CellIntegrals::Matrix* matrix : {&sums.F, &sums.X_pulled_back})
     for (auto& row : *matrix) row = sum_over_ranks(row, communicator);

@@ -36,10 +36,11 @@ class BallBody {
 
   /// The sector of the unit ball with degree k = 1 … 8 (with the constraint from 2 on) after n_refinements uniform
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
-  BallBody(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+  BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh, likewise.
-  BallBody(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads = {});
+  /// The body of a mesh, likewise. `n_gravity_points`: body/surface_gravity_forces.h.
+  BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
+           std::optional<int> n_gravity_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // its parts refer to one another
   BallBody& operator=(const BallBody&) = delete;
 
@@ -98,6 +99,7 @@ class BallBody {
 
   BallSpace space_;
   std::string_view limit_;  ///< of the law, as materials::limit_of has it
+  bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
   std::optional<SurfaceGravityForces> gravity_;

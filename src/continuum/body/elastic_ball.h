@@ -26,13 +26,13 @@ class ElasticBall : public BallBody {
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
   /// As BallBody, with a choice of the solver of the Gram systems.
-  ElasticBall(const Sector& sector, int degree, int n_refinements, const materials::AnyLaw& law,
+  ElasticBall(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
               const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
-      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, law, loads, gram_method) {}
-  ElasticBall(BallMesh mesh, int degree, const materials::AnyLaw& law, const loads::Loads& loads = {},
-              std::optional<GramMethod> gram_method = std::nullopt)
-      : BallBody(std::move(mesh), degree, law, loads::at_constant_volume(loads)),
+      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, stored, loads, std::nullopt, gram_method) {}
+  ElasticBall(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
+              std::optional<int> n_gravity_points = std::nullopt, std::optional<GramMethod> gram_method = std::nullopt)
+      : BallBody(std::move(mesh), degree, stored, loads::at_constant_volume(loads), n_gravity_points),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 

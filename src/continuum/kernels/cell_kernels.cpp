@@ -120,9 +120,9 @@ LocalCells local_cells(const BallSpace& space) {
   return {space.reference_cell(), space.cells(), space.reference_positions().begin()};
 }
 
-std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const materials::AnyLaw& law) {
+std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored) {
   return std::make_unique<CellKernels>(space,
-                                       make_local_kernels(space.degree(), local_cells(space), make_point_law(law)));
+                                       make_local_kernels(space.degree(), local_cells(space), make_point_law(stored)));
 }
 
 }  // namespace pseudorigid::continuum

@@ -1,8 +1,9 @@
 #pragma once
 /// Integrals over the cells of the ball, matrix-free. With F = ∇x, J = det F, ψ_j the L²-orthonormal basis of P_{k−1}
-/// in each cell (unmapped), φ the shape functions and λ_h = Σ λ_j ψ_j the Kirchhoff pressure:
+/// in each cell (unmapped), φ the shape functions, W + U the stored energy (stored_energy.h) and λ_h = Σ λ_j ψ_j the
+/// Kirchhoff pressure:
 ///
-///   force           f_n = −∫ P(F) ∇φ_n dX
+///   force           f_n = −∫ ∂(W + U)/∂F ∇φ_n dX
 ///   constraint      g_j = ∫ ψ_j ln J dX
 ///   rate            (G v)_j = ∫ ψ_j tr(F⁻¹∇v) dX
 ///   curvature       D²g(v, v)_j = −∫ ψ_j tr((F⁻¹∇v)²) dX
@@ -20,7 +21,6 @@
 
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/mesh/ball_space.h"
-#include "materials/law_table.h"
 
 namespace pseudorigid::continuum {
 
@@ -28,7 +28,8 @@ class CellKernels {
  public:
   CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local);
 
-  /// f = −∫P:∇φ. Returns the least of J and of the law's reserve; where it is not positive, f is not to be used.
+  /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve; where it is not positive, f is not to be
+  /// used.
   double force(const Vector& x, Vector& f) const;
   /// g; returns the least J; where it is not positive, g is not to be used.
   double constraint(const Vector& x, Vector& g) const;
@@ -70,8 +71,8 @@ class CellKernels {
 /// What the kernels of a space are made of.
 LocalCells local_cells(const BallSpace& space);
 
-/// Kernels for the degree of the space (1 … 8) and the law. Throws std::invalid_argument for another degree. Degree 1
-/// is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.
-std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const materials::AnyLaw& law);
+/// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
+/// Degree 1 is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.
+std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

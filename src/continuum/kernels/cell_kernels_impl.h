@@ -293,13 +293,13 @@ class DegreeKernels final : public LocalKernels {
   /// For the layers of x and v in the buffers.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
-    L elastic(0.0), volume(0.0), F_sum[9], pulled_back[9];
+    L elastic(0.0), volumetric(0.0), volume(0.0), F_sum[9], pulled_back[9];
     for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
     for (int q3 = 0; q3 < n; ++q3) {
       const QuadraturePoint* points = batches_.points(b) + q3 * plane;
       plane_gradient(buffers_->x, q3, buffers_->H);
       plane_gradient(buffers_->v, q3, buffers_->dv);  // leaves v itself in the values
-      law_->energy(points, plane, buffers_->H[0], elastic);
+      law_->energy(points, plane, buffers_->H[0], elastic, volumetric);
       for (int q = 0; q < plane; ++q) {
         const L* position = batches_.pressure_points(b)[q3 * plane + q].position;
         const L weight = points[q].weight;
@@ -316,6 +316,7 @@ class DegreeKernels final : public LocalKernels {
       }
     }
     sums.elastic += elastic.sum(batch.n_active);
+    sums.volumetric += volumetric.sum(batch.n_active);
     sums.volume += volume.sum(batch.n_active);
     for (int k = 0; k < 9; ++k) {
       sums.F[k / 3][k % 3] += F_sum[k].sum(batch.n_active);

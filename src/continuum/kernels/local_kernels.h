@@ -27,6 +27,7 @@ struct LocalCells {
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
   double elastic = 0;      ///< ∫W dX
+  double volumetric = 0;   ///< ∫U dX
   double volume = 0;       ///< ∫J dX
   Matrix F{};              ///< ∫F dX
   Matrix X_pulled_back{};  ///< ∫ρ X ⊗ (Fᵀẋ) dX

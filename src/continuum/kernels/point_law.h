@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "continuum/kernels/quadrature_point.h"
-#include "materials/law_table.h"
+#include "continuum/kernels/stored_energy.h"
 
 namespace pseudorigid::continuum {
 
@@ -18,15 +18,15 @@ class PointLaw {
   using L = QuadraturePoint::L;
   virtual ~PointLaw() = default;
 
-  /// T ← −w P(F) (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least ← the least of it, of det F and of the law's reserve, lane
-  /// by lane.
+  /// T ← −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least ← the least of it, of det F and of the law's
+  /// reserve, lane by lane.
   virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least) const = 0;
-  /// energy += Σ w W(F)
-  virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const = 0;
+  /// elastic += Σ w W(F), volumetric += Σ w U(J)
+  virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& elastic, L& volumetric) const = 0;
   /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
   virtual void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const = 0;
 };
 
-std::unique_ptr<PointLaw> make_point_law(const materials::AnyLaw& law);
+std::unique_ptr<PointLaw> make_point_law(const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

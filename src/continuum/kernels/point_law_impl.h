@@ -10,7 +10,7 @@ namespace pseudorigid::continuum {
 template <class Law>
 class LawAtPoints final : public PointLaw {
  public:
-  explicit LawAtPoints(const Law& law) : law_(law) {}
+  LawAtPoints(const Law& law, double volumetric_stiffness) : law_(law), kappa_(volumetric_stiffness) {}
 
   void stress(const QuadraturePoint* points, int n_points, L* H, L& least_of_all) const override {
     L least = least_of_all;
@@ -18,9 +18,12 @@ class LawAtPoints final : public PointLaw {
       const QuadraturePoint& p = points[q];
       prefetch(points + n_points + q);
       const Tensor F = p.deformation_gradient(load(H, n_points, q));
-      least = min(materials::determinant(F), least);
+      const Tensor cof = materials::cofactor(F);
+      const L J = materials::determinant(F, cof);
+      least = min(J, least);
       if constexpr (materials::is_limited<Law>) least = min(law_.reserve(F), least);
-      const Tensor P = -p.weight * law_.stress(F);
+      Tensor P = -p.weight * law_.stress(F);
+      if (kappa_ != 0) add(-p.weight * (0.5 * kappa_) * (J - 1.0 / J), cof, P);
       const L* row = p.inverse_jacobian;
 #pragma GCC unroll 3
       for (int i = 0; i < 3; ++i)
@@ -31,9 +34,14 @@ class LawAtPoints final : public PointLaw {
     least_of_all = least;
   }
 
-  void energy(const QuadraturePoint* points, int n_points, const L* H, L& energy) const override {
-    for (int q = 0; q < n_points; ++q)
-      energy += points[q].weight * law_.energy(points[q].deformation_gradient(load(H, n_points, q)));
+  void energy(const QuadraturePoint* points, int n_points, const L* H, L& elastic, L& volumetric) const override {
+    for (int q = 0; q < n_points; ++q) {
+      const Tensor F = points[q].deformation_gradient(load(H, n_points, q));
+      elastic += points[q].weight * law_.energy(F);
+      if (kappa_ == 0) continue;
+      const L J = materials::determinant(F);
+      volumetric += points[q].weight * (0.25 * kappa_) * (J * J - 1.0 - 2.0 * log(J));
+    }
   }
 
   void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const override {
@@ -51,7 +59,14 @@ class LawAtPoints final : public PointLaw {
     return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
   }
 
+  /// A ← A + s B
+  [[gnu::always_inline]] static void add(const L& s, const Tensor& B, Tensor& A) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) A(i, j) += s * B(i, j);
+  }
+
   Law law_;
+  double kappa_;
 };
 
 }  // namespace pseudorigid::continuum

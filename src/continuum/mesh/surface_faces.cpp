@@ -1,5 +1,7 @@
 #include "continuum/mesh/surface_faces.h"
 
+#include <deal.II/base/quadrature_lib.h>
+
 #include <array>
 
 namespace pseudorigid::continuum {
@@ -47,18 +49,23 @@ FacePoint::Jet FacePoint::jet(const Vector& u) const {
   return jet;
 }
 
-std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face) {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points) {
   const ReferenceCell& ref = space.reference_cell();
   const int n = ref.n;
-  const Eigen::MatrixXd values = Eigen::Map<const RowMajor>(ref.interpolate.data(), n, n);
-  const Eigen::MatrixXd derivatives = Eigen::Map<const RowMajor>(ref.differentiate.data(), n, n) * values;
+  const dealii::QGauss<1> rule(static_cast<unsigned int>(n_points));
+  Eigen::MatrixXd values(n_points, n), derivatives(n_points, n);
+  for (int p = 0; p < n_points; ++p)
+    for (int i = 0; i < n; ++i) {
+      const double xi = rule.point(static_cast<unsigned int>(p))[0];
+      values(p, i) = lagrange(ref.nodes, i, xi);
+      derivatives(p, i) = lagrange_derivative(ref.nodes, i, xi);
+    }
   const std::vector<int> nodes = nodes_of(face, n);
   std::vector<FacePoint> points;
-  for (int p = 0; p < n; ++p)
-    for (int q = 0; q < n; ++q) {
+  for (int p = 0; p < n_points; ++p)
+    for (int q = 0; q < n_points; ++q) {
       FacePoint& point = points.emplace_back();
-      point.weight = ref.point_weights[p] * ref.point_weights[q];
+      point.weight = rule.weight(static_cast<unsigned int>(p)) * rule.weight(static_cast<unsigned int>(q));
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j)
           point.nodes.push_back({space.cell_nodes(face.cell)[nodes[j * n + i]], values(p, i) * values(q, j),

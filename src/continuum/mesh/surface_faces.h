@@ -59,7 +59,7 @@ struct FacePoint {
   Jet jet(const Vector& u) const;
 };
 
-/// The Gauss rule with as many points in a direction as a cell has nodes.
-std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face);
+/// The Gauss rule with n_points in a direction.
+std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points);
 
 }  // namespace pseudorigid::continuum

@@ -6,12 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace pseudorigid::continuum {
 namespace {
 
 /// Corrections in the operator of the iteration for eigenvectors, and for the field that a frequency is taken from.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
+/// Of conjugate gradients with self-gravity, in the norm of the energy.
+constexpr double tolerance_with_gravity = 1e-9;
+constexpr int n_iterations_with_gravity = 100;
 /// Up to this size the interface is solved densely.
 constexpr Eigen::Index n_dense = 1500;
 
@@ -29,14 +34,15 @@ Parity parity_of_sector(int number) {
   return parity;
 }
 
-RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const materials::AnyLaw& law,
-                         bool is_incompressible)
+RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
+                         bool is_incompressible, std::optional<SurfaceGravityForces> self_gravity)
     : space(ball_space),
-      elasticity(law),
+      elasticity(stored),
       incompressible(is_incompressible),
       shift(elasticity.shear_modulus()),
       penalty(is_incompressible ? 1e4 * elasticity.shear_modulus() : 0),
-      n_cells_at_node(ball_space.n_nodes(), 0) {
+      n_cells_at_node(ball_space.n_nodes(), 0),
+      gravity(std::move(self_gravity)) {
   if (incompressible)
     kernels.constraint_rows(space.reference_positions(), [&](unsigned int, std::span<const double> rows) {
       using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -51,6 +57,25 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
     }
     stiffness.push_back(std::move(K));
     for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
+  }
+  if (gravity) add_springs();
+}
+
+void RestProblem::add_springs() {
+  const double weight_of_density = 4 * std::numbers::pi / 3 * gravity->constant();  // ρg
+  for (const CellFace& face : free_surface(space)) {
+    const auto& nodes = space.cell_nodes(face.cell);
+    Eigen::MatrixXd& K = stiffness[face.cell];
+    for (FacePoint& point : quadrature_on(space, face, space.reference_cell().n)) {
+      const FacePoint::Jet X = point.jet(space.reference_positions());
+      const Eigen::Vector3d N = point.weight * X.by_p.cross(X.by_q);
+      const Eigen::Vector3d spring = std::sqrt(weight_of_density * N.norm()) * N.normalized();
+      Eigen::VectorXd row = Eigen::VectorXd::Zero(K.rows());
+      for (const FacePoint::Node& n : point.nodes)
+        row.segment<3>(3 * (std::ranges::find(nodes, n.node) - nodes.begin())) += n.value * spring;
+      K += row * row.transpose();
+      springs.push_back({std::move(point), spring});
+    }
   }
 }
 
@@ -200,7 +225,7 @@ void ParitySector::solve_penalized(Eigen::VectorXd& f) const {
   }
 }
 
-Eigen::VectorXd ParitySector::solve(Eigen::VectorXd f, int n_corrections) const {
+Eigen::VectorXd ParitySector::solve_elastic(Eigen::VectorXd f, int n_corrections) const {
   solve_penalized(f);
   if (!problem_.incompressible) return f;
   for (int correction = 0; correction < n_corrections; ++correction) {
@@ -213,6 +238,42 @@ Eigen::VectorXd ParitySector::solve(Eigen::VectorXd f, int n_corrections) const 
     f -= reaction;
   }
   return f;
+}
+
+Eigen::VectorXd ParitySector::apply_gravity(const Eigen::VectorXd& u) const {
+  Vector field = problem_.space.make_vector(), force = problem_.space.make_vector();
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    field.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  problem_.gravity->add_rate(problem_.space.reference_positions(), field, parity_.sign, force);
+  for (const auto& [point, spring] : problem_.springs) {
+    const double stretch = spring.dot(point.value(field));
+    for (const FacePoint::Node& n : point.nodes)
+      for (int c = 0; c < 3; ++c) force.local_element(3 * n.node + c) += n.value * stretch * spring[c];
+  }
+  Eigen::VectorXd result(u.size());
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    result[static_cast<Eigen::Index>(i)] = -force.local_element(entry_of_unknown_[i]);
+  return result;
+}
+
+Eigen::VectorXd ParitySector::solve(const Eigen::VectorXd& f, int n_corrections) const {
+  if (!problem_.gravity) return solve_elastic(f, n_corrections);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(f.size()), r = f, z = solve_elastic(r, n_corrections), p = z;
+  Eigen::VectorXd B_p = r;  // but for reactions, which do no work on p and z
+  double rz = r.dot(z);
+  const double enough = tolerance_with_gravity * tolerance_with_gravity * rz;
+  for (int iteration = 0; iteration < n_iterations_with_gravity && rz > enough; ++iteration) {
+    const Eigen::VectorXd A_p = B_p + apply_gravity(p);
+    const double step = rz / p.dot(A_p);
+    u += step * p;
+    r -= step * A_p;
+    z = solve_elastic(r, n_corrections);
+    const double next = r.dot(z), beta = next / rz;
+    p = z + beta * p;
+    B_p = r + beta * B_p;
+    rz = next;
+  }
+  return u;
 }
 
 void ParitySector::apply(std::span<const double> y, std::span<double> z) const {
@@ -236,6 +297,7 @@ ParitySector::Mode ParitySector::mode_of(std::span<const double> y) const {
     stiffness += local.dot(problem_.stiffness[c] * local);
     if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
   }
+  if (problem_.gravity) stiffness += u.dot(apply_gravity(u));
   Mode mode{stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
   for (std::size_t i = 0; i < n_unknowns_; ++i)
     mode.u.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];

@@ -14,14 +14,21 @@
 /// B = K + s M + γ GᵀG is positive definite and couples no more than K does, the ψ being those of one cell, and
 /// u ← u − B⁻¹γGᵀG u reduces what is left of G u by a factor of the order of 1/γ. B is factorised after condensation:
 /// first the unknowns of one cell alone (dense, cell by cell), then those between cells.
+///
+/// Self-gravity adds its second variation K_g = D²Ê at rest, which couples all nodes of the surface with one another.
+/// On the sphere and a surface displacement u·n of degree n it is ρg (1 − 3/(2n + 1)) ∮(u·n)² dS, g = (4/3)πGρr: the
+/// first term, a spring at each point, is part of K in B, and conjugate gradients with T of that B as preconditioner
+/// solve (K + K_g + s M) u − Gᵀλ = f in some ten iterations, whatever the mesh and the strength of gravity.
 
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "continuum/body/surface_gravity_forces.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
 #include "continuum/modes/rest_stiffness.h"
@@ -43,16 +50,29 @@ Parity parity_of_sector(int number);
 
 /// What all sectors share: space, stiffness and constraint of every cell. The space must be that of an octant.
 struct RestProblem {
-  RestProblem(const BallSpace& space, const CellKernels& kernels, const materials::AnyLaw& law, bool incompressible);
+  /// Self-gravity is that of an incompressible body.
+  RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
+              std::optional<SurfaceGravityForces> gravity = std::nullopt);
 
   const BallSpace& space;
   RestElasticity elasticity;
   bool incompressible;
   double shift;                             ///< s
   double penalty;                           ///< γ
-  std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell
+  std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
   std::vector<int> n_cells_at_node;
+  std::optional<SurfaceGravityForces> gravity;
+
+  /// The springs at the points of the surface: √(ρgw) n, w the weight of the point's area.
+  struct Spring {
+    FacePoint point;
+    Eigen::Vector3d root_stiffness;
+  };
+  std::vector<Spring> springs;
+
+ private:
+  void add_springs();
 };
 
 class ParitySector {
@@ -83,8 +103,11 @@ class ParitySector {
   Eigen::VectorXd gather(const Cell& cell, const Eigen::VectorXd& u) const;
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
-  /// T f by n_corrections of the divergence.
-  Eigen::VectorXd solve(Eigen::VectorXd f, int n_corrections) const;
+  /// T f by n_corrections of the divergence, without self-gravity and with it.
+  Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& f, int n_corrections) const;
+  /// K_g u less the force of the springs.
+  Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const;
 
   const RestProblem& problem_;
   Parity parity_;

@@ -18,7 +18,7 @@ constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2,
 
 }  // namespace
 
-RestElasticity::RestElasticity(const materials::AnyLaw& law) {
+RestElasticity::RestElasticity(const StoredEnergy& stored) {
   const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
   std::visit(
       [&](const auto& l) {
@@ -34,7 +34,9 @@ RestElasticity::RestElasticity(const materials::AnyLaw& law) {
               for (int J = 0; J < 3; ++J) entries[27 * i + 9 * J + 3 * k + L] = DP(i, J);
           }
       },
-      law);
+      stored.law);
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) entries[27 * i + 9 * i + 3 * k + k] += stored.volumetric_stiffness;
 }
 
 double RestElasticity::shear_modulus() const { return (*this)(0, 1, 0, 1); }

@@ -2,7 +2,9 @@
 /// The stiffness of the ball about its rest x = X, cell by cell. A law that is stressed at rest, P(Id) = λ₀ Id, is held
 /// there by the multiplier λ₀, and the second variation of ∫(W − λ₀ ln J) dX is that of
 ///
-///   C_iJkL = ∂P_iJ/∂F_kL (Id) + λ₀ δ_iL δ_Jk,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX.
+///   C_iJkL = ∂P_iJ/∂F_kL (Id) + λ₀ δ_iL δ_Jk + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
+///
+/// the last term that of the volumetric stabilisation (kernels/stored_energy.h).
 ///
 /// With c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points, and ∂_dφ_a a product of
 /// one-dimensional functions, K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is summed one direction after the other:
@@ -12,18 +14,18 @@
 #include <array>
 #include <vector>
 
+#include "continuum/kernels/stored_energy.h"
 #include "continuum/mesh/ball_space.h"
-#include "materials/law_table.h"
 
 namespace pseudorigid::continuum {
 
 struct RestElasticity {
-  explicit RestElasticity(const materials::AnyLaw& law);
+  explicit RestElasticity(const StoredEnergy& stored);
 
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
   /// The modulus of shear, C : ε = 2μ ε for a symmetric ε without trace.
   double shear_modulus() const;
-  /// First Lamé modulus.
+  /// First Lamé modulus, of the law and the stabilisation.
   double lame_lambda() const { return (*this)(0, 0, 1, 1); }
 
   std::array<double, 81> entries;

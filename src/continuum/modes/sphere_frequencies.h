@@ -3,7 +3,9 @@
 /// the speed of shear waves, y = ωr/c_p = x c/c_p, N = n(n+1), j_n spherical Bessel:
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
-///   spheroidal, incompressible [2n(n−1) − x²][(2N − 2 − x²) j_n − 2x j_n'] − 4N(n−1)[x j_n' − j_n] = 0
+///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
+///                              − 2N(n−1)[2(x j_n' − j_n) + γ k_n j_n] = 0,      k_n = 2(n−1)/(2n+1),
+///       with self-gravity, γ = ρgr/μ, g = (4/3)πGρr, or γ = 0 without
 ///   spheroidal, compressible   T₁₁T₄₃ − T₁₃T₄₁ = 0,
 ///       T₁₁ = [n(n−1) − x²/2] j_n(y) + 2y j_{n+1}(y),   T₁₃ = N[(n−1) j_n(x) − x j_{n+1}(x)],
 ///       T₄₁ = (n−1) j_n(y) − y j_{n+1}(y),              T₄₃ = [n² − 1 − x²/2] j_n(x) + x j_{n+1}(x)
@@ -18,11 +20,13 @@ inline double toroidal_equation(int n, double x) {
   return x * std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 2) * j;
 }
 
-inline double incompressible_spheroidal_equation(int n, double x) {
+inline double incompressible_spheroidal_equation(int n, double x, double gamma) {
   const double j = std::sph_bessel(static_cast<unsigned>(n), x);
   const double dj = std::sph_bessel(static_cast<unsigned>(n - 1), x) - (n + 1) / x * j;
   const double N = n * (n + 1);
-  return (2 * n * (n - 1) - x * x) * ((2 * N - 2 - x * x) * j - 2 * x * dj) - 4 * N * (n - 1) * toroidal_equation(n, x);
+  const double pull = gamma * 2 * (n - 1) / (2 * n + 1);
+  return (2 * n * (n - 1) - x * x + n * pull) * ((2 * N - 2 - x * x) * j - 2 * x * dj) -
+         2 * N * (n - 1) * (2 * toroidal_equation(n, x) + pull * j);
 }
 
 /// `ratio` is c/c_p.
@@ -53,9 +57,9 @@ double sphere_root(const Function& f, int overtone) {
 }
 
 /// x of the incompressible sphere, degree n ≥ 1.
-inline double sphere_frequency(bool spheroidal, int n, int overtone) {
+inline double sphere_frequency(bool spheroidal, int n, int overtone, double gamma = 0) {
   return sphere_root(
-      [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x) : toroidal_equation(n, x); },
+      [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x, gamma) : toroidal_equation(n, x); },
       overtone);
 }
 /// x of the compressible sphere, degree n ≥ 0 if spheroidal, else n ≥ 1.

@@ -56,7 +56,7 @@ SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity,
 void SurfaceHarmonics::find_points(const BallSpace& space) {
   constexpr double n_octants = 8;
   for (const CellFace& face : free_surface(space))
-    for (FacePoint& point : quadrature_on(space, face)) {
+    for (FacePoint& point : quadrature_on(space, face, space.reference_cell().n)) {
       const FacePoint::Jet X = point.jet(space.reference_positions());
       const double area = n_octants * point.weight * X.by_p.cross(X.by_q).norm();
       points_.push_back({std::move(point), X.u.normalized(), area});

@@ -57,9 +57,8 @@ void add_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double l
   fields.von_mises.push_back(std::sqrt(1.5) * (sigma - mean * Eigen::Matrix3d::Identity()).norm());
 }
 
-/// ρ(φ − φ̄) at the nodes of all cells, by which the multiplier is above the pressure; empty without self-gravity.
-/// Collective.
-std::vector<double> pressure_of_gravity(const BallBody& ball, const Vector& position) {
+/// φ at the nodes of all cells; empty without self-gravity. Collective.
+std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& position) {
   if (!ball.gravity()) return {};
   std::vector<Eigen::Vector3d> points;
   {
@@ -69,25 +68,27 @@ std::vector<double> pressure_of_gravity(const BallBody& ball, const Vector& posi
       for (Eigen::Index i = 0; i < x.cols(); ++i) points.emplace_back(x.col(i));
     }
   }
-  std::vector<double> potential = ball.gravity()->potential(position, points);
+  return ball.gravity()->potential(position, points);
+}
+
+/// ρφ̄, ρφ̄V = (5/3)Ê: the multiplier is above the pressure by ρ(φ − φ̄). Collective.
+double mean_potential(const BallBody& ball, const Vector& position) {
   const int n_images = ball.space().mesh().sector().n_images();
-  const double mean = 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
-  for (double& value : potential) value -= mean;
-  return potential;
+  return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
 /// Appends the fields at the nodes of a cell; no multiplier counts as 0.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
-                           const Vector* multiplier, const std::vector<double>& of_gravity, unsigned int cell,
-                           NodalFields& fields) {
+                           const Vector* multiplier, double mean_potential, unsigned int cell, NodalFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
                          x = nodal_values(space, position, cell);
   std::vector<double> lambda(n_nodes, 0.0);
   if (multiplier) ball.kernels().multiplier_at_nodes(*multiplier, cell, lambda);
-  if (!of_gravity.empty())
-    for (int i = 0; i < n_nodes; ++i) lambda[i] -= of_gravity[static_cast<std::size_t>(cell) * n_nodes + i];
+  if (ball.gravity())
+    for (int i = 0; i < n_nodes; ++i)
+      lambda[i] -= fields.potential[static_cast<std::size_t>(cell) * n_nodes + i] - mean_potential;
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
@@ -101,14 +102,15 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
 /// All fields at all points, from positions and a multiplier, if there is one.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
                              const Vector* multiplier, NodalFields& fields) {
-  fields = {};
-  const std::vector<double> of_gravity = pressure_of_gravity(ball, position);
+  fields = {.potential = potential_at_nodes(ball, position)};
+  const double mean = ball.gravity() ? mean_potential(ball, position) : 0;
   const GhostValues ghosts(position);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
-    if (auto status = add_cell(ball, law, position, multiplier, of_gravity, cell, fields); !status) return status;
+    if (auto status = add_cell(ball, law, position, multiplier, mean, cell, fields); !status) return status;
   const Sector& sector = ball.space().mesh().sector();
   reflect(fields.displacement, 3, sector);
-  for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises}) reflect(*scalar, 1, sector);
+  for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises, &fields.potential})
+    reflect(*scalar, 1, sector);
   return {};
 }
 

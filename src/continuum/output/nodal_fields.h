@@ -26,6 +26,7 @@ struct NodalFields {
   std::vector<double> pressure;      ///< −tr σ / 3
   std::vector<double> jacobian;      ///< det F
   std::vector<double> von_mises;     ///< √(3/2) |dev σ|
+  std::vector<double> potential;     ///< φ of self-gravity per mass; empty without
 };
 
 NodalGrid nodal_grid(const BallSpace& space);

@@ -66,7 +66,8 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
   o.volume_ratio = n_images * sums.volume / ball.volume();
   if (request.energies) {
     o.kinetic = 0.5 * n_images * squared_norm(ball, state.v);
-    o.elastic = n_images * sums.elastic;
+    o.volumetric = n_images * sums.volumetric;
+    o.elastic = n_images * sums.elastic + o.volumetric;
     o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
                                         F_integral, n_images * sums.volume);
     if (ball.gravity()) o.gravitational = n_images * ball.gravity()->energy(state.q);

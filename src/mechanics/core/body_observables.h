@@ -57,6 +57,7 @@ struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Identity();  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = 0;            ///< η_K = K_nonaffine / K  (0/0 = 0)
   double nonaffine_displacement = 0;                ///< e_x = |x − Q_M X| / |x|, ρ-weighted L²
+  double volumetric = 0;                            ///< part of `elastic` that the volumetric stabilisation stores
   double min_jacobian = 1;                          ///< least det F over the quadrature points
   /// The least value of a function of F over the quadrature points of all ranks, at the state observed; to be asked
   /// before the state changes. Collective.

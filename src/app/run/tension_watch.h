@@ -1,19 +1,24 @@
 #pragma once
-/// Reports the first time that a fluid comes under tension: with W = 0 the multiplier λ = 2p_c/(ρr²) is the pressure at
-/// the centre, and where it falls below zero the continuum's problem is ill-posed (PHYSICS section 2, 13). Looked at
+/// Reports the first time that a fluid comes under tension: with W = 0 the multiplier λ = 2p_c/(ρr²) of an affine
+/// motion is the pressure at the centre, of finite elements 5/(ρr²) times the mean pressure, which is the same of an
+/// affine motion, and where it falls below zero the continuum's problem is ill-posed (PHYSICS section 2, 13). Looked at
 /// samples; the time is interpolated between two of them.
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "app/run/run_context.h"
+#include "scene/scales.h"
 
 namespace pseudorigid::app {
 
 class TensionWatch {
  public:
-  TensionWatch(const RunContext& context, bool is_fluid)
-      : context_(context), is_fluid_(is_fluid && context.scene.body.incompressible) {}
+  TensionWatch(const RunContext& context, std::string_view model)
+      : context_(context),
+        model_(model),
+        is_fluid_(scene::is_fluid(context.scene) && context.scene.body.incompressible) {}
 
   bool watches() const { return is_fluid_; }
 
@@ -26,9 +31,9 @@ class TensionWatch {
   void look(double time, double lambda) {
     if (note(time, lambda))
       context_.log->warn(
-          "reduced: tension at t = {:.6g}: the pressure at the centre falls below zero, and a fluid body would not "
-          "hold together from here on",
-          *first_);
+          "{}: tension at t = {:.6g}: the pressure at the centre falls below zero, and a fluid body would not hold "
+          "together from here on",
+          model_, *first_);
   }
 
   void report(io::Manifest::Model& statistics) const {
@@ -49,6 +54,7 @@ class TensionWatch {
     double time, lambda;
   };
   const RunContext& context_;
+  std::string_view model_;
   bool is_fluid_;
   std::optional<Sample> before_;
   std::optional<double> first_;

@@ -1,0 +1,56 @@
+#pragma once
+/// A fluid under its own gravity and quadratic potentials moves as x = QX for ever (Dirichlet), so that what its
+/// elements show beside an affine motion is error, and grows: nothing resists it. Reports the first sample at which it
+/// is more than 1 % of the body, and at the end the largest. Looked at samples only.
+
+#include <algorithm>
+#include <optional>
+
+#include "app/run/run_context.h"
+#include "scene/scales.h"
+
+namespace pseudorigid::app {
+
+class NonaffineWatch {
+ public:
+  explicit NonaffineWatch(const RunContext& context)
+      : context_(context), watches_(scene::is_fluid(context.scene) && stays_affine(context.scene)) {}
+
+  bool watches() const { return watches_; }
+
+  /// `displacement`: |x − QX| / |x|.
+  void look(double time, double displacement) {
+    if (!watches_) return;
+    largest_ = std::max(largest_, displacement);
+    if (first_ || displacement <= acceptable) return;
+    first_ = time;
+    context_.log->warn(
+        "continuum: at t = {:.6g} the displacement beside the affine motion is {:.3g} % of the body; of a fluid it is "
+        "error, and grows until the mesh tangles",
+        time, 100 * displacement);
+  }
+
+  void report(io::Manifest::Model& statistics) const {
+    if (!watches_) return;
+    statistics.counters["nonaffine_displacement_at_most"] = largest_;
+    context_.log->info(
+        "continuum: displacement beside the affine motion, an error of a fluid: at most {:.3g} % of the body",
+        100 * largest_);
+  }
+
+ private:
+  static constexpr double acceptable = 0.01;
+
+  /// Tractions and viscous stress at the surface are no pressure, and do not leave a fluid affine.
+  static bool stays_affine(const scene::Scene& scene) {
+    const loads::Forcing forcing = loads::constant_forcing(scene.loads);
+    return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0;
+  }
+
+  const RunContext& context_;
+  bool watches_;
+  double largest_ = 0;
+  std::optional<double> first_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,14 @@
+#pragma once
+/// What the finite elements of a scene store, in internal units.
+
+#include "app/run/scene_to_model.h"
+#include "continuum/kernels/stored_energy.h"
+#include "scene/stabilization.h"
+
+namespace pseudorigid::app {
+
+inline continuum::StoredEnergy stored_energy(const scene::Scene& scene) {
+  return {internal_law(scene), scene::volumetric_stiffness(scene) / units_of(scene).stress()};
+}
+
+}  // namespace pseudorigid::app
