@@ -69,6 +69,49 @@ def lamb(run, path):
     save(drawn, path)
 
 
+def dirichlet(run, path):
+    drawn, (motion, error) = figure(1, 2, height=3.6)
+    for stretch, (colour, line) in zip((1.1, 1.3, 1.5), ((GREEN, ":"), (ORANGE, "--"), (BLUE, "-"))):
+        narrow = stretch**-0.5
+        directory = run("dirichlet", f"Initial state/Deformation={narrow}, 0, 0; 0, {narrow}, 0; 0, 0, {stretch}",
+                        "Continuum/Error estimate=none")
+        elements, exact = both(directory)
+        motion.plot(elements["time"], elements["Q33"], line, color=colour)
+        motion.plot(exact["time"][::8], exact["Q33"][::8], ".", color=BLACK, markersize=3.5,
+                    label="Dirichlet's ellipsoid (lines: finite elements)" if stretch == 1.5 else None)
+        error.semilogy(elements["time"][1:], np.maximum(abs(elements["Q33"] - exact["Q33"])[1:], 1e-10), line, color=colour,
+                       label=f"from {stretch}")
+    label_axes(motion, "time (1/√(Gρ))", "Q$_{33}$, the axis that was stretched (r)")
+    legend_above(motion, 1)
+    label_axes(error, "time (1/√(Gρ))", "difference of Q$_{33}$")
+    legend_above(error, 3)
+    save(drawn, path)
+
+
+def gravitating_balls(run, path):
+    drawn, (pulsation, spinning) = figure(1, 2, height=3.4)
+    two_models(pulsation, run("gravitating_ball", "Time/End=10"), lambda t: 1e3 * (t["Q33"] - 1), "(Q$_{33}$ − 1) · 10³")
+    pulsation.set_title("pulsation, γ = 5", fontsize=10.5, y=1.1)
+    directory = run("spinning_elastic_spheroid", "Continuum/Error estimate=none")
+    for models_table, style in zip(both(directory), (CONTINUUM, REDUCED)):
+        for axis in "a1", "a3":
+            spinning.plot(models_table["time"], models_table[axis], **{**style, "label": style["label"] * (axis == "a1")})
+    label_axes(spinning, TIME, "longest and shortest semi-axis (r)")
+    spinning.set_title("spinning spheroid, γ = 5", fontsize=10.5, y=1.1)
+    for ax in pulsation, spinning:
+        legend_above(ax, 2)
+    save(drawn, path)
+
+
+def tidal_passage(run, path):
+    drawn, (ax,) = figure(height=3.4)
+    for models_table, style in zip(both(run("tidal_passage", "Continuum/Error estimate=none")), (CONTINUUM, REDUCED)):
+        ax.plot(models_table["time"] / 3600, 250 * (models_table["Q11"] - 1), **style)
+    label_axes(ax, "time (hours)", "axis towards the planet, change (km)")
+    legend_above(ax, 2)
+    save(drawn, path)
+
+
 def compressible(run, path):
     drawn, axes = figure(1, 2)
     directory = run("compressible")
@@ -222,6 +265,9 @@ def foucault(run, path):
 
 PICTURES = {
     "lamb": lamb,
+    "dirichlet": dirichlet,
+    "gravitating_balls": gravitating_balls,
+    "tidal_passage": tidal_passage,
     "compressible": compressible,
     "damped_and_pulled": damped_and_pulled,
     "unstable_spheroid": unstable_spheroid,
