@@ -23,7 +23,6 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
       loads_(loads, space_, *kernels_),
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
   if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0)
-
     gravity_.emplace(G, space_, n_points.value_or(n_gravity_points(space_, is_fluid_)));
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }

@@ -18,12 +18,10 @@ class LawAtPoints final : public PointLaw {
       const QuadraturePoint& p = points[q];
       prefetch(points + n_points + q);
       const Tensor F = p.deformation_gradient(load(H, n_points, q));
-      const Tensor cof = materials::cofactor(F);
-      const L J = materials::determinant(F, cof);
-      least = min(J, least);
+      least = min(materials::determinant(F), least);
       if constexpr (materials::is_limited<Law>) least = min(law_.reserve(F), least);
       Tensor P = -p.weight * law_.stress(F);
-      if (kappa_ != 0) add(-p.weight * (0.5 * kappa_) * (J - 1.0 / J), cof, P);
+      if (kappa_ != 0) add_stabilization(p.weight, F, P);
       const L* row = p.inverse_jacobian;
 #pragma GCC unroll 3
       for (int i = 0; i < 3; ++i)
@@ -59,10 +57,12 @@ class LawAtPoints final : public PointLaw {
     return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
   }
 
-  /// A ← A + s B
-  [[gnu::always_inline]] static void add(const L& s, const Tensor& B, Tensor& A) {
+  /// P ← P − w ∂U/∂F
+  [[gnu::always_inline]] void add_stabilization(const L& weight, const Tensor& F, Tensor& P) const {
+    const Tensor cof = materials::cofactor(F);
+    const L J = materials::determinant(F, cof), factor = weight * (0.5 * kappa_) * (J - 1.0 / J);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) A(i, j) += s * B(i, j);
+      for (int j = 0; j < 3; ++j) P(i, j) = P(i, j) - factor * cof(i, j);
   }
 
   Law law_;
