@@ -4,6 +4,9 @@
     benchmarks/ball_release.py build/release/bin/pseudorigid [--quick] > ball_release.csv
     benchmarks/ball_release.py build/release/bin/pseudorigid --make-reference > benchmarks/references/ball_release.csv
 
+With --gravity the ball has its own gravity, γ = ρgr/μ = 5, another reference (gravitating_release.csv), and the
+discretisations of QUICK and one refined more.
+
 Every discretisation runs with the methods and tolerances of STEPS, those of LARGE with the least tolerance only, those
 of QUICK also with HIGHER; in turn, for three rounds (the third and the second are left out once a run has taken 10 and
 20 seconds in all). Columns: degree, refinements, method, tolerance (Time/Tolerance), step, unknowns, seconds (processor
@@ -33,7 +36,11 @@ subsection Output
   set Quantities = state
 end
 """
-REFERENCE = pathlib.Path(__file__).parent / "references/ball_release.csv"
+GRAVITY = """subsection Gravity
+  set Constant = $(15/(4*pi))
+end
+"""
+REFERENCES = pathlib.Path(__file__).parent / "references"
 DISCRETIZATIONS = [(2, 1), (3, 0), (4, 0), (3, 1), (5, 0), (6, 0), (4, 1), (2, 2), (7, 0), (5, 1), (8, 0)]
 REFERENCE_DEGREES = (4, 5, 6)
 LARGE = [(7, 0), (5, 1), (8, 0)]  # where only the smallest errors are worth their time
@@ -43,17 +50,17 @@ STEPS = [("rattle", 1e-3), ("rattle", 3e-4), ("rattle", 1e-4), ("rattle", 1e-5),
 HIGHER = [("rattle-6", 1e-5), ("rattle-8", 1e-5)]  # on small discretisations, which are enough to see their place
 
 
-def read_reference():
+def read_reference(gravity):
     """(uncertainty, Q33 at the samples)"""
-    first, _, *rows = REFERENCE.read_text().splitlines()
+    first, _, *rows = (REFERENCES / ("gravitating_release.csv" if gravity else "ball_release.csv")).read_text().splitlines()
     return float(first.split()[-1]), [float(row.split(",")[1]) for row in rows]
 
 
 class Release:
-    def __init__(self, executable, folder):
+    def __init__(self, executable, folder, gravity):
         self.executable, self.folder = executable, pathlib.Path(folder)
         self.scene = self.folder / "release.prm"
-        self.scene.write_text(SCENE)
+        self.scene.write_text(SCENE + GRAVITY * gravity)
         self.start_up = program.start_up(executable.with_name("pseudorigid-continuum"))
 
     def run(self, degree, refinements, method, tolerance):
@@ -69,12 +76,15 @@ def largest_difference(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
 
 
-def measure(release, quick):
-    uncertainty, reference = read_reference()
+def measure(release, quick, gravity):
+    uncertainty, reference = read_reference(gravity)
     print(f"# uncertainty of the reference: {uncertainty:.1e}")
     print("degree,refinements,method,tolerance,step,unknowns,seconds,error")
-    jobs = [(*d, *s) for d in (QUICK if quick else DISCRETIZATIONS)
-            for s in (STEPS[3:] if d in LARGE else STEPS) + (HIGHER if d in QUICK and not quick else [])]
+    if gravity:
+        jobs = [(*d, *s) for d in (QUICK if quick else QUICK + [(4, 1)]) for s in STEPS]
+    else:
+        jobs = [(*d, *s) for d in (QUICK if quick else DISCRETIZATIONS)
+                for s in (STEPS[3:] if d in LARGE else STEPS) + (HIGHER if d in QUICK and not quick else [])]
     seconds, last = {job: [] for job in jobs}, {}
     for limit in (math.inf, 20, 10)[:1 if quick else 3]:
         for job in jobs:
@@ -115,14 +125,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
     parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--gravity", action="store_true")
     parser.add_argument("--make-reference", action="store_true")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        release = Release(arguments.program.resolve(), folder)
+        release = Release(arguments.program.resolve(), folder, arguments.gravity)
         if arguments.make_reference:
             make_reference(release)
         else:
-            measure(release, arguments.quick)
+            measure(release, arguments.quick, arguments.gravity)
 
 
 if __name__ == "__main__":

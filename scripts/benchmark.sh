@@ -6,6 +6,7 @@
 # README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
 #   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
+#   gravity     the release under the ball's own gravity; what the pairs of surface points cost
 #   lamb        small affine release against the exact modes
 #   frequency   the lowest frequency of the ball
 #   auto        degree and refinements from a tolerance, beside the cheapest found by hand
@@ -22,7 +23,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(methods release lamb frequency auto kernels steps skipping peers)
+all_parts=(methods release gravity lamb frequency auto kernels steps skipping peers)
 parts=()
 quick=()
 output=
@@ -77,6 +78,21 @@ measure_methods() {
 }
 
 measure_release() { into ball_release.csv "$root/benchmarks/ball_release.py" "$program" "${quick[@]}"; }
+
+# Degree, refinements, steps.
+gravity_cases=("4 0 200" "4 1 100" "4 2 40" "4 3 10")
+ball_gravity() {
+  local case cases=("${gravity_cases[@]}")
+  if ((${#quick[@]})); then cases=("${cases[@]:0:2}"); fi
+  for case in "${cases[@]}"; do
+    # shellcheck disable=SC2086 # three words
+    "$bin/ball_gravity" $case
+  done | awk 'NR == 1 || !/^degree/'
+}
+measure_gravity() {
+  into gravitating_release.csv "$root/benchmarks/ball_release.py" "$program" --gravity "${quick[@]}"
+  into ball_gravity.csv ball_gravity
+}
 measure_lamb() { into lamb_response.csv "$bin/lamb_response" "${quick[@]}"; }
 measure_frequency() { into ball_frequency.csv "$bin/ball_frequency" "${quick[@]}"; }
 measure_auto() { into auto_discretization.csv "$root/benchmarks/auto_discretization.py" "$program" "${quick[@]}"; }

@@ -31,6 +31,8 @@ TABLES = {
     "release": tables.release,
     "release_runs": tables.release_runs,
     "peers": tables.peers,
+    "gravitating_release": tables.gravitating_release,
+    "gravity_cost": tables.gravity_cost,
     "lamb": tables.lamb,
     "frequency": tables.frequency,
     "auto_discretization": tables.auto_discretization,

@@ -94,6 +94,11 @@ def errors_of_the_ball(data):
           "first assembly to the last sample; start, mesh and compilation of forms left out.",
           reference_of_release(data), rates_in_space(data)],
          lambda f, d, i: f.draw_release(d, i), ["release", "release_runs", "peers"]),
+        ("Elastic ball: release under its own gravity", "gravity",
+         ["The same with γ = ρgr/μ = 5, g = (4/3)πGρr; the reference likewise. Second table: a step of RATTLE, and in it "
+          "one evaluation of gravity, from the positions to the forces; then the sums over pairs alone, counted as 45 "
+          "operations a pair, against the machine's fused multiply-adds."],
+         None, ["gravitating_release", "gravity_cost"]),
         ("Elastic ball: small affine release", "lamb",
          ["ẋ(0) = εHX with H = diag(1, 1, −2), ε = 1e-4, until t = 5, on one octant. Error: odd part in ε of Q − Id "
           "over ε against the exact response Σ f_k sin(x_k t)/x_k of the incompressible sphere (Lamb 1882), largest "

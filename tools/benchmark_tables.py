@@ -72,6 +72,28 @@ def peers(data):
              for r in rows]) if rows else None
 
 
+def gravitating_release(data):
+    rows = read_rows(data, "gravitating_release.csv")
+    result = []
+    for level in (1e-3, 3e-4, 1e-4, 3e-5, 1e-5):
+        best = cheapest(rows, level)
+        if best:
+            result.append([f"{level:.0e}", discretization(best), best["method"], best["unknowns"],
+                           f"{float(best['error']):.1e}", number(float(best["seconds"]))])
+    return (["error at most", "cheapest", "method", "unknowns", "its error", "s"], result) if result else None
+
+
+def gravity_cost(data):
+    rows = read_rows(data, "ball_gravity.csv")
+    return (["k, refined", "unknowns", "points", "targets × sources", "ms, gravity", "ms, step", "share", "ns a pair",
+             "Gflop/s", "of fused multiply-adds"],
+            [[f"{r['degree']}, {r['refinements']}", r["unknowns"], r["points"], f"{r['targets']} × {r['sources']}",
+              number(1e3 * float(r["gravity_s"])), number(1e3 * float(r["step_s"])), f"{100 * float(r['share']):.0f} %",
+              number(1e9 * float(r["pairs_s"]) / (int(r["targets"]) * int(r["sources"]))),
+              number(1e-9 * float(r["flops_per_s"])), f"{float(r['flops_per_s']) / float(r['fma_per_s']):.2f}"]
+             for r in rows]) if rows else None
+
+
 def lamb(data):
     rows = read_rows(data, "lamb_response.csv")
     result = []
@@ -238,10 +260,14 @@ def long_run(data):
 
 
 def machine(data):
-    runs = read_runs(data)
-    last = max(runs.values(), key=lambda run: run["date"])
+    """A column for each machine that parts were measured on, that of the most parts first."""
     keys = ("processor", "cores", "vector instructions", "caches", "memory", "system", "compiler", "flags", "packages")
-    return ["", ""], [[key, last[key]] for key in keys]
+    parts = {}
+    for name, run in read_runs(data).items():
+        parts.setdefault(tuple(run[key] for key in keys), []).append(name)
+    machines = sorted(parts, key=lambda machine: -len(parts[machine]))
+    header = ["", *("" if len(parts) == 1 else ", ".join(sorted(parts[machine])) for machine in machines)]
+    return header, [[key, *(machine[i] for machine in machines)] for i, key in enumerate(keys)]
 
 
 def parts(data):
