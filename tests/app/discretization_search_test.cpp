@@ -140,7 +140,8 @@ TEST_F(DiscretizationSearchTest, HonoursAFixedDegreeOrRefinement) {
   Continuum degrees{.law = laws[0]};
   search(degrees, 1e-3);
   for (const Call& call : degrees.calls) EXPECT_EQ(call.discretization.refinements, 1);
-  scene_.continuum = {.degree = 3, .refinements = {}};
+  scene_.continuum.degree = 3;
+  scene_.continuum.refinements.reset();
   Continuum refinements{.law = laws[0]};
   search(refinements, 1e-3);
   for (const Call& call : refinements.calls) EXPECT_EQ(call.discretization.degree, 3);
@@ -195,7 +196,8 @@ TEST_F(DiscretizationSearchTest, StopsWhereTheMotionBreaksOff) {
 /// A fixed discretisation beside another model.
 TEST_F(DiscretizationSearchTest, CompanionEstimatesTheErrorAndCostsAThird) {
   for (const int k : {3, 4, 5}) {
-    scene_.continuum = {.degree = k, .refinements = 0};
+    scene_.continuum.degree = k;
+    scene_.continuum.refinements = 0;
     Continuum continuum{.law = laws[1]};
     const auto counters = search(continuum, 1e-3).statistics.counters;
     ASSERT_EQ(continuum.calls.size(), 2u);

@@ -102,7 +102,8 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
 /// All fields at all points, from positions and a multiplier, if there is one.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
                              const Vector* multiplier, NodalFields& fields) {
-  fields = {.potential = potential_at_nodes(ball, position)};
+  fields = {};
+  fields.potential = potential_at_nodes(ball, position);
   const double mean = ball.gravity() ? mean_potential(ball, position) : 0;
   const GhostValues ghosts(position);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)

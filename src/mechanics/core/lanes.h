@@ -174,7 +174,8 @@ struct Lanes {
 
   static Native inverse_sqrt_guess(Native x) {
 #if defined(__AVX512F__)
-    if constexpr (n_lanes == 8) return _mm512_rsqrt14_pd(x);
+    // All lanes by a mask: gcc 12 says of the form without one that it reads an undefined vector.
+    if constexpr (n_lanes == 8) return _mm512_maskz_rsqrt14_pd(0xff, x);
 #endif
 #if defined(__AVX__)
     if constexpr (n_lanes == 4) return _mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x)));
