@@ -170,7 +170,7 @@ void visit_modes(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_time(S& scene, Visit& visit) {
-  auto& [end, step, method, tolerance] = scene.time;
+  auto& [end, step, method, tolerance, constraint_tolerance] = scene.time;
   visit(end, positive, About{"Time/End", "time", "The motion is computed from time 0 to this time."});
   visit(step, AutoOrNumber{positive},
         About{"Time/Step", "time",
@@ -184,6 +184,11 @@ void visit_time(S& scene, Visit& visit) {
         About{"Time/Tolerance", "",
               "Bound of the time error of Q over the run (largest entry, over all samples); of other systems: of their "
               "configuration, in the system's own unit of length."});
+  visit(constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
+        About{"Time/Constraint tolerance", "",
+              "Mean of |ln J| over a cell that a step of the incompressible continuum may leave; the next step starts "
+              "from it, so that it does not add up. At samples likewise of its rate. auto: 1e-4 of Tolerance where the "
+              "step is found from that, 1e-13 where Step is given. The reduced body keeps its volume to round-off."});
 }
 
 template <SceneOrConst S, class Visit>

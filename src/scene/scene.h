@@ -105,6 +105,7 @@ struct Scene {
     std::optional<double> step;     ///< empty: auto
     std::string method{automatic};  ///< or the name of a method of the catalogue
     double tolerance = 1e-6;
+    std::optional<double> constraint_tolerance{};  ///< empty: auto (app/run/model_stepping.h)
   } time;
   struct Continuum {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto

@@ -125,8 +125,9 @@ class Validator {
       refuse("Models", "expected at least one of " + joined(names_where(scene_, [](const auto&) { return true; })));
     for (const NamedMethod& method : catalogue_of(scene_).methods)
       if (method.name == scene_.time.method && is_discretized(scene_) && !method.for_discretized)
-        refuse("Time/Method", fmt::format("{}, or one of the rattle methods",
-                                          offered_for(std::string(method.name) + " is", &without_elements)));
+        refuse("Time/Method", fmt::format("{}; the continuum takes {}",
+                                          offered_for(std::string(method.name) + " is", &without_elements),
+                                          joined(methods_for_discretized())));
     // Energies of the body scale with these; r^5 occurs in its moment of inertia.
     const double inertia = density * std::pow(radius, 5);
     const double stiffness = scene_.material.shear_modulus * std::pow(radius, 3);
@@ -146,6 +147,12 @@ class Validator {
   }
 
   static bool without_elements(const ModelDescription& model) { return !model.discretized; }
+  std::vector<std::string_view> methods_for_discretized() const {
+    std::vector<std::string_view> names;
+    for (const NamedMethod& method : catalogue_of(scene_).methods)
+      if (method.for_discretized) names.push_back(method.name);
+    return names;
+  }
 
   /// "a sweep is offered for the reduced model and the other systems; set Models = reduced"
   template <class Predicate>

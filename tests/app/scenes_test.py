@@ -121,9 +121,9 @@ class Scenes(ProgramTest):
         self.assertEqual(len(table), 11)
         counters = self.json("rough/manifest.json")["models"]["continuum"]["counters"]
         self.assertEqual((counters["cells"], counters["images"]), (256, 1))
-        for name in "J1", "J2", "J3":  # no load has a torque
+        for name in "J1", "J2", "J3":  # no load has a torque; the method chosen keeps it to the error of its steps
             column = table.column(name)
-            self.assertLess(max(abs(x - column[0]) for x in column), 1e-11)
+            self.assertLess(max(abs(x - column[0]) for x in column), 1e-6)  # a hundredth of Time/Tolerance
         # Both bodies start with the same motion. The inertia of the reduced one is that of the mesh by exact integrals, that
         # of the elements is lumped: at degree 2 they differ by 1e-4.
         reduced = self.table("rough/reduced.csv")

@@ -29,10 +29,10 @@ struct Gauged {
 }  // namespace
 
 std::unique_ptr<continuum::CellKernels> make_gauged_kernels(const continuum::BallSpace& space, double c) {
-  using Law = continuum::LawAtPoints<Gauged>;
+  using Law = continuum::LawAtPoints<Gauged, continuum::few_lanes>;
   return std::make_unique<continuum::CellKernels>(
-      space, std::make_unique<continuum::DegreeKernels<gauged_degree>>(local_cells(space),
-                                                                       std::make_unique<Law>(Gauged{{1, 0}, c}, 0.0)));
+      space, std::make_unique<continuum::DegreeKernels<gauged_degree, continuum::few_lanes>>(
+                 local_cells(space), std::make_unique<Law>(Gauged{{1, 0}, c}, 0.0)));
 }
 
 }  // namespace pseudorigid::testing

@@ -18,14 +18,16 @@ struct BallFactory {
   double end() const { return 1; }
   std::vector<long> step_counts(int order) const {
     if (order == 2) return {80, 160, 320, 640};
-    return {80, 113, 160, 226};
+    return {113, 160, 226, 320};
   }
-  long n_reference_steps() const { return 320; }
+  long n_reference_steps() const { return 400; }
 };
 
 using BallCases =
     ::testing::Types<OrderCase<BallFactory<2>, mechanics::Rattle>, OrderCase<BallFactory<2>, mechanics::Rattle4>,
-                     OrderCase<BallFactory<3>, mechanics::Rattle>, OrderCase<BallFactory<3>, mechanics::Rattle4>>;
+                     OrderCase<BallFactory<3>, mechanics::Rattle>, OrderCase<BallFactory<3>, mechanics::Rattle4>,
+                     OrderCase<BallFactory<2>, mechanics::Symmetric4>,
+                     OrderCase<BallFactory<3>, mechanics::Symmetric4>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Ball, MethodOrder, BallCases);
 
 }  // namespace pseudorigid::testing

@@ -46,7 +46,7 @@ struct Pefrl {
   static constexpr int order = 4;
   static constexpr int n_stages = 4;
   static constexpr bool symplectic = true, symmetric = true;
-  static constexpr bool adaptive = false, chosen_by_auto = false;
+  static constexpr bool adaptive = false, chosen_by_auto = false, takes_any_vector = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.98;
 

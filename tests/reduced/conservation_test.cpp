@@ -104,14 +104,16 @@ TYPED_TEST_P(EveryMethod, KeepsVolumeMomentaAndEnergy) {
   const auto r = run<typename TypeParam::Method>(body, start, 50, 100, 40);
   ASSERT_TRUE(r.finished()) << r.result.reason;
   EXPECT_GT(distance(r.last(), start), 0.1);
+  const bool low_order = !TypeParam::Method::symplectic && TypeParam::Method::order == 4;
+  const double momenta = low_order ? 1e-6 : 1e-9;
   for (const auto& s : r.states) {
     if constexpr (std::is_same_v<Body, Sl3>) {
       EXPECT_LT(std::abs(s.q.determinant() - 1), 1e-14);
       EXPECT_LT(std::abs((s.q.inverse() * s.v).trace()), 1e-14);
     }
     const auto o = observed(body, s);
-    EXPECT_LT((o.angular_momentum - before.angular_momentum).norm(), 1e-9);
-    EXPECT_LT((o.circulation - before.circulation).norm(), 1e-9);
+    EXPECT_LT((o.angular_momentum - before.angular_momentum).norm(), momenta);
+    EXPECT_LT((o.circulation - before.circulation).norm(), momenta);
     EXPECT_NEAR(o.energy(), before.energy(), (TypeParam::Method::order == 2 ? 1e-2 : 1e-5) * before.energy());
   }
 }

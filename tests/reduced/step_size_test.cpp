@@ -71,7 +71,7 @@ long steps_per_sample(double step) { return mechanics::SampleTimes{end, n_sample
 /// The least forces of any method that meets the tolerance, looked for below a bound.
 long cheapest_below(long bound, double tolerance, const State<Sl3>& initial, const RecordedRun<Sl3>& reference) {
   mechanics::for_each_method([&]<class Method>(Method) {
-    if constexpr (Method::chosen_by_auto && !Method::adaptive)
+    if constexpr (mechanics::auto_considers<Method, Sl3> && !Method::adaptive)
       for (long n = 1; n_samples * n * Method::n_stages < bound; n += std::max(1L, n / 3))
         if (measure(initial, id_of<Method>, n, reference).error <= tolerance) bound = n_samples * n * Method::n_stages;
   });

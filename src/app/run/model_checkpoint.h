@@ -18,14 +18,21 @@
 
 namespace pseudorigid::app {
 
+/// Of a run at the largest frequency of small motions about it, which bounds its step.
+struct LooksAtFrequency {
+  long next = 0, last = 0;    ///< samples
+  double stable_step = 0;     ///< of RATTLE at the last look, without reserve; 0: there was none
+  double fastest_change = 0;  ///< of ln(stable_step) from sample to sample, over the looks so far
+};
+
 /// Where a run stands and what it steps with.
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;                                     ///< upper bound of the outer step, internal time
-  double local_tolerance = 0;                          ///< of an adaptive method
-  long steps_in_interval = 0;                          ///< of the interval that the cursor is in; 0 at a sample
-  long next_look = 0;                                  ///< the sample at which to look at the largest frequency again
+  double step = 0;             ///< upper bound of the outer step, internal time
+  double local_tolerance = 0;  ///< of an adaptive method
+  long steps_in_interval = 0;  ///< of the interval that the cursor is in; 0 at a sample
+  LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
 };
 
@@ -80,10 +87,12 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
   c.set("steps in interval", position.steps_in_interval);
-  c.set("next look", position.next_look);
+  c.set("next look", position.looks.next);
+  c.set("last look", position.looks.last);
   c.set("method", std::string(mechanics::method_name(position.method)));
-  c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
-                              position.max_constraint_rate, snapshot.state.t});
+  c.set("numbers",
+        std::array{position.step, position.local_tolerance, position.max_constraint, position.max_constraint_rate,
+                   snapshot.state.t, position.looks.stable_step, position.looks.fastest_change});
   c.set("q", vectors.q);
   c.set("v", vectors.v);
   c.set("memory", vectors.memory);
@@ -96,7 +105,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
 /// The reverse, without the vectors. UserError where the file does not fit.
 template <class S>
 void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
-  const auto& numbers = c.get_doubles("numbers", 5);
+  const auto& numbers = c.get_doubles("numbers", 7);
   const auto method = mechanics::find_method(c.get_string("method"));
   if (!method) throw UserError("the checkpoint is of a method that this program does not have");
   snapshot.position = {{c.get_integer("sample"), c.get_integer("step in interval")},
@@ -104,7 +113,7 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
                        numbers[0],
                        numbers[1],
                        c.get_integer("steps in interval"),
-                       c.get_integer("next look"),
+                       {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3]};
   snapshot.state.t = numbers[4];

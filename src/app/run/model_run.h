@@ -55,6 +55,7 @@ class ModelRun {
     if (result.outcome == Outcome::finished) {
       if (next_stepping_) step_anew();
       result = run_until(times_.n_samples);
+      while (result.outcome == Outcome::failed && step_back(result)) result = run_until(times_.n_samples);
     }
     sink_->progress_ends();
     return end(std::move(result), start);
@@ -86,7 +87,7 @@ class ModelRun {
   template <class Workspace>
   long steps_per_interval(long k, const State& state, Workspace&) {
     if (position_.steps_in_interval > 0) return position_.steps_in_interval;
-    if (stepping_.adapts(position_) && k >= position_.next_look) stepping_.reconsider(state, position_);
+    if (stepping_.adapts(position_) && k >= position_.looks.next) stepping_.reconsider(state, position_);
     return position_.steps_in_interval = times_.steps_per_interval(position_.step);
   }
 
@@ -160,6 +161,9 @@ class ModelRun {
       workspace.tolerance = position_.local_tolerance;
       workspace.h_max = position_.step;
     }
+    if constexpr (distributed && has_constraints)
+      workspace.constraint_tolerance =
+          std::max(workspace.constraint_tolerance, stepping_.constraint_tolerance() * model_.constraint_scale());
     const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};
     auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
     if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
@@ -178,12 +182,29 @@ class ModelRun {
     }
   }
 
+  /// Back to the last sample with half the step, a few times in a run, if the step is the program's choice. Elements of
+  /// a violent motion turn inside out the sooner the longer the steps are, with every method alike.
+  bool step_back(const mechanics::RunResult& failure) {
+    constexpr int most = 3;
+    const bool may = distributed && verdict_ && stepping_.adapts(position_) && good_.position.cursor.sample > 0;
+    if (!may || ++n_steps_back_ > most) return false;
+    state_ = good_.state;
+    position_ = good_.position;
+    position_.step /= 2;
+    position_.steps_in_interval = 0;
+    good_.position = position_;
+    context_.log->info("{}: step reduced to {:.4g} at t = {}, since it fails at t = {}: {}", model_.name,
+                       position_.step * context_.units.time, physical_time(state_.t), physical_time(failure.t),
+                       failure.reason);
+    return true;
+  }
+
   /// At a sample, from which on the state alone matters.
   void step_anew() {
     std::swap(position_.method, next_stepping_->method);
     std::swap(position_.step, next_stepping_->step);
     std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
-    position_.next_look = position_.cursor.sample;
+    position_.looks = {.next = position_.cursor.sample};
     std::swap(identity_.stepping, next_stepping_->entries);
     good_.position = position_;
     good_.state = state_;
@@ -361,10 +382,11 @@ class ModelRun {
   std::optional<typename System::Workspace> system_workspace_;  ///< for rows, where the method has none
   RunPosition position_;
   std::optional<NextStepping> next_stepping_;  ///< from the next sample on, if it changes
-  Status verdict_;                             ///< of the model on its state, where that ends the run
-  Snapshot<System> good_;                      ///< at the last sample: where a failed run is taken up again
-  bool memory_is_whole_ = false;               ///< that of good_, as it stands in the checkpoint
-  std::optional<MemoryLayout> layout_;         ///< of the method's memory, where vectors are distributed
+  int n_steps_back_ = 0;
+  Status verdict_;                      ///< of the model on its state, where that ends the run
+  Snapshot<System> good_;               ///< at the last sample: where a failed run is taken up again
+  bool memory_is_whole_ = false;        ///< that of good_, as it stands in the checkpoint
+  std::optional<MemoryLayout> layout_;  ///< of the method's memory, where vectors are distributed
   io::Manifest::Model statistics_;
   std::vector<double> row_;
   Clock::time_point last_save_{};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/run/model_checkpoint.h"
 #include "app/run/run_context.h"
@@ -50,6 +51,7 @@ class ModelStepping {
                                    .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
                                    .step_bound = std::min(bound, end_ - state.t),
                                    .interval = interval_,
+                                   .spare_pilots = !mechanics::VectorSpace<typename System::Vector>::dense,
                                    .method = method,
                                    .give_up = [this] { return context_.interrupted(); }};
     if constexpr (mechanics::ConstrainedSystem<System>) {
@@ -74,7 +76,7 @@ class ModelStepping {
   /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
   void reconsider(const State& state, RunPosition& position) const {
     if constexpr (mechanics::ConstrainedSystem<System>) {
-      position.next_look = position.cursor.sample + samples_between_looks();
+      position.looks.next = position.cursor.sample + samples_between_looks();
       double limit = 0;
       // Between `reserve`, with which steps are chosen, and 1, where they are unstable: a step is not halved for the
       // few per cent by which the frequency of a motion comes and goes, and not kept until it is at its limit.
@@ -92,12 +94,23 @@ class ModelStepping {
   /// Whether the step may change along the motion: nobody has fixed it.
   bool adapts(const RunPosition& position) const { return !context_.scene.time.step && !is_adaptive(position.method); }
 
+  /// Of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for meets it to
+  /// what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are those of
+  /// 1e-13 to three digits.
+  double constraint_tolerance() const {
+    const auto& time = context_.scene.time;
+    constexpr double part = 1e-4;
+    return time.constraint_tolerance.value_or(time.step ? 0 : part * time.tolerance);
+  }
+
   static bool is_adaptive(mechanics::MethodId id) {
     return mechanics::with_method(id, []<class Method>(Method) { return Method::adaptive; });
   }
 
  private:
   static constexpr int n_lanczos = 24;
+  /// Of ω², where a force costs much: a step shorter by a hundredth costs less than knowing better.
+  static constexpr double accuracy = mechanics::VectorSpace<typename System::Vector>::dense ? 0 : 0.02;
   /// A step is at most this part of what is stable at the state that it was chosen for.
   static constexpr double reserve = 0.8;
 
@@ -107,9 +120,10 @@ class ModelStepping {
 
   Status rattle_limit(const State& state, double safety, double& limit) const {
     auto workspace = model_.system().make_workspace();
-    const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos);
+    const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos, accuracy);
     if (!frequency.status) return frequency.status;
-    const auto damping = mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos);
+    const auto damping =
+        mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos, accuracy);
     if (!damping.status) return damping.status;
     limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
                      mechanics::damped_step_limit(damping.gamma, safety));
@@ -126,14 +140,22 @@ class ModelStepping {
     });
   }
 
-  /// The largest frequency changes with the deformation. Sixteen looks at it in a run suppose that it grows from one to
-  /// the next by no more than 1/reserve, which a step with that reserve stands; a smaller step stands it longer.
+  /// The largest frequency changes with the deformation. The next look comes before it can have grown beyond what the
+  /// step stands, if it grows no faster than twice as fast as it has changed from look to look so far; of the first
+  /// look nothing is known but that it is a sixteenth of the run away, or later for a step with much room.
   void plan_look(double stable_rattle_step, RunPosition& position) const {
     if constexpr (mechanics::ConstrainedSystem<System>) {
-      const double growth = limit_of(position.method, stable_rattle_step) / position.step;
-      const double n_looks = std::floor(std::log(growth) / std::log(1 / reserve));
-      const long between = samples_between_looks(), look = position.cursor.sample / between;
-      position.next_look = between * (look + static_cast<long>(std::clamp(n_looks, 1.0, 16.0)));
+      LooksAtFrequency& looks = position.looks;
+      const long now = position.cursor.sample, between = samples_between_looks();
+      if (looks.stable_step > 0 && now > looks.last)
+        looks.fastest_change =
+            std::max(looks.fastest_change, std::abs(std::log(stable_rattle_step / looks.stable_step)) /
+                                               static_cast<double>(now - looks.last));
+      const double room = std::log(limit_of(position.method, stable_rattle_step) / position.step);
+      const double usual = std::log(1 / reserve) / static_cast<double>(between);
+      const double growth = looks.stable_step > 0 ? std::max(2 * looks.fastest_change, usual / 3) : usual;
+      const long n_samples = static_cast<long>(std::clamp(room / growth, 1.0, 16.0 * static_cast<double>(between)));
+      looks = {now + std::max(between, n_samples), now, stable_rattle_step, looks.fastest_change};
     }
   }
   long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
@@ -177,12 +199,20 @@ class ModelStepping {
       context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", model_.name,
                          mechanics::method_name(choice.method), choice.local_tolerance, choice.error);
     else
-      context_.log->info("{}: {}, step {:.4g} (estimated time error {:.1e})", model_.name,
-                         mechanics::method_name(choice.method), choice.step * context_.units.time, choice.error);
+      context_.log->info("{}: {}{}, step {:.4g} (estimated time error {:.1e})", model_.name,
+                         mechanics::method_name(choice.method), promise(choice.method),
+                         choice.step * context_.units.time, choice.error);
     if (choice.at_round_off)
       context_.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
                          model_.name, choice.error);
     context_.log->debug("{}: {}", model_.name, choice.why);
+  }
+
+  /// Said of a method that keeps less than the others.
+  static std::string_view promise(mechanics::MethodId id) {
+    return mechanics::with_method(id, []<class Method>(Method) {
+      return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");
+    });
   }
 
   const Model& model_;

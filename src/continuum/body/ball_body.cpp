@@ -62,7 +62,7 @@ mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vecto
 
 void BallBody::apply_inverse_mass(const Vector& f, Vector& a) const {
   if (&a != &f) a = f;
-  a.scale(space_.inverse_mass());
+  scale_by(space_.inverse_mass(), a);
 }
 
 Vector BallBody::affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {

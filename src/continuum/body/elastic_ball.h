@@ -22,6 +22,12 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
+    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, Euclidean norm
+
+    template <class Visit>
+    void visit_memory(Visit&& visit) {
+      gram.visit_memory(visit);
+    }
   };
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
@@ -47,9 +53,12 @@ class ElasticBall : public BallBody {
   void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f) const {
     kernels().add_reaction(x, lambda, f);
   }
+  void add_reaction(const Vector& x, const Multiplier& lambda, Vector& f, Workspace& workspace) const {
+    workspace.gram.add_reaction(x, lambda, f);
+  }
   mechanics::SolveReport solve_gram(const Vector& x1, const Vector& x0, const Multiplier& r, Workspace& workspace,
                                     Multiplier& lambda) const {
-    return workspace.gram.solve(x1, x0, r, lambda);
+    return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
   /// |g|_∞ and |Gv|_∞ that count as zero: 1e-13 in the scale of ln J (the ψ are L²-orthonormal in their cells).
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
@@ -57,7 +66,7 @@ class ElasticBall : public BallBody {
   double multiplier_scale() const { return multiplier_scale_; }
 
   Multiplier make_multiplier() const { return space().make_multiplier(); }
-  Workspace make_workspace() const { return {GramSolver(space(), kernels(), gram_method_)}; }
+  Workspace make_workspace() const { return {GramSolver(space(), kernels(), gram_method_), 0}; }
 
  private:
   GramMethod gram_method_;

@@ -72,17 +72,13 @@ mechanics::Status DenseGram::renew(const Vector& x) {
   }
   S.invert();
   inverse_ = PackedSymmetric(&S(0, 0), n);
-  n_iterations_fresh_ = -1;
-  n_iterations_lost_ = 0;
   return {};
 }
 
-bool DenseGram::stale_after(int n_iterations) {
-  if (n_iterations_fresh_ < 0) n_iterations_fresh_ = n_iterations;
-  n_iterations_lost_ += std::max(0, n_iterations - n_iterations_fresh_);
-  // What making it anew costs, n³ operations and the rows of G, in iterations (measured for 80 … 1800 multipliers).
+double DenseGram::renewal_cost() const {
+  // n³ operations and the rows of G (measured for 80 … 1800 multipliers).
   const double n = space_->n_cells() * space_->n_pressure();
-  return n_iterations_lost_ > 20 + 3e-4 * n * n;
+  return 20 + 3e-4 * n * n;
 }
 
 std::size_t DenseGram::memory() const {

@@ -27,7 +27,7 @@ class DenseGram final : public GramPreconditioner {
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override { inverse_.multiply(r.begin(), result.begin()); }
-  bool stale_after(int n_iterations) override;
+  double renewal_cost() const override;
   std::size_t memory() const override;
 
  private:
@@ -44,7 +44,6 @@ class DenseGram final : public GramPreconditioner {
   const CellKernels* kernels_;
   std::map<std::pair<unsigned int, unsigned int>, SharedNodes> shared_nodes_;
   PackedSymmetric inverse_;
-  int n_iterations_fresh_ = -1, n_iterations_lost_ = 0;
 };
 
 }  // namespace pseudorigid::continuum

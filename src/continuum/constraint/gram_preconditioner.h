@@ -16,8 +16,8 @@ class GramPreconditioner {
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, by a symmetric positive definite operator. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// Whether solves have become so slow that making it anew pays; told of the iterations of every solve.
-  virtual bool stale_after(int n_iterations) = 0;
+  /// What making it anew costs, in iterations of a solve.
+  virtual double renewal_cost() const = 0;
   /// Bytes held on this rank.
   virtual std::size_t memory() const = 0;
 };

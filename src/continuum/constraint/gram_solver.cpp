@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "continuum/constraint/dense_gram.h"
 #include "continuum/constraint/two_level_gram.h"
@@ -18,29 +21,43 @@ class GramSolver::Impl {
  public:
   Impl(const BallSpace& space, const CellKernels& kernels, GramMethod method)
       : space_(space), kernels_(kernels), method_(method), reaction_(space.make_vector()) {
+    history_.renewed_at = space.make_vector();
     if (method == GramMethod::dense)
       preconditioner_ = std::make_unique<DenseGram>(space, kernels);
     else
       preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
+    if (method == GramMethod::dense) {
+      of_q0_.emplace(kernels);
+      of_q1_.emplace(kernels);
+    }
   }
 
-  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
-    if (stale_)
-      if (mechanics::Status status = renew(q0); !status) return {std::move(status), 0};
-    mechanics::SolveReport report = iterate(q1, q0, r, lambda);
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
+    if (mechanics::Status status = history_.stale ? renew(q0) : restore(); !status) return {std::move(status), 0};
+    mechanics::SolveReport report = iterate(q1, q0, r, enough, lambda);
     if (!report.status) {
       if (mechanics::Status status = renew(q1); !status) return {std::move(status), report.iterations};
-      mechanics::SolveReport second = iterate(q1, q0, r, lambda);
+      mechanics::SolveReport second = iterate(q1, q0, r, enough, lambda);
       second.iterations += report.iterations;
       report = std::move(second);
     } else {
-      stale_ = preconditioner_->stale_after(report.iterations);
+      if (history_.n_iterations_fresh < 0) history_.n_iterations_fresh = report.iterations;
+      history_.n_iterations_lost += std::max(0, report.iterations - history_.n_iterations_fresh);
+      history_.stale = history_.n_iterations_lost > preconditioner_->renewal_cost();
     }
     ++statistics_.n_solves;
     statistics_.n_iterations += report.iterations;
     statistics_.n_iterations_at_most = std::max<long>(statistics_.n_iterations_at_most, report.iterations);
     return report;
   }
+
+  void add_reaction(const Vector& x, const Vector& lambda, Vector& f) {
+    if (!of_q0_) return kernels_.add_reaction(x, lambda, f);
+    of_q0_->move_to(x);
+    kernels_.add_reaction(of_q0_->tangent(), lambda, f);
+  }
+
+  History& history() { return history_; }
 
   Statistics statistics() const {
     Statistics statistics = statistics_;
@@ -52,26 +69,42 @@ class GramSolver::Impl {
   mechanics::Status renew(const Vector& x) {
     mechanics::Status status = preconditioner_->renew(x);
     ++statistics_.n_renewals;
-    stale_ = !status;
+    is_made_ = true;
+    history_.renewed_at = x;
+    history_.n_iterations_fresh = -1;
+    history_.n_iterations_lost = 0;
+    history_.stale = !status;
     return status;
+  }
+  /// Of a run that goes on from a checkpoint.
+  mechanics::Status restore() {
+    return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
 
   /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ
   void multiply(Vector& result, const Vector& lambda) {
     reaction_ = 0.0;
-    kernels_.add_reaction(*q0_, lambda, reaction_);
-    reaction_.scale(space_.inverse_mass());
-    kernels_.constraint_rate(*q1_, reaction_, result);
+    if (of_q0_)
+      kernels_.add_reaction(of_q0_->tangent(), lambda, reaction_);
+    else
+      kernels_.add_reaction(*q0_, lambda, reaction_);
+    scale_by(space_.inverse_mass(), reaction_);
+    if (of_q0_)
+      kernels_.constraint_rate((q1_ == q0_ ? of_q0_ : of_q1_)->tangent(), reaction_, result);
+    else
+      kernels_.constraint_rate(*q1_, reaction_, result);
   }
 
-  mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
+  mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
     lambda = 0.0;
     const double norm = r.l2_norm();
     if (norm == 0) return {};
     if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
     q1_ = &q1;
     q0_ = &q0;
-    return iterate(r, reduction * norm, lambda);
+    if (of_q0_) of_q0_->move_to(q0);
+    if (of_q0_ && q1_ != q0_) of_q1_->move_to(q1);
+    return iterate(r, std::max(reduction * norm, enough), lambda);
   }
 
   /// With the inverse a few iterations do, and GMRES finds the least residual in them; with two levels S is left to
@@ -110,13 +143,33 @@ class GramSolver::Impl {
     return {{}, static_cast<int>(control.last_step())};
   }
 
+  /// The constraint's tangent at the last positions.
+  class TangentAt {
+   public:
+    explicit TangentAt(const CellKernels& kernels) : kernels_(&kernels), tangent_(kernels.make_tangent()) {}
+    const ConstraintTangent& tangent() const { return *tangent_; }
+    void move_to(const Vector& x) {
+      const std::span<const double> values(x.begin(), x.locally_owned_size());
+      if (std::equal(values.begin(), values.end(), positions_.begin(), positions_.end())) return;
+      positions_.assign(values.begin(), values.end());
+      kernels_->set_tangent(x, *tangent_);
+    }
+
+   private:
+    const CellKernels* kernels_;
+    std::unique_ptr<ConstraintTangent> tangent_;
+    std::vector<double> positions_;
+  };
+
   const BallSpace& space_;
   const CellKernels& kernels_;
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
+  std::optional<TangentAt> of_q0_, of_q1_;  // where everything stays near the processor: with the dense inverse
   Vector reaction_;
   const Vector *q1_ = nullptr, *q0_ = nullptr;
-  bool stale_ = true;
+  History history_;
+  bool is_made_ = false;  // in this process
   Statistics statistics_;
 };
 
@@ -131,9 +184,14 @@ GramSolver::GramSolver(const BallSpace& space, const CellKernels& kernels, GramM
 GramSolver::~GramSolver() = default;
 GramSolver::GramSolver(GramSolver&&) noexcept = default;
 
-mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda) {
-  return impl_->solve(q1, q0, r, lambda);
+mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, double enough,
+                                         Vector& lambda) {
+  return impl_->solve(q1, q0, r, enough, lambda);
 }
+
+void GramSolver::add_reaction(const Vector& x, const Vector& lambda, Vector& f) { impl_->add_reaction(x, lambda, f); }
+
+GramSolver::History& GramSolver::history() { return impl_->history(); }
 
 GramSolver::Statistics GramSolver::statistics() const { return impl_->statistics(); }
 

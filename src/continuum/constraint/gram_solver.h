@@ -1,8 +1,8 @@
 #pragma once
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball, matrix-free, by a Krylov iteration preconditioned for the symmetric Gram
 /// operator S = G M⁻¹ Gᵀ of some earlier position: with its inverse (dense_gram.h) while that is small, beyond and on
-/// several ranks with two levels (two_level_gram.h). The preconditioner is made anew when the iterations show
-/// that it has become stale.
+/// several ranks with two levels (two_level_gram.h). The preconditioner is made anew when more iterations than that
+/// costs have been lost since it was fresh.
 
 #include <memory>
 
@@ -24,9 +24,29 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ reduction · |r| in the Euclidean norm. Fails if a fresh preconditioner does not
-  /// help.
-  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, Vector& lambda);
+  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if a fresh preconditioner
+  /// does not help.
+  mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
+
+  /// f += G(x)ᵀλ.
+  void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
+
+  /// What later solves depend on. A resumed run that has it repeats the whole one, whose residuals depend on the
+  /// preconditioner.
+  struct History {
+    Vector renewed_at;  ///< the positions of the preconditioner
+    int n_iterations_fresh = -1, n_iterations_lost = 0;
+    bool stale = true;  ///< or not made yet
+  };
+  History& history();
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    auto& [renewed_at, n_fresh, n_lost, stale] = history();
+    visit(renewed_at);
+    visit(n_fresh);
+    visit(n_lost);
+    visit(stale);
+  }
 
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;

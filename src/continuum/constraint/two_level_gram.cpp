@@ -213,8 +213,6 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
   KSPReset(coarse_solver_);
   const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0;
-  n_iterations_fresh_ = -1;
-  n_iterations_lost_ = 0;
   if (dealii::Utilities::MPI::min(static_cast<int>(regular && set_up), space_.communicator())) return {};
   return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
 }
@@ -247,12 +245,6 @@ void TwoLevelGram::apply(Vector& result, const Vector& r) const {
     out.noalias() += Eigen::Map<const MatrixXd>(&inverse_blocks_[static_cast<std::size_t>(cell) * n * n], n, n) *
                      Eigen::Map<const Eigen::VectorXd>(r.begin() + cell * n, n);
   }
-}
-
-bool TwoLevelGram::stale_after(int n_iterations) {
-  if (n_iterations_fresh_ < 0) n_iterations_fresh_ = n_iterations;
-  n_iterations_lost_ += std::max(0, n_iterations - n_iterations_fresh_);
-  return n_iterations_lost_ > n_iterations_of_renewal;
 }
 
 std::size_t TwoLevelGram::memory() const {

@@ -36,13 +36,10 @@ class TwoLevelGram final : public GramPreconditioner {
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override;
-  bool stale_after(int n_iterations) override;
+  double renewal_cost() const override { return 30; }  // measured
   std::size_t memory() const override;
 
  private:
-  /// Making it anew costs about as much as this many iterations; it is done when that many have been lost since.
-  static constexpr int n_iterations_of_renewal = 30;
-
   void number_functions();
   void project_functions();
   void make_coarse_matrix();
@@ -66,7 +63,6 @@ class TwoLevelGram final : public GramPreconditioner {
   KSP coarse_solver_ = nullptr;
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;
   mutable Vector restricted_, correction_;
-  int n_iterations_fresh_ = -1, n_iterations_lost_ = 0;
 };
 
 }  // namespace pseudorigid::continuum

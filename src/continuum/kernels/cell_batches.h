@@ -1,8 +1,8 @@
 #pragma once
-/// The cells of the ball in batches of as many as a SIMD vector has lanes, with all that the kernels read: node
-/// numbers, geometry at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of P_{k−1}, LLᵀ = ∫monomials ⊗
-/// monomials. The lanes of the last batch that have no cell of their own repeat its first one and are left out of
-/// results.
+/// The cells of the ball in batches of as many as the SIMD vectors used have lanes, with all that the kernels read:
+/// node numbers, geometry at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of P_{k−1}, LLᵀ =
+/// ∫monomials ⊗ monomials. The lanes of the last batch that have no cell of their own repeat its first one and are left
+/// out of results.
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,13 @@
 
 namespace pseudorigid::continuum {
 
-template <int degree>
+template <int degree, int lanes>
 class CellBatches {
  public:
-  static constexpr int n_lanes = native_lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
+  static constexpr int n_lanes = lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
   using L = Lanes<n_lanes>;
+  using QuadraturePoint = continuum::QuadraturePoint<n_lanes>;
+  using PressurePoint = continuum::PressurePoint<n_lanes>;
   using Monomials = PressureMonomials<degree - 1>;
   static constexpr int n_pressure = Monomials::size;
   static constexpr int n_packed = n_pressure * (n_pressure + 1) / 2;

@@ -9,24 +9,24 @@
 namespace pseudorigid::continuum {
 namespace {
 
-std::unique_ptr<LocalKernels> make_local_kernels(int degree, const LocalCells& cells, std::unique_ptr<PointLaw> law) {
+std::unique_ptr<LocalKernels> make_local_kernels(int degree, const LocalCells& cells, const StoredEnergy& stored) {
   switch (degree) {
     case 1:
-      return make_local_kernels<1>(cells, std::move(law));
+      return make_local_kernels<1>(cells, stored);
     case 2:
-      return make_local_kernels<2>(cells, std::move(law));
+      return make_local_kernels<2>(cells, stored);
     case 3:
-      return make_local_kernels<3>(cells, std::move(law));
+      return make_local_kernels<3>(cells, stored);
     case 4:
-      return make_local_kernels<4>(cells, std::move(law));
+      return make_local_kernels<4>(cells, stored);
     case 5:
-      return make_local_kernels<5>(cells, std::move(law));
+      return make_local_kernels<5>(cells, stored);
     case 6:
-      return make_local_kernels<6>(cells, std::move(law));
+      return make_local_kernels<6>(cells, stored);
     case 7:
-      return make_local_kernels<7>(cells, std::move(law));
+      return make_local_kernels<7>(cells, stored);
     case 8:
-      return make_local_kernels<8>(cells, std::move(law));
+      return make_local_kernels<8>(cells, stored);
   }
   throw std::invalid_argument("no kernels for degree " + std::to_string(degree));
 }
@@ -68,6 +68,22 @@ void CellKernels::add_reaction(const Vector& x, const Vector& lambda, Vector& f)
   require_constraint();
   const GhostValues of_x(x);
   local_->add_reaction(x.begin(), lambda.begin(), f.begin());
+  add_to_owners(f);
+}
+
+void CellKernels::set_tangent(const Vector& x, ConstraintTangent& tangent) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  local_->set_tangent(x.begin(), tangent);
+}
+
+void CellKernels::constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const {
+  const GhostValues of_v(v);
+  local_->constraint_rate(at_x, v.begin(), r.begin());
+}
+
+void CellKernels::add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const {
+  local_->add_reaction(at_x, lambda.begin(), f.begin());
   add_to_owners(f);
 }
 
@@ -121,8 +137,7 @@ LocalCells local_cells(const BallSpace& space) {
 }
 
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored) {
-  return std::make_unique<CellKernels>(space,
-                                       make_local_kernels(space.degree(), local_cells(space), make_point_law(stored)));
+  return std::make_unique<CellKernels>(space, make_local_kernels(space.degree(), local_cells(space), stored));
 }
 
 }  // namespace pseudorigid::continuum

@@ -35,6 +35,11 @@ class CellKernels {
   double constraint(const Vector& x, Vector& g) const;
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
+  /// Empty: for set_tangent.
+  std::unique_ptr<ConstraintTangent> make_tangent() const { return local_->make_tangent(); }
+  void set_tangent(const Vector& x, ConstraintTangent& tangent) const;
+  void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
+  void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
   /// f += the viscous force; returns its power, which dissipation takes.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;

@@ -1,4 +1,4 @@
 #include "continuum/kernels/cell_kernels_impl.h"
 
 template std::unique_ptr<pseudorigid::continuum::LocalKernels> pseudorigid::continuum::make_local_kernels<3>(
-    const LocalCells&, std::unique_ptr<PointLaw>);
+    const LocalCells&, const StoredEnergy&);

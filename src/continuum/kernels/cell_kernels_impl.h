@@ -8,7 +8,9 @@
 ///
 /// so the constraint's operators read one scalar of geometry a point beside its position.
 
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "continuum/kernels/cell_batches.h"
 #include "continuum/kernels/local_kernels.h"
@@ -17,16 +19,18 @@
 
 namespace pseudorigid::continuum {
 
-template <int degree>
+template <int degree, int n_lanes>
 class DegreeKernels final : public LocalKernels {
-  using Batches = CellBatches<degree>;
+  using Batches = CellBatches<degree, n_lanes>;
   using L = typename Batches::L;
+  using QuadraturePoint = typename Batches::QuadraturePoint;
+  using PressurePoint = typename Batches::PressurePoint;
   using Tensor = materials::Tensor<L>;
   static constexpr int n = Batches::n, plane = n * n;
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
-  DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw> law)
+  DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
       : law_(std::move(law)), batches_(cells), buffers_(std::make_unique<Buffers>()) {}
 
   double add_force(const double* x, double* f) const override {
@@ -97,6 +101,68 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
+  std::unique_ptr<ConstraintTangent> make_tangent() const override {
+    return std::make_unique<Tangent>(batches_.batches.size() * n);
+  }
+
+  void set_tangent(const double* x, ConstraintTangent& tangent) const override {
+    auto plane_of_points = static_cast<Tangent&>(tangent).planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      load_layers(x, b, buffers_->x);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H);
+          const L factor = points[q].weight / materials::determinant(H, cof);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) plane_of_points->T[k][q] = factor * cof.a[k / 3][k % 3];
+        }
+      }
+    }
+  }
+
+  void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const override {
+    auto plane_of_points = static_cast<const Tangent&>(at_x).planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      load_layers(v, b, buffers_->v);
+      L moments[n_pressure];
+      for (L& m : moments) m = L(0.0);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        plane_gradient(buffers_->v, q3, buffers_->dv);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          Batches::Monomials::add_moments(dot(load(plane_of_points->T, q), load(buffers_->dv, q)), X[0], X[1], X[2],
+                                          moments);
+        }
+      }
+      store(moments, b, r);
+    }
+  }
+
+  void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const override {
+    auto plane_of_points = static_cast<const Tangent&>(at_x).planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      batches_.load_multiplier(lambda, b, buffers_->multiplier);
+      L coefficients[n_pressure];
+      batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
+      Field& T = buffers_->H;
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) T[k][q] = pressure * plane_of_points->T[k][q];
+        }
+        integrate_plane(T, q3);
+      }
+      distribute_layers();
+      batches_.scatter_add(buffers_->result, b, f);
+    }
+  }
+
   /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
   double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const override {
     double power = 0;
@@ -128,7 +194,7 @@ class DegreeKernels final : public LocalKernels {
 
   void constraint_rows(const double* x, const UseRows& use) const override {
     constexpr std::size_t size = std::size_t{n_pressure} * 3 * n_nodes;
-    std::vector<double> rows(Batches::n_lanes * size);
+    std::vector<double> rows(n_lanes * size);
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
       const auto& batch = batches_.batches[b];
       load_layers(x, b, buffers_->x);
@@ -157,7 +223,7 @@ class DegreeKernels final : public LocalKernels {
     return locate(x, [&](const QuadraturePoint* points, L* values) {
       for (int q = 0; q < plane; ++q) {
         const Tensor F = points[q].deformation_gradient(load(buffers_->H, q));
-        for (int l = 0; l < Batches::n_lanes; ++l) {
+        for (int l = 0; l < n_lanes; ++l) {
           double F_l[9];
           for (int k = 0; k < 9; ++k) F_l[k] = F(k / 3, k % 3)[l];
           values[q].v[l] = value(F_l);
@@ -206,6 +272,15 @@ class DegreeKernels final : public LocalKernels {
 
   using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
   using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
+
+  /// w H⁻ᵀ in the planes of points of all batches.
+  struct PlaneOfPoints {
+    Field T;
+  };
+  struct Tangent final : ConstraintTangent {
+    explicit Tangent(std::size_t n_planes) : planes(n_planes) {}
+    std::vector<PlaneOfPoints> planes;
+  };
 
   [[gnu::always_inline]] static Tensor load(const Field& T, int q) {
     return {{{T[0][q], T[1][q], T[2][q]}, {T[3][q], T[4][q], T[5][q]}, {T[6][q], T[7][q], T[8][q]}}};
@@ -355,14 +430,18 @@ class DegreeKernels final : public LocalKernels {
     batches_.store_multiplier(values, b, g);
   }
 
-  std::unique_ptr<PointLaw> law_;
+  std::unique_ptr<PointLaw<n_lanes>> law_;
   Batches batches_;
   std::unique_ptr<Buffers> buffers_;
 };
 
 template <int degree>
-std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, std::unique_ptr<PointLaw> law) {
-  return std::make_unique<DegreeKernels<degree>>(cells, std::move(law));
+std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, const StoredEnergy& stored) {
+  const auto with_lanes = [&]<int n_lanes>(std::integral_constant<int, n_lanes>) {
+    return std::make_unique<DegreeKernels<degree, n_lanes>>(cells, make_point_law<n_lanes>(stored));
+  };
+  if (cells.nodes.size() <= few_lanes) return with_lanes(std::integral_constant<int, few_lanes>());
+  return with_lanes(std::integral_constant<int, native_lanes>());
 }
 
 }  // namespace pseudorigid::continuum

@@ -39,6 +39,12 @@ using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 /// A function of F, given row by row.
 using FunctionOfF = std::function<double(const double* F)>;
 
+/// What the constraint's derivative reads of positions, made once for many products: w H⁻ᵀ at every point.
+class ConstraintTangent {
+ public:
+  virtual ~ConstraintTangent() = default;
+};
+
 class LocalKernels {
  public:
   virtual ~LocalKernels() = default;
@@ -48,6 +54,10 @@ class LocalKernels {
   virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
   virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;
   virtual void add_reaction(const double* x, const double* lambda, double* f) const = 0;
+  virtual std::unique_ptr<ConstraintTangent> make_tangent() const = 0;
+  virtual void set_tangent(const double* x, ConstraintTangent& tangent) const = 0;
+  virtual void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const = 0;
+  virtual void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const = 0;
   virtual double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const = 0;
   virtual CellIntegrals integrals(const double* x, const double* v) const = 0;
   virtual LeastPlace locate_least_jacobian(const double* x) const = 0;
@@ -61,8 +71,8 @@ class LocalKernels {
   virtual std::size_t memory() const = 0;
 };
 
-/// One source file a degree defines it, compiled for the widest vectors of the machine.
+/// One source file a degree defines it, compiled for the widest vectors of the machine, and for few_lanes.
 template <int degree>
-std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, std::unique_ptr<PointLaw> law);
+std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

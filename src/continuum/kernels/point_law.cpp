@@ -2,12 +2,18 @@
 
 namespace pseudorigid::continuum {
 
-std::unique_ptr<PointLaw> make_point_law(const StoredEnergy& stored) {
+template <int n_lanes>
+std::unique_ptr<PointLaw<n_lanes>> make_point_law(const StoredEnergy& stored) {
   return std::visit(
-      [&]<class Law>(const Law& law) -> std::unique_ptr<PointLaw> {
-        return std::make_unique<LawAtPoints<Law>>(law, stored.volumetric_stiffness);
+      [&]<class Law>(const Law& law) -> std::unique_ptr<PointLaw<n_lanes>> {
+        return std::make_unique<LawAtPoints<Law, n_lanes>>(law, stored.volumetric_stiffness);
       },
       stored.law);
 }
+
+template std::unique_ptr<PointLaw<native_lanes>> make_point_law(const StoredEnergy& stored);
+#if defined(__AVX512F__)
+template std::unique_ptr<PointLaw<few_lanes>> make_point_law(const StoredEnergy& stored);
+#endif
 
 }  // namespace pseudorigid::continuum

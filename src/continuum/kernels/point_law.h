@@ -13,20 +13,24 @@
 
 namespace pseudorigid::continuum {
 
+template <int n_lanes>
 class PointLaw {
  public:
-  using L = QuadraturePoint::L;
+  using L = Lanes<n_lanes>;
+  using Point = QuadraturePoint<n_lanes>;
   virtual ~PointLaw() = default;
 
   /// T ← −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ; least ← the least of it, of det F and of the law's
   /// reserve, lane by lane.
-  virtual void stress(const QuadraturePoint* points, int n_points, L* H, L& least) const = 0;
+  virtual void stress(const Point* points, int n_points, L* H, L& least) const = 0;
   /// elastic += Σ w W(F), volumetric += Σ w U(J)
-  virtual void energy(const QuadraturePoint* points, int n_points, const L* H, L& elastic, L& volumetric) const = 0;
+  virtual void energy(const Point* points, int n_points, const L* H, L& elastic, L& volumetric) const = 0;
   /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
-  virtual void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const = 0;
+  virtual void reserve(const Point* points, int n_points, const L* H, L* reserve) const = 0;
 };
 
-std::unique_ptr<PointLaw> make_point_law(const StoredEnergy& stored);
+/// For vectors of native_lanes or few_lanes.
+template <int n_lanes>
+std::unique_ptr<PointLaw<n_lanes>> make_point_law(const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

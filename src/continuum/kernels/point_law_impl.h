@@ -7,15 +7,18 @@
 
 namespace pseudorigid::continuum {
 
-template <class Law>
-class LawAtPoints final : public PointLaw {
+template <class Law, int n_lanes>
+class LawAtPoints final : public PointLaw<n_lanes> {
  public:
+  using L = Lanes<n_lanes>;
+  using Point = QuadraturePoint<n_lanes>;
+
   LawAtPoints(const Law& law, double volumetric_stiffness) : law_(law), kappa_(volumetric_stiffness) {}
 
-  void stress(const QuadraturePoint* points, int n_points, L* H, L& least_of_all) const override {
+  void stress(const Point* points, int n_points, L* H, L& least_of_all) const override {
     L least = least_of_all;
     for (int q = 0; q < n_points; ++q) {
-      const QuadraturePoint& p = points[q];
+      const Point& p = points[q];
       prefetch(points + n_points + q);
       const Tensor F = p.deformation_gradient(load(H, n_points, q));
       least = min(materials::determinant(F), least);
@@ -32,7 +35,7 @@ class LawAtPoints final : public PointLaw {
     least_of_all = least;
   }
 
-  void energy(const QuadraturePoint* points, int n_points, const L* H, L& elastic, L& volumetric) const override {
+  void energy(const Point* points, int n_points, const L* H, L& elastic, L& volumetric) const override {
     for (int q = 0; q < n_points; ++q) {
       const Tensor F = points[q].deformation_gradient(load(H, n_points, q));
       elastic += points[q].weight * law_.energy(F);
@@ -42,7 +45,7 @@ class LawAtPoints final : public PointLaw {
     }
   }
 
-  void reserve(const QuadraturePoint* points, int n_points, const L* H, L* reserve) const override {
+  void reserve(const Point* points, int n_points, const L* H, L* reserve) const override {
     for (int q = 0; q < n_points; ++q)
       if constexpr (materials::is_limited<Law>)
         reserve[q] = law_.reserve(points[q].deformation_gradient(load(H, n_points, q)));

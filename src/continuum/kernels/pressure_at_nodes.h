@@ -15,9 +15,9 @@
 namespace pseudorigid::continuum {
 
 /// [component][node]: (X − X_c)/h_c at the nodes of a batch's cells.
-template <int degree>
-auto local_node_positions(const CellBatches<degree>& batches, std::size_t b) {
-  using Batches = CellBatches<degree>;
+template <int degree, int n_lanes>
+auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size_t b) {
+  using Batches = CellBatches<degree, n_lanes>;
   auto local = std::make_unique<typename Batches::L[][Batches::n_nodes]>(3);
   batches.gather(batches.reference_positions, b, local.get());
   const auto& batch = batches.batches[b];
@@ -27,10 +27,10 @@ auto local_node_positions(const CellBatches<degree>& batches, std::size_t b) {
 }
 
 /// As LocalKernels::multiplier_at_nodes.
-template <int degree>
-void multiplier_at_nodes(const CellBatches<degree>& batches, const double* lambda, unsigned int cell,
+template <int degree, int n_lanes>
+void multiplier_at_nodes(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                          std::span<double> values) {
-  using Batches = CellBatches<degree>;
+  using Batches = CellBatches<degree, n_lanes>;
   const std::size_t b = cell / Batches::n_lanes;
   const int lane = static_cast<int>(cell % Batches::n_lanes);
   typename Batches::L multiplier[Batches::n_pressure], coefficients[Batches::n_pressure];
@@ -42,9 +42,9 @@ void multiplier_at_nodes(const CellBatches<degree>& batches, const double* lambd
 }
 
 /// As LocalKernels::pressure_basis_at_nodes.
-template <int degree>
-void pressure_basis_at_nodes(const CellBatches<degree>& batches, const UseRows& use) {
-  using Batches = CellBatches<degree>;
+template <int degree, int n_lanes>
+void pressure_basis_at_nodes(const CellBatches<degree, n_lanes>& batches, const UseRows& use) {
+  using Batches = CellBatches<degree, n_lanes>;
   using L = typename Batches::L;
   constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
   constexpr std::size_t size = std::size_t{n_pressure} * n_nodes;

@@ -11,9 +11,13 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
+/// Of a body with so few cells that wider vectors would hold copies: the octant has four.
+inline constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
+
 /// For ∫P:∇φ.
+template <int n_lanes>
 struct QuadraturePoint {
-  using L = Lanes<native_lanes>;
+  using L = Lanes<n_lanes>;
 
   L inverse_jacobian[9];  ///< (∂X/∂ξ)⁻¹, row-major
   L weight;               ///< quadrature weight · det ∂X/∂ξ
@@ -29,8 +33,9 @@ struct QuadraturePoint {
 };
 
 /// For ∫λ_h F⁻ᵀ:∇φ and its relatives.
+template <int n_lanes>
 struct PressurePoint {
-  using L = Lanes<native_lanes>;
+  using L = Lanes<n_lanes>;
 
   L weight;       ///< quadrature weight · det ∂X/∂ξ
   L position[3];  ///< local coordinates of the pressure basis

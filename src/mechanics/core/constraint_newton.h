@@ -68,10 +68,10 @@ struct ConstraintTemporaries {
   long n_gram_iterations = 0;
 };
 
-/// w.reaction = M⁻¹G(q₀)ᵀ λ.
+/// w.reaction = M⁻¹G(q₀)ᵀ λ; a system may find it faster by what its workspace knows of q₀.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
-                  ConstraintTemporaries<S>& w) {
+                  [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
   if constexpr (single_constraint<S>) {
     if (!w.direction_known) {
       scale(0.0, w.direction);
@@ -82,7 +82,10 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
     w.reaction = lambda * w.direction;
   } else {
     scale(0.0, w.reaction);
-    system.add_reaction(q0, lambda, w.reaction);
+    if constexpr (requires { system.add_reaction(q0, lambda, w.reaction, system_workspace); })
+      system.add_reaction(q0, lambda, w.reaction, system_workspace);
+    else
+      system.add_reaction(q0, lambda, w.reaction);
     system.apply_inverse_mass(w.reaction, w.reaction);
   }
 }
@@ -93,7 +96,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
   scale(-1.0, w.residual);
   if constexpr (single_constraint<S>) {
-    set_reaction(system, q0, 1.0, w);
+    set_reaction(system, q0, 1.0, system_workspace, w);
     system.constraint_rate(q1, w.direction, w.delta);
     w.delta = w.residual * (1 / w.delta);  // the quotient does not wait for the residual
   } else {
@@ -101,7 +104,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
     w.n_gram_iterations += report.iterations;
     if (!report.status) return std::move(report.status);
   }
-  set_reaction(system, q0, w.delta, w);
+  set_reaction(system, q0, w.delta, system_workspace, w);
   return {};
 }
 
@@ -111,6 +114,13 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   sentence += what;
   sentence += " iteration of the constraint does not converge; use a smaller step";
   return Status::failure(std::move(sentence));
+}
+
+/// Tells an inexact solver of Gram systems how small a residual is enough; 0: as small as it makes it by itself.
+template <ConstrainedSystem S>
+void seek_residual(typename S::Workspace& system_workspace, double enough) {
+  constexpr double linear_part = 1.0 / 3;  // the rest is for what is not linear
+  if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
 /// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off.
@@ -125,7 +135,10 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
     const auto verdict = monitor.judge(norm, noise);
     if (verdict == ConvergenceMonitor::Verdict::done) return {};
     if (verdict == ConvergenceMonitor::Verdict::stuck) return without_convergence(what);
-    if (Status status = react(system, q1, q0, system_workspace, w); !status) return status;
+    seek_residual<S>(system_workspace, tolerance);
+    Status status = react(system, q1, q0, system_workspace, w);
+    seek_residual<S>(system_workspace, 0);
+    if (!status) return status;
     apply();
   }
 }

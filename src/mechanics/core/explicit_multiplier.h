@@ -20,6 +20,34 @@
 
 namespace pseudorigid::mechanics {
 
+namespace detail {
+
+/// a ← a + M⁻¹Gᵀλ with G a = −D²g(v, v).
+template <ConstrainedSystem S>
+Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
+                              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,
+                              typename S::Multiplier& curvature, typename S::Vector& a) {
+  constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
+  constexpr double needed_fall = 0.5;  // round-off is reached when the residual stops falling
+  system.constraint_curvature(q, v, curvature);
+  constraint.direction_known = false;
+  double before = HUGE_VAL;
+  for (int i = 0; i < max_refinements; ++i) {
+    system.constraint_rate(q, a, constraint.residual);
+    axpy(1.0, curvature, constraint.residual);
+    if constexpr (max_refinements > 1) {
+      const double norm = max_norm(constraint.residual);
+      if (norm <= system.constraint_tolerance() || norm > needed_fall * before) break;
+      before = norm;
+    }
+    if (Status status = react(system, q, q, system_workspace, constraint); !status) return status;
+    axpy(1.0, constraint.reaction, a);
+  }
+  return {};
+}
+
+}  // namespace detail
+
 template <ConstrainedSystem S>
 class ExplicitMultiplier {
  public:
@@ -51,7 +79,7 @@ class ExplicitMultiplier {
       if constexpr (unconstrained<S>)
         return {};
       else
-        return add_reaction(q, v, w, a);
+        return detail::add_reaction_of_motion(system_, q, v, w.system, w.constraint, w.curvature, a);
     }
   }
 
@@ -73,27 +101,6 @@ class ExplicitMultiplier {
   }
 
  private:
-  /// a ← a + M⁻¹Gᵀλ with G a = −D²g(v, v).
-  Status add_reaction(const Vector& q, const Vector& v, Workspace& w, Vector& a) const {
-    constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
-    constexpr double needed_fall = 0.5;  // round-off is reached when the residual stops falling
-    system_.constraint_curvature(q, v, w.curvature);
-    w.constraint.direction_known = false;
-    double before = HUGE_VAL;
-    for (int i = 0; i < max_refinements; ++i) {
-      system_.constraint_rate(q, a, w.constraint.residual);
-      axpy(1.0, w.curvature, w.constraint.residual);
-      if constexpr (max_refinements > 1) {
-        const double norm = max_norm(w.constraint.residual);
-        if (norm <= system_.constraint_tolerance() || norm > needed_fall * before) break;
-        before = norm;
-      }
-      if (Status status = detail::react(system_, q, q, w.system, w.constraint); !status) return status;
-      axpy(1.0, w.constraint.reaction, a);
-    }
-    return {};
-  }
-
   const S& system_;
 };
 

@@ -30,9 +30,13 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// The methods that ask no more of a vector than VectorSpace offers; the others want dense vectors of Eigen.
+/// The methods that ask no more of a vector than VectorSpace offers, and say so; the others want dense vectors of
+/// Eigen.
 template <class Method>
-inline constexpr bool takes_any_vector = Method::symplectic;
+inline constexpr bool takes_any_vector = [] {
+  if constexpr (requires { Method::takes_any_vector; }) return Method::takes_any_vector;
+  return false;
+}();
 
 /// Whether a method can be compiled for a system.
 template <class Method, class S>

@@ -80,7 +80,7 @@ void add(double a, const V& x, V& y, V& c) {
   else
     axpy(a, x, y);
 }
-/// The entries that this process owns, for checkpoints.
+/// The entries that this process owns.
 template <class V>
 std::span<double> local_values(V& x) {
   return VectorSpace<V>::local_values(x);

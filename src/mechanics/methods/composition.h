@@ -53,7 +53,7 @@ struct Composition {
   static constexpr int order = Coefficients::order;
   static constexpr int n_stages = static_cast<int>(Coefficients::gamma.size()) * Base::n_stages;
   static constexpr bool symplectic = Base::symplectic, symmetric = true;
-  static constexpr bool adaptive = false;
+  static constexpr bool adaptive = false, takes_any_vector = Base::takes_any_vector;
   static constexpr double stability_limit = Coefficients::stability_limit;
 
   template <class S>

@@ -7,6 +7,7 @@
 ///   chosen_by_auto                       whether Method = auto may take it
 ///   Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///   fits<S>                              whether it can be compiled for a system of type S
+///   takes_any_vector                     where true: it asks no more of vectors than VectorSpace offers
 ///   accepts(system) → Status             whether its promises hold for this system; if not, why
 /// and, with fixed steps (adaptive = false),
 ///   advance(system, h, state, workspace) → Status            one step, the velocity left for
@@ -33,7 +34,7 @@ namespace pseudorigid::mechanics {
 
 /// By rising order within each family.
 using MethodTable =
-    std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
+    std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric4, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
 
 /// What every method says of itself; one that leaves a trait out does not compile.
 template <class M>

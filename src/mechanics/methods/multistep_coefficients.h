@@ -115,6 +115,11 @@ constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k 
   return formula;
 }
 
+struct Symmetric4Coefficients {
+  static constexpr int order = 4;
+  static constexpr double stability_limit = 1.73;
+  static constexpr std::array<long double, 1> a{0.0L};
+};
 struct Symmetric8Coefficients {
   static constexpr int order = 8;
   static constexpr double stability_limit = 0.44;

@@ -165,6 +165,7 @@ struct RattleWorkspace {
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
+    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
     history.visit_memory(visit);
     visit(pending_weight);
     if constexpr (VectorSpace<typename S::Vector>::compensated) {
@@ -180,7 +181,7 @@ struct Rattle {
   static constexpr int order = 2;
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = true, symmetric = true;
-  static constexpr bool adaptive = false, chosen_by_auto = true;
+  static constexpr bool adaptive = false, chosen_by_auto = true, takes_any_vector = true;
   /// Largest hω of the harmonic oscillator for which the step is stable.
   static constexpr double stability_limit = 2.0;
 
@@ -231,7 +232,7 @@ struct Rattle {
     return {};
   }
 
- private:
+  /// w.acceleration = M⁻¹f at the state.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
     // The time loop sets the time anew after a step, by round-off another one; a resumed run knows that one alone.
@@ -244,6 +245,7 @@ struct Rattle {
     return {};
   }
 
+ private:
   /// v_{n+1} from v_{n+1/2} by iteration on the force, each time with the projection, until v no longer changes; begun
   /// with v_n + 2 (v_{n+1/2} − v_n).
   template <ConstrainedSystem S>
@@ -302,7 +304,7 @@ struct Rattle {
       w.history.guess(state.t, w.impulse);
       scale(weight, w.impulse);
       w.constraint.direction_known = false;
-      detail::set_reaction(system, w.q_start, w.impulse, w.constraint);
+      detail::set_reaction(system, w.q_start, w.impulse, w.system, w.constraint);
       add(1.0, w.constraint.reaction, state.v, w.v_rounding);
       add(h, state.v, state.q, w.q_rounding);
       const auto apply = [&] {

@@ -4,12 +4,12 @@
 
 namespace pseudorigid::mechanics::detail {
 
-double upper_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta) {
+RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta) {
   const auto n = static_cast<Eigen::Index>(alpha.size());
   const Eigen::Map<const Eigen::VectorXd> diagonal(alpha.data(), n), beside(beta.data(), n);
   Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
   ritz.computeFromTridiagonal(diagonal, beside.head(n - 1));
-  return ritz.eigenvalues()(n - 1) + std::abs(beside(n - 1) * ritz.eigenvectors()(n - 1, n - 1));
+  return {ritz.eigenvalues()(n - 1), std::abs(beside(n - 1) * ritz.eigenvectors()(n - 1, n - 1))};
 }
 
 }  // namespace pseudorigid::mechanics::detail

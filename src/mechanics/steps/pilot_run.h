@@ -24,6 +24,7 @@ struct StepRequest {
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
+  bool spare_pilots = false;         ///< forces cost much: a glance may do, and small gains are not looked for
   std::optional<MethodId> method{};  ///< empty: the cheapest
   std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search
 };
@@ -54,7 +55,8 @@ struct PilotRun {
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, stability_limit;
-  std::function<PilotRun(long n_samples, long n_steps)> pilot;  ///< n_steps from each sample to the next
+  /// Over a window, n_steps from each sample to the next.
+  std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
 };
 struct AdaptiveMethod {
   MethodId id;
@@ -97,13 +99,13 @@ inline Status failure_of(RunResult result) {
 
 /// `form`: what the method works on. `prepare(workspace)` comes first.
 template <class Method, class Form, class QOf, class Prepare>
-PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, long n_samples,
-                   long n_steps, Prepare&& prepare) {
+PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
+                   long n_samples, long n_steps, Prepare&& prepare) {
   PilotHooks<Form, QOf> hooks{Q_of, n_steps, request.give_up};
   typename Method::template Workspace<Form> workspace(form);
   prepare(workspace);
   Cursor cursor;
-  RunResult result = run_time_loop<Method>(form, {pilot_window(request), n_samples}, state, cursor, workspace, hooks);
+  RunResult result = run_time_loop<Method>(form, {window, n_samples}, state, cursor, workspace, hooks);
   hooks.run.n_force = workspace.counters.n_force;
   hooks.run.t = result.t;
   if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
@@ -114,21 +116,23 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 template <class Method, class S, class QOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of) {
-  return {id, Method::order, Method::n_stages, Method::stability_limit, [&](long n_samples, long n_steps) {
-            return run_pilot<Method>(system, initial, request, Q_of, n_samples, n_steps, [&](auto& workspace) {
-              if constexpr (requires { workspace.constraint_tolerance; } && !VectorSpace<typename S::Vector>::dense)
-                workspace.constraint_tolerance =
-                    std::max(workspace.constraint_tolerance, pilot_constraint * (error_safety * request.tolerance) *
-                                                                 pilot_window(request) / request.end);
-            });
-          }};
+  return {
+      id, Method::order, Method::n_stages, Method::stability_limit, [&](double window, long n_samples, long n_steps) {
+        return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps, [&](auto& workspace) {
+          if constexpr (requires { workspace.constraint_tolerance; } && !VectorSpace<typename S::Vector>::dense)
+            workspace.constraint_tolerance =
+                std::max(workspace.constraint_tolerance,
+                         pilot_constraint * (error_safety * request.tolerance) * pilot_window(request) / request.end);
+        });
+      }};
 }
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                const QOf& Q_of) {
   return {id, [&](double local_tolerance) {
             const auto& field = field_of(system);
-            return run_pilot<Method>(field, initial, request, Q_of, max_pilot_samples, 1, [&](auto& workspace) {
+            const double window = pilot_window(request);
+            return run_pilot<Method>(field, initial, request, Q_of, window, max_pilot_samples, 1, [&](auto& workspace) {
               workspace.tolerance = local_tolerance;
               workspace.h_max = request.step_bound;
             });

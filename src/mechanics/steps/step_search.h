@@ -12,6 +12,11 @@
 /// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
 /// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
 ///
+/// Where it is asked for, a glance comes first, the same with a window of w/8. Errors have hardly begun to grow in it:
+/// its estimate was 0.07 to 9 times too small in releases, spins, tides and figures of equilibrium of the ball, and is
+/// multiplied by 20. A method of high order at its stability limit often has room for that, and the pilots cost a
+/// fifth.
+///
 /// Round-off walks at random through the velocity and so costs about
 ///
 ///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps,
@@ -50,7 +55,8 @@ class StepSearch {
     return std::ceil(request_.end / h) * method.n_stages;
   }
   double predicted_forces(const FixedStepMethod& method, double h, double d) const;
-  PilotRun pilot(const FixedStepMethod& method, long n_samples, long n_steps);
+  bool glance(const FixedStepMethod& method, Trial& trial);
+  PilotRun pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps);
   bool settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before, double speed) const;
   bool accept(const FixedStepMethod& method, Trial& trial, double step, double truncation, double walk) const;
   double round_off(const FixedStepMethod& method, double speed, double h) const;

@@ -21,6 +21,9 @@ namespace {
 
 /// A method that needs this many times the least cost of a method of higher order is not pursued.
 constexpr double clearly_dearer = 4;
+/// Where forces cost much, a method whose least cost is not below this part of the cost found so far does not repay its
+/// pilot runs.
+constexpr double worth_dear_pilots = 0.8;
 /// What the invariants of the motion are worth: forces that a geometric method may need for each of an adaptive one.
 constexpr double price_of_invariants = 2;
 
@@ -59,11 +62,14 @@ class MethodChoice {
     }
   }
 
-  void try_fixed_steps(const std::vector<FixedStepMethod>& methods) {
+  void try_fixed_steps(std::vector<FixedStepMethod> methods) {
     StepSearch search(request_, compensated_);
+    std::stable_sort(methods.begin(), methods.end(), [&](const FixedStepMethod& a, const FixedStepMethod& b) {
+      return likely_forces(search, a) < likely_forces(search, b);
+    });
     for (auto method = methods.begin(); method != methods.end() && !hopeless_; ++method) {
       const double cheapest = least_cost();
-      if (search.least_forces(*method) >= cheapest) continue;
+      if (search.least_forces(*method) >= (request_.spare_pilots ? worth_dear_pilots : 1) * cheapest) continue;
       double least_later = HUGE_VAL;
       for (auto later = method + 1; later != methods.end(); ++later)
         least_later = std::min(least_later, search.least_forces(*later));
@@ -95,6 +101,10 @@ class MethodChoice {
   }
 
  private:
+  /// Accuracy seldom admits a step of order 2 near its limit.
+  static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
+    return search.least_forces(method) * (method.order == 2 ? 2 : 1);
+  }
   /// What the adaptive method counts for among the others; beyond reach where it misses the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;

@@ -44,6 +44,13 @@ inline double rattle_step_limit(double omega, double rate, double safety = 0.8) 
 /// half a digit each time, γ the largest rate of damping.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
+/// Whether Method = auto considers a method for systems of type S, if its promises hold. Where forces cost little, one
+/// of fixed step that is not symplectic is for those who ask for it.
+template <class Method, class S>
+inline constexpr bool auto_considers =
+    Method::chosen_by_auto &&
+    (Method::adaptive || Method::symplectic || !VectorSpace<typename S::Vector>::dense) && method_fits<Method, S>();
+
 namespace detail {
 
 /// Among these methods, in the order of the table; `compensated`: whether the vectors of the system are summed so.
@@ -54,7 +61,7 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
-  if constexpr (Method::chosen_by_auto) return Method::accepts(form_for<Method>(system)).ok();
+  if constexpr (auto_considers<Method, S>) return Method::accepts(form_for<Method>(system)).ok();
   return false;
 }
 
