@@ -161,5 +161,9 @@ if [[ -z $page_only ]]; then
     say "$part took $((SECONDS - start)) s"
   done
 fi
+# Both programs on the same machine, one after the other.
+if [[ " ${parts[*]} " == *" release "* && " ${parts[*]} " == *" peers "* && -z $page_only && ${#quick[@]} -eq 0 ]]; then
+  "$root/benchmarks/release_history.py" "$data"
+fi
 "$root/tools/benchmark_page.py" "${page_options[@]}"
 say "The page is $output/index.html"

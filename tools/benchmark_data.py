@@ -9,6 +9,9 @@ from collections import defaultdict
 from run_directory import fail
 
 
+HISTORY_LEVELS = (1e-4, 1e-5)  # errors of the release whose run times are kept for each commit
+
+
 def read_rows(folder, name):
     """[row by column names], numbers as texts; [] where the part was not measured."""
     path = folder / name

@@ -31,6 +31,7 @@ TABLES = {
     "release": tables.release,
     "release_runs": tables.release_runs,
     "peers": tables.peers,
+    "release_history": tables.release_history,
     "gravitating_release": tables.gravitating_release,
     "gravity_cost": tables.gravity_cost,
     "lamb": tables.lamb,

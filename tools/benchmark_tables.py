@@ -3,7 +3,7 @@
 import math
 import statistics
 
-from benchmark_data import (cheapest, discretization, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
+from benchmark_data import (HISTORY_LEVELS, cheapest, discretization, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-11, 1e-12)
 LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE")
@@ -70,6 +70,20 @@ def peers(data):
             [[discretization(r), r["scheme"], r["step"], r["unknowns"], number(float(r["seconds"])),
               f"{float(r['error']):.1e}", r["iterations_per_step"], r["factorizations"]]
              for r in rows]) if rows else None
+
+
+def release_history(data):
+    rows, result = read_rows(data, "release_history.csv"), []
+    for row in rows:
+        line = [row["commit"][:7], row["date"][:10], row["processor"]]
+        for level in HISTORY_LEVELS:
+            own, peer = row[f"seconds_{level:.0e}"], row[f"fenicsx_{level:.0e}"]
+            line += [number(float(own)) if own else NONE, number(float(peer) / float(own), 2) if own and peer else NONE]
+        result.append(line)
+    header = ["commit", "date", "processor"]
+    for level in HISTORY_LEVELS:
+        header += [f"s to {level:.0e}", "FEniCSx over it"]
+    return (header, result) if rows else None
 
 
 def gravitating_release(data):
