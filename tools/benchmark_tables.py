@@ -17,6 +17,8 @@ PARTS_WITHOUT_WORK = ("modes", "critical points", "continuum")
 
 def number(x, digits=3):
     """Plain digits where they are short."""
+    if 10**digits <= abs(x) < 1e5:
+        return f"{x:.0f}"
     return f"{x:.{digits}g}" if 1e-3 <= abs(x) < 1e5 or x == 0 else f"{x:.1e}"
 
 
