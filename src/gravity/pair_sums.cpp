@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "gravity/surface_gravity.h"
 #include "mechanics/core/lanes.h"
@@ -80,22 +81,176 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
+/// As many points as a vector has lanes, from number `first` on, with sums of 0.
+Block<L> block_at(const SurfacePoints& points, std::size_t first) {
+  Block<L> block{};
+  for (int c = 0; c < 3; ++c) {
+    block.x[c] = lanes_from(points.x[c], first);
+    block.N[c] = lanes_from(points.N[c], first);
+  }
+  return block;
+}
+
+/// Of the images of one point: Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
+struct ImageSums {
+  L a = 0.0, b = 0.0, w = 0.0;
+};
+
+/// A point y with its mirror images, against as many points x as a vector has lanes: each distance serves both. Under
+/// a set k of reflections the image of y is R_k y, R_k = diag(s_k1, s_k2, s_k3), s = ±1. With d = x − R_k y, a = d·N_x
+/// and b = d·R_k N_y, the point y sees the image R_k x at the distance −R_k d, and −b and −a are its a and b. As
+/// d_c = x_c − s_kc y_c, no more is needed of the images than Σ_k and, for each axis, Σ_k s_kc:
+///
+///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
+template <unsigned mirrors>
+class PairWithImages {
+ public:
+  [[gnu::always_inline]] PairWithImages(const L (&x)[3], const L (&N_x)[3], const double (&y)[3],
+                                        const double (&N_y)[3]) {
+    Parts parts;
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < (mirrors >> c & 1 ? 2 : 1); ++i) {
+        const double s = i == 0 ? 1 : -1;
+        const L d = x[c] - s * y[c];
+        parts.square[c][i] = d * d + (c == 0 ? no_distance : 0.0);
+        parts.a[c][i] = d * N_x[c];
+        parts.b[c][i] = d * (s * N_y[c]);
+      }
+    // A loop would not be unrolled, and its arrays not be registers.
+    [&]<int... k>(std::integer_sequence<int, k...>) { (add_image<k>(parts), ...); }
+    (std::make_integer_sequence<int, 8>());
+  }
+
+  /// Σ_k
+  L sum(L ImageSums::*term) const { return all_.*term; }
+  /// Σ_k s_kc
+  L signed_sum(int c, L ImageSums::*term) const {
+    return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
+  }
+
+ private:
+  /// What each axis gives to |d|², a and b: [axis][0: of y itself, 1: of its image behind the plane of this axis].
+  struct Parts {
+    L square[3][2], a[3][2], b[3][2];
+  };
+
+  /// The image with the reflections in the bits of k, where there is one.
+  template <int k>
+  [[gnu::always_inline]] void add_image(const Parts& parts) {
+    if constexpr ((k & ~mirrors) == 0) {
+      const auto of_axes = [](const L(&part)[3][2]) {
+        return part[2][k >> 2 & 1] + part[1][k >> 1 & 1] + part[0][k & 1];
+      };
+      const L inverse = inverse_sqrt(of_axes(parts.square)), a = of_axes(parts.a) * inverse,
+              b = of_axes(parts.b) * inverse;
+      const auto add_to = [&](ImageSums& sums) {
+        sums.a += a;
+        sums.b += b;
+        sums.w += a * b * inverse;
+      };
+      add_to(all_);
+      for (int c = 0; c < 3; ++c)
+        if (k >> c & 1) add_to(behind_[c]);
+    }
+  }
+
+  ImageSums all_, behind_[3];  ///< the latter: of the images with s_kc = −1
+};
+
+/// What is summed for points whose pairs serve both of their points: g_i and h_i without their parts along N_i and x_i.
+struct MutualSums {
+  L along_N, along_x, g[3], h[3];
+
+  /// Adds to one lane what another has in all its lanes.
+  void add_to_lane(int lane, const MutualSums& other) {
+    const auto add = [lane](L& to, const L& from) {
+      double sum = to[lane];
+      for (int l = 0; l < mechanics::native_lanes; ++l) sum += from[l];
+      to.set(lane, sum);
+    };
+    add(along_N, other.along_N);
+    add(along_x, other.along_x);
+    for (int c = 0; c < 3; ++c) {
+      add(g[c], other.g[c]);
+      add(h[c], other.h[c]);
+    }
+  }
+};
+
+/// Adds what the block and its images do to the point y, lane by lane.
+template <unsigned mirrors>
+[[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
+                                         MutualSums& y) {
+  y.along_N += -pair.sum(&ImageSums::a);
+  y.along_x += pair.sum(&ImageSums::w);
+  for (int c = 0; c < 3; ++c) {
+    y.g[c] += x[c] * pair.signed_sum(c, &ImageSums::w) - N_x[c] * pair.signed_sum(c, &ImageSums::b);
+    y.h[c] += x[c] * pair.signed_sum(c, &ImageSums::a);
+  }
+}
+
+/// Adds what the point y and its images do to the block.
+template <unsigned mirrors>
+[[gnu::always_inline]] inline void act(const PairWithImages<mirrors>& pair, const double (&y)[3],
+                                       const double (&N_y)[3], MutualSums& x) {
+  x.along_N += pair.sum(&ImageSums::b);
+  x.along_x += pair.sum(&ImageSums::w);
+  for (int c = 0; c < 3; ++c) {
+    x.g[c] += N_y[c] * pair.signed_sum(c, &ImageSums::a) + y[c] * pair.signed_sum(c, &ImageSums::w);
+    x.h[c] += -y[c] * pair.signed_sum(c, &ImageSums::b);
+  }
+}
+
+/// Σ_j over the points and their images; each pair of points is looked at once, but for those within a block.
+template <unsigned mirrors>
+PairSums sum_own_pairs(const SurfacePoints& points) {
+  const std::size_t n = points.size();
+  std::vector<MutualSums> reactions(n, MutualSums{});  // lane by lane, what blocks do to the points behind them
+  PairSums sums = no_sums(n);
+  for (std::size_t first = 0; first < n; first += n_lanes) {
+    Block<L> block = block_at(points, first);
+    MutualSums own{};
+    const std::size_t end = std::min(first + n_lanes, n);
+    for (std::size_t j = first; j < n; ++j) {
+      const double y[] = {points.x[0][j], points.x[1][j], points.x[2][j]},
+                   N_y[] = {points.N[0][j], points.N[1][j], points.N[2][j]};
+      const PairWithImages<mirrors> pair(block.x, block.N, y, N_y);
+      act(pair, y, N_y, own);
+      if (j >= end) react(pair, block.x, block.N, reactions[j]);
+    }
+    for (std::size_t j = first; j < end; ++j) own.add_to_lane(static_cast<int>(j - first), reactions[j]);
+    block.along_N = own.along_N;
+    for (int c = 0; c < 3; ++c) {
+      block.g[c] = own.g[c] - block.x[c] * own.along_x;
+      block.h[c] = own.h[c] + block.x[c] * own.along_N;
+    }
+    store(block, std::identity(), first, sums);
+  }
+  return sums;
+}
+
 }  // namespace
 
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources) {
   PairSums sums = no_sums(targets.size());
   for (std::size_t first = 0; first < targets.size(); first += n_lanes) {
-    Block<L> block{};
-    for (int c = 0; c < 3; ++c) {
-      block.x[c] = lanes_from(targets.x[c], first);
-      block.N[c] = lanes_from(targets.N[c], first);
-    }
+    Block<L> block = block_at(targets, first);
     add_pairs(
         block, sources.size(), [&](int c, std::size_t j) { return sources.x[c][j]; },
         [&](int c, std::size_t j) { return sources.N[c][j]; });
     store(block, std::identity(), first, sums);
   }
   return sums;
+}
+
+PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors) {
+  const unsigned set = (mirrors[0] ? 1u : 0u) | (mirrors[1] ? 2u : 0u) | (mirrors[2] ? 4u : 0u);
+  return [&]<unsigned... sets>(std::integer_sequence<unsigned, sets...>) {
+    PairSums sums;
+    ((sets == set ? void(sums = sum_own_pairs<sets>(points)) : void()), ...);
+    return sums;
+  }
+  (std::make_integer_sequence<unsigned, 8>());
 }
 
 Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources) {

@@ -1,6 +1,8 @@
 #include "gravity/surface_gravity.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace pseudorigid::gravity {
@@ -16,6 +18,18 @@ void SurfacePoints::add(const Eigen::Vector3d& point, const Eigen::Vector3d& are
     x[c].push_back(point[c]);
     N[c].push_back(area[c]);
   }
+}
+
+PairSums add(const PairSums& more, PairSums sums) {
+  const auto add_to = [](std::vector<double>& to, const std::vector<double>& from) {
+    std::ranges::transform(to, from, to.begin(), std::plus());
+  };
+  add_to(sums.e, more.e);
+  for (int c = 0; c < 3; ++c) {
+    add_to(sums.g[c], more.g[c]);
+    add_to(sums.h[c], more.h[c]);
+  }
+  return sums;
 }
 
 double enclosed_volume(const SurfacePoints& points) {

@@ -18,7 +18,8 @@
 ///
 /// and the sum over j of the energy is e_i = N_i·h_i.
 ///
-/// The sums over j follow the order of the sources; they are the same whichever process computes them.
+/// A pair serves both of its points: what x sees of y tells what y sees of x. Where a body is computed in a part of it,
+/// the sources are its points and their mirror images.
 
 #include <Eigen/Core>
 #include <array>
@@ -43,6 +44,11 @@ struct PairSums {
   std::array<std::vector<double>, 3> g, h;
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
+/// The same where the targets are the sources, with their images under the reflections x_c ↦ −x_c of the true
+/// `mirrors`: at half the work or less.
+PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
+/// The sums over two sets of sources.
+PairSums add(const PairSums& more, PairSums sums);
 
 /// What belongs to points that move, and its rate.
 template <class T>

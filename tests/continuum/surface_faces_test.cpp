@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "continuum/balls.h"
+#include "continuum/mesh/surface_interpolation.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -65,6 +66,58 @@ TEST(SurfaceFaces, FollowAnAffineMotion) {
   const Surface moved = surface_at(ball.space(), ball.affine_field(Q));
   EXPECT_NEAR(moved.flux, Q.determinant() * at_rest, 1e-13 * at_rest);
   EXPECT_LT(moved.vector_area.norm(), 1e-13);
+}
+
+/// One direction after the other gives what all nodes at once give.
+TEST(SurfaceInterpolation, IsThatOfThePoints) {
+  std::mt19937 generator(3);
+  for (const int n_points : {3, 6}) {
+    const ElasticBall ball(whole, 4, 0, neo_hookean);
+    const continuum::Vector u = random_field(ball.make_vector(), generator);
+    const continuum::SurfaceInterpolation surface(ball.space(), n_points);
+    const continuum::SurfaceInterpolation::Jets jets = surface.jets(u);
+    const auto found = [&](const auto& field, std::size_t i) {
+      return Vector3d(field[0][i], field[1][i], field[2][i]);
+    };
+    std::size_t first = 0;
+    for (const CellFace& face : continuum::free_surface(ball.space())) {
+      const std::vector<FacePoint> points = continuum::quadrature_on(ball.space(), face, n_points);
+      for (int p = 0; p < n_points; ++p)
+        for (int q = 0; q < n_points; ++q) {
+          const FacePoint& point = points[p * n_points + q];
+          const FacePoint::Jet expected = point.jet(u);
+          const std::size_t i = first + q * n_points + p;
+          EXPECT_NEAR(surface.weights()[i], face.end == 1 ? point.weight : -point.weight, 1e-16);
+          EXPECT_LT((found(jets.u, i) - expected.u).norm(), 1e-13);
+          EXPECT_LT((found(jets.by_p, i) - expected.by_p).norm(), 1e-13 * 10);  // derivatives are of the size 10
+          EXPECT_LT((found(jets.by_q, i) - expected.by_q).norm(), 1e-13 * 10);
+        }
+      first += points.size();
+    }
+    EXPECT_EQ(surface.n_points(), first);
+  }
+}
+
+/// What acts on the jets does the work on the nodes that it does on the jets.
+TEST(SurfaceInterpolation, CarriesForcesBackByItsTransposed) {
+  std::mt19937 generator(4);
+  std::normal_distribution<double> normal;
+  const ElasticBall ball(whole, 3, 0, neo_hookean);
+  const continuum::Vector u = random_field(ball.make_vector(), generator);
+  const continuum::SurfaceInterpolation surface(ball.space(), 5);
+  const continuum::SurfaceInterpolation::Jets jets = surface.jets(u);
+  continuum::SurfaceInterpolation::Jets forces = jets;
+  double expected = 0;
+  for (const auto part : {&continuum::SurfaceInterpolation::Jets::u, &continuum::SurfaceInterpolation::Jets::by_p,
+                          &continuum::SurfaceInterpolation::Jets::by_q})
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < surface.n_points(); ++i) {
+        (forces.*part)[c][i] = normal(generator);
+        expected += (forces.*part)[c][i] * (jets.*part)[c][i];
+      }
+  continuum::Vector f = ball.make_vector();
+  surface.subtract_derivative(forces, f);
+  EXPECT_NEAR(-(f * u), expected, 1e-12 * std::abs(expected));
 }
 
 TEST(SurfaceFaces, NodesOfAFaceAreThoseOnItsSide) {

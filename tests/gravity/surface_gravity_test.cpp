@@ -212,6 +212,49 @@ TEST(SurfaceGravity, OctantsAreAnEighth) {
   EXPECT_LT((sum - affine_derivative(whole, all.derivative)).norm(), 1e-12);
 }
 
+/// Points and areas in general position: their images are near for no reflection and for none far.
+SurfacePoints random_points(std::size_t n) {
+  std::mt19937 generator(static_cast<unsigned>(n));
+  std::normal_distribution<double> normal;
+  SurfacePoints points;
+  for (std::size_t i = 0; i < n; ++i)
+    points.add({normal(generator), normal(generator), normal(generator)},
+               {normal(generator), normal(generator), normal(generator)});
+  return points;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// For every set of mirrors and for numbers of points that fill the lanes of a vector or do not.
+TEST(SurfaceGravity, PairsServeBothPoints) {
+  for (int set = 0; set < 8; ++set)
+    for (const std::size_t n : {1, 2, 7, 8, 9, 31, 64}) {
+      const SurfacePoints points = random_points(n);
+      SurfacePoints images;
+      for (int k = 0; k < 8; ++k) {
+        if ((k & ~set) != 0) continue;
+        const Vector3d s(k & 1 ? -1 : 1, k & 2 ? -1 : 1, k & 4 ? -1 : 1);
+        for (std::size_t i = 0; i < n; ++i) images.add(s.cwiseProduct(points.point(i)), s.cwiseProduct(points.area(i)));
+      }
+      const PairSums expected = sum_pairs(points, images),
+                     found = sum_own_pairs(points, {(set & 1) != 0, (set & 2) != 0, (set & 4) != 0});
+      double size = 0;  // of the largest sum, to which the others' round-off belongs
+      for (int c = 0; c < 3; ++c)
+        for (std::size_t i = 0; i < n; ++i)
+          size = std::max({size, std::abs(expected.g[c][i]), std::abs(expected.h[c][i])});
+      const double round_off = 1e-13 * size;
+      EXPECT_LE(largest_difference(found.e, expected.e), round_off) << set << ' ' << n;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_LE(largest_difference(found.g[c], expected.g[c]), round_off) << set << ' ' << n << ' ' << c;
+        EXPECT_LE(largest_difference(found.h[c], expected.h[c]), round_off) << set << ' ' << n << ' ' << c;
+      }
+    }
+}
+
 TEST(SurfaceGravity, PotentialOfTheSphereIsKnown) {
   const std::vector<double> potential =
       potential_at({Vector3d::Zero(), {0.3, -0.2, 0.4}}, ellipsoid<8>(Matrix3d::Identity(), 2), 1);

@@ -6,12 +6,13 @@
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
 ///
 /// the exact derivative of the discrete Ê: total force and total torque are zero. The sources are the points of all
-/// ranks and, where a sector is computed, their mirror images. The density must be uniform: incompressible balls only.
+/// ranks and, where a sector is computed, their mirror images. Pairs of this rank's points are computed once for both.
+/// The density must be uniform: incompressible balls only.
 
 #include <array>
 #include <vector>
 
-#include "continuum/mesh/surface_faces.h"
+#include "continuum/mesh/surface_interpolation.h"
 #include "gravity/surface_gravity.h"
 
 namespace pseudorigid::continuum {
@@ -40,22 +41,26 @@ class SurfaceGravityForces {
   std::vector<double> potential(const Vector& x, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
-  struct Point {
-    FacePoint face_point;
-    double weight;  ///< negative where ∂x/∂ξ_p × ∂x/∂ξ_q points inwards
-  };
-  /// The points of this rank's faces, and those of all ranks with their images.
-  gravity::SurfacePoints own_points(const Vector& x) const;
-  gravity::SurfacePoints own_rates(const Vector& x, const Vector& u) const;
-  /// `s`: the signs under reflections, 1 but for rates.
-  gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const std::array<int, 3>& s = {1, 1, 1}) const;
+  using Jets = SurfaceInterpolation::Jets;
+  using Signs = std::array<int, 3>;  ///< under the reflections of the sector: 1 but for rates
+
+  Jets jets_at(const Vector& x) const;
+  /// The points of this rank's faces from the jets of x, and the rates of points and areas from those of u.
+  gravity::SurfacePoints own_points(const Jets& x) const;
+  gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
+  /// Points or rates with their images.
+  gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
+  /// Those of all ranks with their images.
+  gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
+  /// The sums over all sources.
+  gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
   /// f ← f − the forces of a derivative by points and areas.
-  void spread(const Vector& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
+  void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;
   const BallSpace& space_;
-  std::vector<Point> points_;
+  SurfaceInterpolation surface_;
   double rest_volume_;
 };
 

@@ -67,6 +67,19 @@ std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values
   return all;
 }
 
+/// The vectors of all ranks but this one, likewise. Collective.
+template <class T>
+std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& values) {
+  if (n_ranks(communicator) == 1) return {};
+  const int size = static_cast<int>(values.size());
+  int before = 0;
+  MPI_Exscan(&size, &before, 1, MPI_INT, MPI_SUM, communicator);
+  if (this_rank(communicator) == 0) before = 0;  // what MPI_Exscan leaves there is undefined
+  std::vector<T> all = gather_on_all(communicator, values);
+  all.erase(all.begin() + before, all.begin() + before + size);
+  return all;
+}
+
 /// The reverse of gather: to each rank its vector. What the other ranks give is not looked at. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
