@@ -11,9 +11,10 @@
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///
 /// For constraints the roots of σ(ζ) = Σβ_j ζ^j must be simple on the unit circle as well (but the one at 0), since the
-/// multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i here were
-/// searched for among those with two decimals such that the roots of ρ and of σ are well apart, the step is stable for
-/// hω ≤ stability_limit, and the error constant is small.
+/// multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of orders 8 and
+/// 12 were searched for among those with two decimals such that the roots of ρ and of σ are well apart, the step is
+/// stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0: the roots ±i of ρ, midway
+/// between the double root 1 and −1, where they would meet.
 
 #include <array>
 
