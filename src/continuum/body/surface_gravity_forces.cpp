@@ -89,7 +89,7 @@ gravity::PairSums SurfaceGravityForces::sums_at(const gravity::SurfacePoints& ow
   const gravity::PairSums sums = sum_own_pairs(own, space_.mesh().sector().reflect);
   if (n_ranks(space_.communicator()) == 1) return sums;
   const std::vector<Entry> others = gather_from_others(space_.communicator(), entries_of(own));
-  return add(sum_pairs(own, with_images(others, {1, 1, 1})), sums);
+  return gravity::add(sum_pairs(own, with_images(others, {1, 1, 1})), sums);
 }
 
 gravity::SurfaceTotals SurfaceGravityForces::over_ranks(const gravity::SurfaceTotals& own) const {
