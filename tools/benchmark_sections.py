@@ -101,7 +101,8 @@ def errors_of_the_ball(data):
         ("Elastic ball: release under its own gravity", "gravity",
          ["The same with γ = ρgr/μ = 5, g = (4/3)πGρr; the reference likewise. Second table: a step of symmetric-4, and in it "
           "one evaluation of gravity, from the positions to the forces; then the sums over pairs alone, counted as 45 "
-          "operations a pair, against the machine's fused multiply-adds."],
+          "operations for each target and source, against the machine's fused multiply-adds. A distance serves both of "
+          "its points and images share terms, so that fewer operations are made than are counted."],
          None, ["gravitating_release", "gravity_cost"]),
         ("Elastic ball: small affine release", "lamb",
          ["ẋ(0) = εHX with H = diag(1, 1, −2), ε = 1e-4, until t = 5, on one octant. Error: odd part in ε of Q − Id "
