@@ -90,7 +90,8 @@ void describe_output(const Scene& scene, Needs& needs) {
              "graphics: Output/Graphics is none; no folder is made");
     return;
   }
-  needs.skipped.push_back("tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
+  needs.skipped.push_back(
+      "tangent stiffness and preconditioners for it: every method is explicit in the elastic force");
   std::vector<std::string_view> evaluated, unwanted;
   for (std::size_t i = 0; i < quantities_kind.table.size(); ++i) {
     const auto& [name, member] = quantities_kind.table[i];
