@@ -44,7 +44,7 @@ class Documentation(ProgramTest):
         self.assertGreaterEqual(self.check("docs/tutorial.md"), 10)
 
     def test_every_link_of_the_documentation_leads_somewhere(self):
-        for page in [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]:
+        for page in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]:
             text = page.read_text()
             for target in re.findall(r"\]\(([^)\s]+)\)", text) + re.findall(r'src="([^"]+)"', text):
                 if re.match(r"https?:", target):

@@ -1,0 +1,105 @@
+"""Pages as a reader of CommonMark with GitHub's tables sees them, and the version that some of them repeat.
+
+    pages_test.py            all tests; renders with Debian's python3-markdown-it
+"""
+import pathlib
+import re
+import unittest
+
+from markdown_it import MarkdownIt
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+PAGES = [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]
+MARKDOWN = MarkdownIt("commonmark").enable(["table", "strikethrough"])
+
+
+def torn_words(page):
+    """Where emphasis begins or ends within a word or a formula: there a star or an underscore was meant, and is lost."""
+    for token in MARKDOWN.parse(page):
+        inline = token.children or []
+        for before, here, after in zip([None, *inline], inline, [*inline[1:], None]):
+            opens, closes = (here.type in (f"em_{end}", f"strong_{end}", f"s_{end}") for end in ("open", "close"))
+            if opens and before and before.type == "text" and re.search(r"\w$", before.content):
+                yield before.content[-20:] + here.markup + (after.content[:20] if after else "")
+            if closes and after and after.type == "text" and re.match(r"\w", after.content):
+                yield (before.content[-20:] if before else "") + here.markup + after.content[:20]
+
+
+def cells(line):
+    """How many cells a line of a table has: a bar after a backslash is none of its borders."""
+    return len(re.findall(r"(?<!\\)\|", line.strip())) - 1
+
+
+def uneven_rows(page):
+    """Rows of tables that have another number of cells than the head, and rows outside any table."""
+    lines, in_table = page.splitlines(), set()
+    for token in MARKDOWN.parse(page):
+        if token.type in ("table_open", "fence", "code_block", "html_block"):
+            first, end = token.map
+            in_table.update(range(first, end))
+            if token.type == "table_open":
+                yield from (line for line in lines[first:end] if cells(line) != cells(lines[first]))
+    yield from (line for number, line in enumerate(lines) if line.startswith("|") and number not in in_table)
+
+
+def changed_formulas(page):
+    """Displayed formulas, between two lines $$, that do not come through a renderer of CommonMark as one paragraph and
+    letter for letter."""
+    paragraphs = {}
+    tokens = MARKDOWN.parse(page)
+    for before, token in zip(tokens, tokens[1:]):
+        if before.type == "paragraph_open":
+            whole = all(part.type in ("text", "softbreak") for part in token.children)
+            paragraphs[before.map[0]] = "".join(part.content or "\n" for part in token.children) if whole else None
+    for formula in re.finditer(r"^ *\$\$\n.*?^ *\$\$$", page, re.MULTILINE | re.DOTALL):
+        source = re.sub(r"^ *", "", formula[0], flags=re.MULTILINE)
+        if paragraphs.get(page.count("\n", 0, formula.start())) != source:
+            yield source
+    if len(re.findall(r"\$\$", re.sub(r"`[^`\n]*`", "", page))) != len(re.findall(r"^ *\$\$$", page, re.MULTILINE)):
+        yield "a $$ that has not a line of its own"
+
+
+class Pages(unittest.TestCase):
+    def assert_none(self, problems):
+        for path in PAGES:
+            with self.subTest(page=path.name):
+                self.assertEqual(list(problems(path.read_text())), [])
+
+    def test_no_emphasis_within_a_word(self):
+        for page, n in (("(5.121): d/dt(AΛ* − Ω*A) + ȦΛ*", 1), (r"(5.121): d/dt(AΛ\* − Ω\*A) + ȦΛ\*", 0), ("**bold**, *e*m", 1),
+                        ("`AΛ* − Ω*A`, *emphasis*.", 0)):
+            self.assertEqual(len(list(torn_words(page))), n, page)
+        self.assert_none(torn_words)
+
+    def test_rows_of_tables_have_the_cells_of_the_head(self):
+        head = "| a | b |\n|---|---|\n"
+        for page, n in ((head + "| 1 | 2 |\n", 0), (head + r"| \|x\| | 2 |" + "\n", 0), (head + "| |x| | 2 |\n", 1),
+                        ("text\n\n| a | b |\n", 1), ("```\n| a |\n```\n", 0)):
+            self.assertEqual(len(list(uneven_rows(page))), n, page)
+        self.assert_none(uneven_rows)
+
+    def test_displayed_formulas_are_left_as_they_are(self):
+        for formula, n in ((r"a_{1}^{\ast} = \frac{b}{c}", 0), (r"\Omega*A - \Lambda*B", 1), (r"a \, b", 1),
+                           ("a\n= b", 0), ("a\n=", 1), (r"a \\ b", 1), (r"f(a)_{1} + f(b)_{2} ", 1)):
+            page = f"So\n\n$$\n{formula}\n$$\n\nholds.\n"
+            self.assertEqual(len(list(changed_formulas(page))), n, page)
+        self.assert_none(changed_formulas)
+
+    def test_formulas_are_displayed(self):
+        # A check that formulas are found at all.
+        n = sum(path.read_text().count("\n$$\n") for path in PAGES)
+        self.assertGreater(n, 20)
+
+
+class Version(unittest.TestCase):
+    def test_pages_repeat_the_version_of_the_project(self):
+        version = re.search(r"^project\(pseudorigid VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text(), re.M)[1]
+        citation, changes = ((SOURCE / name).read_text() for name in ("CITATION.cff", "CHANGELOG.md"))
+        self.assertEqual(re.search(r"^version: (\S+)$", citation, re.M)[1], version)
+        newest, date = re.search(r"^## (\S+) – (\S+)$", changes, re.M).groups()
+        self.assertEqual(newest, version)
+        self.assertEqual(re.search(r"^date-released: (\S+)$", citation, re.M)[1], date)
+
+
+if __name__ == "__main__":
+    unittest.main()
