@@ -1,13 +1,13 @@
 #pragma once
-/// Two models of one ball, sample by sample: how far apart, in which quantity, since when, and why.
+/// Two models of one ball, sample by sample: how far apart they are, in which quantity, since when, and why.
 ///
-/// r: one model, c: the reference, which is richer in motions; Q of the continuum is the mass moment Q_M; C = QᵀQ; |·|
-/// is Frobenius' norm, and 0/0 counts as 0. Each series is a column of comparison.csv:
+/// Index r: one model; c: the reference, which is richer in motions. Q of the continuum is the mass moment Q_M, C = QᵀQ,
+/// |·| is the Frobenius norm, and 0/0 counts as 0. Each series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
-///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        C̄ the mean over time, of the model that varies
-///                               more; for a sinusoid this is its amplitude, and rotations do not count
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        of the model that varies more; C̄ is the mean
+///                               over time. The denominator of a sinusoid is its amplitude. Rotations do not count
 ///   a1_difference …             (a_c − a_r) / a_r
 ///   volume_ratio_difference     (vol_c − vol_r), both relative to the reference volume
 ///   kinetic_difference,

@@ -1,7 +1,6 @@
 #pragma once
 /// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and says
-/// in words what it expects; the entries themselves are in scene/entries.h and in
-/// the headers of src/loads/.
+/// in words what it expects. The entries themselves are in scene/entries.h and in the headers of src/loads/.
 ///
 /// Every kind has, for its value type T:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value

@@ -30,9 +30,10 @@ Columns<O> common_columns() {
       {"elastic", &Quantities::energies, energy, "stored energy", [](const O& o) { return o.elastic; }},
       {"gravitational", &Quantities::energies, energy, "energy of the self-gravity",
        [](const O& o) { return o.gravitational; }},
-      {"external", &Quantities::energies, energy, "energy of all loads, less what loads that depend on time have given",
+      {"external", &Quantities::energies, energy,
+       "energy of all loads, minus the energy that time-dependent loads have given to the body",
        [](const O& o) { return o.external; }},
-      {"dissipated", &Quantities::energies, energy, "energy that viscosity and drag have taken",
+      {"dissipated", &Quantities::energies, energy, "energy dissipated by viscosity and drag",
        [](const O& o) { return o.dissipated; }},
       {"energy", &Quantities::energies, energy, "their sum", [](const O& o) { return o.energy(); }},
       {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
@@ -47,7 +48,7 @@ Columns<O> common_columns() {
        "multiplier of det Q = 1 per tr E0/3 (of the ball, lambda of Oliva 5.120); of the continuum the integral of the "
        "Kirchhoff pressure per tr E0/3. Positive is pressure",
        [](const O& o) { return o.multiplier; }},
-      {"a", &Quantities::axes, "length", "semi-axes of Q, falling", [](const O& o) { return o.semi_axes; }},
+      {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
   };
 }
 
@@ -66,8 +67,8 @@ Columns<ReducedObservables> reduced_columns() {
            "p_c of p = p_c (1 - |X|^2/r^2), the reaction to det Q = 1", [](const O& o) { return o.central_pressure; }},
           {"A", &Quantities::bipolar, "length", "semi-axes of Q = T^T A S, followed along the motion, in no order",
            [](const O& o) { return o.axes; }},
-          {"T", &Quantities::bipolar, "", "rotation of the bipolar decomposition", [](const O& o) { return o.T; }},
-          {"S", &Quantities::bipolar, "", "the other one", [](const O& o) { return o.S; }},
+          {"T", &Quantities::bipolar, "", "rotation T of the bipolar decomposition", [](const O& o) { return o.T; }},
+          {"S", &Quantities::bipolar, "", "rotation S of the bipolar decomposition", [](const O& o) { return o.S; }},
           {"Omega_star", &Quantities::bipolar, "1/time", "T' T^T",
            [](const O& o) { return AntisymmetricEntries{o.Omega_star}; }},
           {"Lambda_star", &Quantities::bipolar, "1/time", "S' S^T",
@@ -75,7 +76,7 @@ Columns<ReducedObservables> reduced_columns() {
           {"bipolar_residual", &Quantities::bipolar, "1/time^2",
            "largest entry of the residual of Oliva (5.121), per tr E0/3",
            [](const O& o) { return o.bipolar_residual; }},
-          {"stretch", &Quantities::stretches, "", "principal stretches of Q, falling",
+          {"stretch", &Quantities::stretches, "", "principal stretches of Q, in descending order",
            [](const O& o) { return mechanics::singular_values(o.Q); }},
       });
   return columns;
@@ -89,7 +90,7 @@ Columns<ContinuumObservables> continuum_columns() {
       {
           {"F", &Quantities::state, "", "mean deformation gradient", [](const O& o) { return o.F; }},
           {"nonaffine_kinetic_fraction", &Quantities::nonaffine, "",
-           "part of the kinetic energy that no affine motion has",
+           "share of the kinetic energy that is not in the affine motion",
            [](const O& o) { return o.nonaffine_kinetic_fraction; }},
           {"nonaffine_displacement", &Quantities::nonaffine, "", "|x - Q X| / |x|, norms weighted with the mass",
            [](const O& o) { return o.nonaffine_displacement; }},
@@ -98,7 +99,8 @@ Columns<ContinuumObservables> continuum_columns() {
           {"volumetric", &Quantities::volumetric, "mass*length^2/time^2",
            "part of the elastic energy that the volumetric stabilisation stores; with the energies, where it is on",
            [](const O& o) { return o.volumetric; }},
-          {"stretch", &Quantities::stretches, "", "principal stretches of the mean deformation gradient, falling",
+          {"stretch", &Quantities::stretches, "",
+           "principal stretches of the mean deformation gradient, in descending order",
            [](const O& o) { return mechanics::singular_values(o.F); }},
           {"max_stretch", &Quantities::stretches, "", "largest principal stretch at the integration points",
            [](const O& o) {

@@ -12,7 +12,7 @@ struct Acceleration {
   static void visit_entries(Self& self, Visit& visit) {
     visit(self.acceleration, scene::Numbers{3},
           scene::About{"Loads/Acceleration", "length/time^2",
-                       "Uniform acceleration b; it moves the centre of mass and has the energy -b.x per mass."});
+                       "Uniform acceleration b. It moves the centre of mass; its energy is -b.x per mass."});
   }
 
   static constexpr std::string_view no_equilibria = "";

@@ -10,10 +10,9 @@ struct Drag {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(
-        self.drag, scene::not_negative,
-        scene::About{"Material/Drag", "1/time",
-                     "c of the force -c (density) (velocity) per volume; it damps every motion, rigid ones as well."});
+    visit(self.drag, scene::not_negative,
+          scene::About{"Material/Drag", "1/time",
+                       "c of the force -c (density) (velocity) per volume. It damps every motion, also rigid ones."});
   }
 
   static constexpr std::string_view no_equilibria = "drag leaves no relative equilibrium";

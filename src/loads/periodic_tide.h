@@ -1,5 +1,5 @@
 #pragma once
-/// A tide that comes and goes, the potential ½ xᵀTx cos(ωt + φ) per mass.
+/// A periodic tide: the potential ½ xᵀTx cos(ωt + φ) per mass.
 
 #include <cmath>
 
@@ -13,18 +13,17 @@ struct PeriodicTide {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(
-        self.amplitude, scene::Matrix{.symmetric = true},
-        scene::About{"Loads/Tidal amplitude", "1/time^2",
-                     "Symmetric T of the external potential energy x^T T x/2 cos(w t + p) per mass: a tide that comes "
-                     "and goes. The energy that it gives to the body is counted in the column external, so that the "
-                     "energy is constant."});
-    visit(self.frequency, scene::Number{},
-          scene::About{"Loads/Tidal frequency", "1/time", "w of the tide with an amplitude."});
-    visit(self.phase, scene::Number{}, scene::About{"Loads/Tidal phase", "", "p of the tide with an amplitude."});
+    visit(self.amplitude, scene::Matrix{.symmetric = true},
+          scene::About{
+              "Loads/Tidal amplitude", "1/time^2",
+              "Symmetric T of the external potential energy x^T T x/2 cos(w t + p) per mass: a periodic tide. The "
+              "column external subtracts the energy that it has given to the body, so that the column energy is "
+              "constant."});
+    visit(self.frequency, scene::Number{}, scene::About{"Loads/Tidal frequency", "1/time", "w of the periodic tide."});
+    visit(self.phase, scene::Number{}, scene::About{"Loads/Tidal phase", "", "p of the periodic tide, in radians."});
   }
 
-  static constexpr std::string_view no_equilibria = "no body is in equilibrium under a tide that comes and goes";
+  static constexpr std::string_view no_equilibria = "no body is in equilibrium under a periodic tide";
   static constexpr std::string_view skipped = "periodic tide: Loads/Tidal amplitude is 0";
   std::string needed(const BodyFacts&) const { return "periodic tide, and the energy that it gives"; }
 

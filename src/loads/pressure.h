@@ -14,11 +14,12 @@ struct Pressure {
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
     visit(self.pressure, scene::Number{},
-          scene::About{"Loads/Pressure", "pressure",
-                       "Pressure p of the surroundings: the traction -p n per current area on the surface with its "
-                       "current normal n, which follows the body. Its energy is p (current volume). A body that keeps "
-                       "its volume is not moved by it: its multiplier, and its pressure, are higher by what the log "
-                       "says, and their columns are without it."});
+          scene::About{
+              "Loads/Pressure", "pressure",
+              "Pressure p of the surroundings: the traction -p n per current area with the current normal n of "
+              "the surface. Its energy is p (current volume). It does not move a body that keeps its volume; the "
+              "multiplier and the pressure inside are then higher by what the log says, and their columns do not "
+              "contain it."});
   }
 
   static constexpr std::string_view no_equilibria = "";

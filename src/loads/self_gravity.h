@@ -10,9 +10,9 @@ struct SelfGravity {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(self.constant, scene::not_negative,
-          scene::About{"Gravity/Constant", "length^3/mass/time^2",
-                       "Newton's constant G: the body attracts itself. 0: it does not."});
+    visit(
+        self.constant, scene::not_negative,
+        scene::About{"Gravity/Constant", "length^3/mass/time^2", "Newton's constant G of the self-gravity; 0: none."});
   }
 
   static constexpr std::string_view no_equilibria = "";

@@ -10,12 +10,12 @@ struct Traction {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(
-        self.nominal_stress, scene::Matrix{},
-        scene::About{"Loads/Nominal traction", "pressure",
-                     "Dead traction on the surface: the matrix P of a constant nominal (first Piola-Kirchhoff) stress, "
-                     "which gives the traction P N per undeformed area on the surface with the undeformed normal N, "
-                     "the same vector however the body moves. Its energy is -P : F per undeformed volume."});
+    visit(self.nominal_stress, scene::Matrix{},
+          scene::About{
+              "Loads/Nominal traction", "pressure",
+              "Dead traction on the surface: the matrix P of a constant nominal (first Piola-Kirchhoff) stress. "
+              "The traction is P N per undeformed area with the undeformed normal N, the same vector however the "
+              "body moves. Its energy is -P : F per undeformed volume."});
   }
 
   static constexpr std::string_view no_equilibria = "relative equilibria are known without traction";

@@ -12,8 +12,8 @@ struct Viscosity {
   static void visit_entries(Self& self, Visit& visit) {
     visit(self.viscosity, scene::not_negative,
           scene::About{"Material/Viscosity", "pressure*time",
-                       "eta of the objective (Kelvin-Voigt) viscosity, Cauchy stress 2 eta d with d the symmetric "
-                       "velocity gradient; it leaves rigid motions alone and keeps the angular momentum."});
+                       "eta of the objective (Kelvin-Voigt) viscosity: the Cauchy stress 2 eta d, with d the symmetric "
+                       "velocity gradient. It does not act on rigid motions and conserves the angular momentum."});
   }
 
   static constexpr std::string_view no_equilibria = "";

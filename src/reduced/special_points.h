@@ -3,18 +3,20 @@
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
-///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: the
-///                 k-th of the rising eigenvalues is zero. A rate of the motion passes through 0; without dissipation
-///                 the motion need not lose its stability there (Maclaurin–Jacobi: with dissipation it does,
-///                 "secular"). The number also jumps by 2 where J or Z passes through 0: no event of the motion
+///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: in
+///                 rising order, the k-th one is zero. A rate of the motion passes through 0. Without dissipation the
+///                 motion need not become unstable there; with dissipation it may ("secular", as Maclaurin's spheroid
+///                 at Jacobi's bifurcation). The number also jumps by 2 where J or Z passes through 0, which is no
+///                 event of the motion
 ///   instability   rates leave the imaginary axis, or come back: two rates of opposite energy meet (Krein), or a pair
-///                 ±s meets at 0. The largest real part starts there like a square root and is noisy; but for the two
-///                 that meet
+///                 ±s meets at 0
+///
+/// The largest real part starts at an instability like a square root, and is noisy. For the two rates s, s' that meet,
 ///
 ///     δ = Re (s − s')²
 ///
-///   is a smooth function of the matrix, −(difference of frequencies)² before and +(2 growth rate)² after. The energies
-///   (sign of ½x̄ᵀSx of the rate's vector x) keep rates of the same sign, which only pass each other, out of it.
+/// is a smooth function of the matrix, −(difference of frequencies)² before and +(2 growth rate)² after. Rates of equal
+/// energy (the sign of ½x̄ᵀSx for the vector x of a rate) only pass each other and are left out.
 
 #include <functional>
 #include <optional>

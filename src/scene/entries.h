@@ -33,25 +33,21 @@ concept SceneOrConst = std::same_as<std::remove_const_t<S>, Scene>;
 
 template <SceneOrConst S, class Visit>
 void visit_problem(S& scene, Visit& visit) {
-  visit(scene.title, Text{}, About{"Title", "", "A line of text for the reader; it changes nothing."});
+  visit(scene.title, Text{}, About{"Title", "", "A title for the reader; it has no effect on the run."});
   visit(scene.models, models_kind(catalogue_of(scene)),
-        About{"Models", "",
-              "Which models of the ball to run, see Models below; if several, they are compared automatically."});
+        About{"Models", "", "Models of the ball to run, see Models below. Several are compared automatically."});
   visit(scene.system, system_kind(catalogue_of(scene)),
         About{"System", "",
-              "What moves: an elastic ball, compared in two models, or one of the finite-dimensional systems of "
-              "mechanics, each with a subsection and a CSV file of its own."});
-  visit(
-      scene.analysis, analysis_kind,
-      About{
-          "Analysis", "",
-          "What to compute: the motion that follows from the initial state; modes (modes.csv): the lowest frequencies "
-          "of "
-          "small motions about rest of the ball's continuum, see Modes/Number; or equilibria (equilibria.csv): of the "
-          "ball's reduced model a family of relative equilibria (see Equilibrium/Family) with their stability; of "
-          "the other systems the critical points of the potential with their Morse indices, the rates of the "
-          "system's small motions, and the dimensions of stable and unstable manifolds, counted with the system's "
-          "own dissipation or, where it has none, with a unit friction."});
+              "What moves: the elastic ball, or one of the finite-dimensional systems of mechanics, each of which "
+              "has a subsection and a CSV file of its own."});
+  visit(scene.analysis, analysis_kind,
+        About{"Analysis", "",
+              "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
+              "lowest frequencies of small motions of the continuum about rest, see Modes/Number. equilibrium "
+              "(equilibria.csv): of the reduced model a family of relative equilibria with their stability, see "
+              "Equilibrium/Family; of the other systems the critical points of the potential with their Morse "
+              "indices, the rates of small motions, and the dimensions of the stable and unstable manifolds under "
+              "the system's own dissipation or, where it has none, under a unit friction."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -60,16 +56,17 @@ void visit_body(S& scene, Visit& visit) {
   visit(radius, positive, About{"Body/Radius", "length", "Radius r of the undeformed ball."});
   visit(density, positive, About{"Body/Density", "mass/length^3", "Density of the undeformed ball."});
   visit(incompressible, Boolean{},
-        About{"Body/Incompressible", "", "Whether volume is preserved (det F = 1 everywhere, by a pressure)."});
+        About{"Body/Incompressible", "",
+              "true: volume is preserved, det F = 1, by a pressure. false: the body is compressible."});
   visit(semi_axes, Numbers{3, positive},
         About{"Body/Semi-axes", "radius",
-              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are offered "
-              "for the reduced model, and beside a mesh from a file."});
+              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are "
+              "available in the reduced model, and beside a mesh from a file."});
   visit(inertia, AutoOrMatrix{},
         About{"Body/Inertia", "mass*length^2",
-              "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: that of "
-              "the ellipsoid with these semi-axes. Another matrix stands for a body of another shape, with the volume "
-              "of that ellipsoid; self-gravity is not known for it."});
+              "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: "
+              "that of the ellipsoid with these semi-axes. A matrix describes a body of another shape with the "
+              "volume of that ellipsoid; its self-gravity is not known."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -92,20 +89,21 @@ void visit_material(S& scene, Visit& visit) {
           "stressed at rest."});
   visit(shear_modulus, positive,
         About{"Material/Shear modulus", "pressure",
-              "Shear modulus at rest; sqrt(shear modulus/density) is the speed c. The law none does not use it."});
+              "Shear modulus mu at rest; c = sqrt(mu/density) is the speed of shear waves. The law none does not "
+              "use it."});
   visit(lame_lambda, positive,
         About{"Material/Lame lambda", "pressure",
-              "First Lame modulus at rest, the resistance to a change of volume (mooney-rivlin has 2 b mu more, gent "
-              "2 mu/J_m, ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
+              "First Lame modulus at rest, which resists changes of volume (mooney-rivlin has 2 b mu more, gent 2 "
+              "mu/J_m, ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
               "saint-venant-kirchhoff depend on it."});
   visit(mooney_fraction, Number{0, 1},
         About{"Material/Mooney fraction", "",
-              "b of mooney-rivlin, the part of the shear modulus that comes with II; 0 is neo-hookean. Other laws "
-              "ignore it."});
+              "b of mooney-rivlin, the share of the shear modulus that belongs to II; 0 is neo-hookean. Other "
+              "laws ignore it."});
   visit(gent_limit, positive,
         About{"Material/Gent limit", "",
-              "J_m of gent, the value of I - 3 that no deformation reaches: a motion that does is stopped. The larger, "
-              "the nearer to neo-hookean. Other laws ignore it."});
+              "J_m of gent, the value of I - 3 that no deformation reaches; a motion that reaches it is stopped. "
+              "The larger J_m, the closer to neo-hookean. Other laws ignore it."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -124,17 +122,17 @@ void visit_initial_state(S& scene, Visit& visit) {
         About{"Initial state/Velocity", "1/time",
               "Qdot0: the ball starts with the velocity Qdot0 X; for an incompressible body "
               "|tr(Q0^-1 Qdot0)| r/c <= 1e-8 (it is then projected exactly)."});
-  visit(
-      equilibrium, initial_family_kind,
-      About{"Initial state/Equilibrium", "",
-            "A relative equilibrium to start from, of a family as in Equilibrium/Family: with its A, omega and Lambda "
-            "the start is Q0 = Deformation A and Qdot0 = Deformation (omega^ A - A Lambda^) + Velocity."});
+  visit(equilibrium, initial_family_kind,
+        About{"Initial state/Equilibrium", "",
+              "A relative equilibrium to start from, of a family as in Equilibrium/Family. With its A, omega and "
+              "Lambda the motion starts from Q0 = Deformation A and Qdot0 = Deformation (omega^ A - A Lambda^) + "
+              "Velocity."});
   visit(parameter, Number{},
         About{"Initial state/Equilibrium parameter", "",
               "Which member of the family: its parameter, as in Equilibrium/First. Ignored without Equilibrium."});
-  visit(center, Numbers{3}, About{"Initial state/Center", "length", "Where the centre of mass starts."});
+  visit(center, Numbers{3}, About{"Initial state/Center", "length", "Initial position of the centre of mass."});
   visit(center_velocity, Numbers{3},
-        About{"Initial state/Center velocity", "length/time", "The velocity with which the centre of mass starts."});
+        About{"Initial state/Center velocity", "length/time", "Initial velocity of the centre of mass."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -142,30 +140,30 @@ void visit_equilibria(S& scene, Visit& visit) {
   auto& [family, first, last, number, ratio] = scene.equilibria;
   visit(family, family_kind,
         About{"Equilibrium/Family", "",
-              "Family of relative equilibria that Analysis = equilibrium writes, under the scene's law and gravity: "
-              "maclaurin: spheroids that turn rigidly, by their eccentricity e; spheroids: the same by a3, in radii; "
-              "spinning: by their spin; jacobi: ellipsoids that turn rigidly, by a2/a1; dedekind: their duals, at rest "
-              "in space; riemann-s: spin and circulation about axis 3, by a2/a1 at the Axis ratio; riemann-planar: in "
-              "the plane of axes 2 and 3 (Riemann's types I to III); -dual: spin and circulation exchanged."});
+              "Family of relative equilibria that Analysis = equilibrium writes, under the law and the gravity of "
+              "the scene. maclaurin: spheroids that turn rigidly, by their eccentricity e; spheroids: the same by "
+              "a3, in radii; spinning: by their spin; jacobi: ellipsoids that turn rigidly, by a2/a1; dedekind: "
+              "their duals, at rest in space; riemann-s: spin and circulation about axis 3, by a2/a1 at the given "
+              "Axis ratio; riemann-planar: both in the plane of axes 2 and 3 (Riemann's types I to III); -dual: "
+              "spin and circulation exchanged."});
   visit(first, Number{}, About{"Equilibrium/First", "", "First value of the family's parameter."});
   visit(last, Number{}, About{"Equilibrium/Last", "", "Last value of the family's parameter."});
   visit(number, Integer{1, 1'000'000},
-        About{"Equilibrium/Number", "", "How many members, at equal distances in the parameter."});
-  visit(ratio, positive, About{"Equilibrium/Axis ratio", "", "a3/a1 of the Riemann families."});
+        About{"Equilibrium/Number", "", "Number of members, equally spaced in the parameter."});
+  visit(ratio, positive, About{"Equilibrium/Axis ratio", "", "a3/a1 of Riemann's families."});
 }
 
 template <SceneOrConst S, class Visit>
 void visit_modes(S& scene, Visit& visit) {
-  visit(
-      scene.modes.number, Integer{1, 100},
-      About{
-          "Modes/Number", "",
-          "How many frequencies Analysis = modes writes, the lowest ones, a row each of modes.csv: index; omega, the "
-          "mean of the 2n+1 copies that a mode of degree n has; kind: 1 spheroidal, 2 toroidal; degree n; overtone: 0 "
-          "is the fundamental of its kind and degree; multiplicity 2n+1; spread: (largest - smallest copy)/omega, "
-          "which is the mesh's error alone; exact: omega of the elastic sphere; reduced: that of the "
-          "pseudo-rigid ball, where it has such a mode, else 0. Rigid motions are left out. Graphics shows a mode of "
-          "each row (modes.pvd), the first Frames of them, with a largest displacement of one radius."});
+  visit(scene.modes.number, Integer{1, 100},
+        About{"Modes/Number", "",
+              "Number of frequencies that Analysis = modes writes, from the lowest, one per row of modes.csv. "
+              "Columns: index; omega, the mean of the 2n+1 copies of a mode of degree n; kind: 1 spheroidal, 2 "
+              "toroidal; degree n; overtone: 0 is the fundamental of its kind and degree; multiplicity 2n+1; "
+              "spread: (largest - smallest copy)/omega, an error of the mesh alone; exact: omega of the elastic "
+              "sphere; reduced: omega of the pseudo-rigid ball, or 0 where it has no such mode. Rigid motions are "
+              "left out. Graphics shows one mode of each row (modes.pvd), for the first Frames rows, with a "
+              "largest displacement of one radius."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -174,21 +172,22 @@ void visit_time(S& scene, Visit& visit) {
   visit(end, positive, About{"Time/End", "time", "The motion is computed from time 0 to this time."});
   visit(step, AutoOrNumber{positive},
         About{"Time/Step", "time",
-              "Upper bound of the time step (of the whole composed step for rattle-4, -6, -8); each interval between "
-              "samples holds a whole number of steps. auto: found from Tolerance."});
+              "Upper bound of the time step (for rattle-4, -6, -8 of the whole composed step); each interval "
+              "between samples holds a whole number of steps. auto: found from Tolerance."});
   visit(
       method, method_kind(catalogue_of(scene)),
       About{"Time/Method", "",
             "Integrator, as listed under Methods. auto: the cheapest that meets Tolerance over this length of time."});
   visit(tolerance, Number{1e-13, 1e-1},
         About{"Time/Tolerance", "",
-              "Bound of the time error of Q over the run (largest entry, over all samples); of other systems: of their "
-              "configuration, in the system's own unit of length."});
+              "Bound of the time error of Q over the run (largest entry, over all samples). For other systems: of "
+              "their configuration, in the system's own unit of length."});
   visit(constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
         About{"Time/Constraint tolerance", "",
-              "Mean of |ln J| over a cell that a step of the incompressible continuum may leave; the next step starts "
-              "from it, so that it does not add up. At samples likewise of its rate. auto: 1e-4 of Tolerance where the "
-              "step is found from that, 1e-13 where Step is given. The reduced body keeps its volume to round-off."});
+              "Largest mean of |ln J| over a cell that a step of the incompressible continuum may leave. The next "
+              "step starts from it, so it does not accumulate. At samples it also bounds the rate of this mean. "
+              "auto: 1e-4 of Tolerance where the step is found from Tolerance, 1e-13 where Step is given. The "
+              "reduced body keeps its volume to round-off."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -196,71 +195,67 @@ void visit_continuum(S& scene, Visit& visit) {
   auto& [degree, refinements, tolerance, error_estimate, gravity_points, stiffness, mesh, symmetry] = scene.continuum;
   visit(degree, AutoOrInteger{{1, largest_degree}},
         About{"Continuum/Degree", "",
-              "Polynomial degree of the displacement; the pressure has one degree less. 1 is for compressible bodies. "
-              "auto: the cheapest that meets Tolerance, found by runs on coarser discretisations."});
+              "Polynomial degree of the positions; the pressure has one degree less. Degree 1 is for compressible "
+              "bodies. auto: the cheapest that meets Tolerance, found by runs on coarser discretisations."});
   visit(refinements, AutoOrInteger{{0, 4}},
         About{"Continuum/Refinements", "",
-              "How often each cell of the mesh is divided into eight. auto: as Tolerance needs, up to 2."});
+              "How many times each cell of the mesh is divided into eight. auto: as Tolerance needs, up to 2."});
   visit(tolerance, Number{1e-10, 1e-1},
         About{"Continuum/Tolerance", "",
-              "Bound of the discretisation error in space of Q over the run (largest entry, over all samples), where "
-              "Degree or Refinements is auto; a time error larger than a twentieth of it is not admitted then."});
+              "Bound of the discretisation error in space of Q over the run (largest entry, over all samples), "
+              "where Degree or Refinements is auto. The time error is then kept below a twentieth of it."});
   visit(error_estimate, error_estimate_kind,
         About{"Continuum/Error estimate", "",
-              "auto: where the models are compared, the continuum is also run on a coarser discretisation, for about a "
-              "third of the cost, and the comparison says its discretisation error; none: it is left out."});
+              "auto: in a comparison the continuum is also run on a coarser discretisation, for about a third of "
+              "the cost, and the discretisation error is reported. none: this run is left out."});
   visit(gravity_points, AutoOrInteger{{2, 16}},
         About{"Continuum/Gravity points", "",
-              "Gauss points in a direction of each face of the surface, by whose pairs self-gravity is computed. auto: "
-              "two more than Degree, or one more where an elastic body is refined; then their error is below that of "
-              "the mesh. The cost of gravity grows as the fourth power of their number."});
-  visit(
-      stiffness, AutoOrNumber{not_negative},
-      About{"Continuum/Volumetric stiffness", "pressure",
-            "kappa of the stabilisation of an incompressible body: the elements store (kappa/4) (J^2 - 1 - ln J^2), "
-            "J = det F, beside the energy of the law. An exact motion has J = 1 and does not feel it; of the elements "
-            "it holds those changes of volume that the pressure space leaves. 0: off. auto: the pressure that "
-            "self-gravity and a confining tidal matrix make at the centre, off without them. In violent motions the "
-            "shear modulus is a good choice."});
-  visit(
-      mesh, BuiltinOrMeshFile{},
-      About{
-          "Continuum/Mesh", "",
-          "The mesh to start from: the builtin mesh of the ball, or a file of Gmsh (format 2.2, ASCII, hexahedra of 8 "
-          "nodes), sought beside the parameter file. The file has the whole body, with coordinates in the unit of "
-          "Body/Radius, and is moved so that its centre of mass is the origin; Semi-axes and Inertia are then those "
-          "of the reduced body beside it."});
-  visit(
-      symmetry, symmetry_kind,
-      About{"Continuum/Symmetry", "",
-            "Normals of the coordinate planes taken as symmetry planes, so that only a sector of the ball is computed "
-            "(octant: all three; none: the full ball). auto: every plane that initial state and loads admit, "
-            "none where the mesh is from a file. "
-            "Motions that would break the symmetry are then excluded."});
+              "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. auto: "
+              "two more than Degree, or one more where an elastic body is refined, so that their error is below "
+              "that of the mesh. The cost of gravity grows as the fourth power of this number."});
+  visit(stiffness, AutoOrNumber{not_negative},
+        About{"Continuum/Volumetric stiffness", "pressure",
+              "kappa of the volumetric stabilisation of an incompressible body: the elements store the additional "
+              "energy (kappa/4) (J^2 - 1 - ln J^2), J = det F. An exact motion has J = 1 and is not affected; in "
+              "the elements it resists the changes of volume that the pressure space does not control. 0: off. "
+              "auto: the pressure at the centre that self-gravity and a confining tidal matrix cause, off without "
+              "them. For violent motions the shear modulus is a good choice."});
+  visit(mesh, BuiltinOrMeshFile{},
+        About{"Continuum/Mesh", "",
+              "The mesh to start from: the builtin mesh of the ball, or a Gmsh file (format 2.2, ASCII, hexahedra "
+              "of 8 nodes), searched beside the parameter file. The file holds the whole body, with coordinates "
+              "in the unit of Body/Radius; the body is moved so that its centre of mass is the origin. Semi-axes "
+              "and Inertia are then those of the reduced body beside it."});
+  visit(symmetry, symmetry_kind,
+        About{"Continuum/Symmetry", "",
+              "Coordinate planes, named by their normals, that are taken as symmetry planes, so that only a "
+              "sector of the ball is computed (octant: all three; none: the full ball). auto: every plane that "
+              "the initial state and the loads admit, none where the mesh is from a file. Motions that would "
+              "break the symmetry are then excluded."});
 }
 
 template <SceneOrConst S, class Visit>
 void visit_output(S& scene, Visit& visit) {
   auto& [directory, samples, quantities, graphics, frames, report] = scene.output;
   visit(directory, Text{.may_be_empty = false},
-        About{"Output/Directory", "", "Results go to the folder of the scene's name in this directory."});
+        About{"Output/Directory", "", "The directory in which the results get a folder with the name of the scene."});
   visit(samples, Integer{1, 10'000'000},
         About{"Output/Samples", "",
-              "Number of equal intervals of time; the quantities are written at time 0 and at the end of each."});
-  visit(
-      quantities, quantities_kind,
-      About{"Output/Quantities", "",
-            "Groups of columns to compute and write; the time is always written. state: Q, Qdot, centre of mass, mean "
-            "gradient; energies; momenta: J, Z; multiplier; axes: volume ratio and semi-axes; nonaffine: how far the "
-            "continuum is from an affine motion; all: these six. Of the reduced model, by name only: pressure at the "
-            "centre, for a fluid or a loaded body (central_pressure = 5/2 times the multiplier's force per volume); "
-            "bipolar: Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and "
-            "Lambda* in these frames, and bipolar_residual, the largest entry of what is left of the equation of "
-            "motion in them (Oliva 5.121), by differences along the path. By name only, of both models: stretches, the "
-            "principal stretches of the mean deformation, of the continuum the largest and the least anywhere as well. "
-            "The columns are listed below."});
+              "Number of equal intervals of time. The quantities are written at time 0 and at the end of each "
+              "interval."});
+  visit(quantities, quantities_kind,
+        About{"Output/Quantities", "",
+              "Groups of columns to compute and write, listed below; the time is always written. state: Q, Qdot, "
+              "centre of mass, mean gradient; energies; momenta: J, Z; multiplier; axes: volume ratio and "
+              "semi-axes; nonaffine: how far the continuum is from an affine motion; all: these six. The other "
+              "groups are written only if named. Of the reduced model, pressure: the pressure at the centre of a "
+              "fluid or a loaded body (central_pressure = 5/2 times the multiplier's force per volume); bipolar: "
+              "Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and Lambda* "
+              "in these frames, and bipolar_residual, the largest entry of the residual of the equation of motion "
+              "in them (Oliva 5.121), by differences along the path. Of both models, stretches: the principal "
+              "stretches of the mean deformation, and of the continuum the largest and the least anywhere."});
   visit(graphics, graphics_kind,
-        About{"Output/Graphics", "", "Files to look at the motion: none, or vtu for ParaView."});
+        About{"Output/Graphics", "", "Pictures of the motion: none, or vtu files for ParaView."});
   visit(frames, Integer{1},
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
   visit(
@@ -272,14 +267,14 @@ void visit_output(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_sweep(S& scene, Visit& visit) {
-  visit(
-      scene.sweep, SweepParameters{},
-      About{"Sweep/Parameters", "",
-            "Runs the scene once for every combination of values, without files of their own, and writes sweep.csv, a "
-            "row for each: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the parameters as $(expression), for "
-            "instance $(1/sqrt(l)). For the reduced model and the other systems."});
+  visit(scene.sweep, SweepParameters{},
+        About{"Sweep/Parameters", "",
+              "Runs the scene for every combination of these values, without files for the single runs, and "
+              "writes sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use "
+              "the parameters as $(expression), for instance $(1/sqrt(l)). For the reduced model and the other "
+              "systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
-        About{"Sweep/Threads", "", "How many runs go on at the same time; auto: one for each core."});
+        About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
 }
 
 /// The entries of the systems of the catalogue.

@@ -48,11 +48,15 @@ struct GeodesicScene {
                 "axis, w around the tube (0 outside) and u around the axis; paraboloid z = (curvature/2) (x^2 + y^2), "
                 "x and y; hyperbolic plane, x and y > 0 of the half-plane with ds^2 = (dx^2 + dy^2)/y^2."});
     visit(s.R, scene::positive,
-          About{"Geodesic/Radius", "length", "Of the sphere; of the torus, from the axis to the middle of the tube."});
-    visit(s.r, scene::positive, About{"Geodesic/Tube radius", "length", "Of the torus, less than Radius."});
+          About{"Geodesic/Radius", "length",
+                "Radius of the sphere; of the torus, the distance from the axis to the middle of the tube."});
+    visit(s.r, scene::positive,
+          About{"Geodesic/Tube radius", "length", "Radius of the tube of the torus, less than Radius."});
     visit(s.semi_axes, scene::Numbers{3, scene::positive},
-          About{"Geodesic/Semi-axes", "length", "Of the ellipsoid, along x, y, z. Equal first two: of revolution."});
-    visit(s.curvature, scene::positive, About{"Geodesic/Curvature", "1/length", "Of the paraboloid at its vertex."});
+          About{"Geodesic/Semi-axes", "length",
+                "Semi-axes of the ellipsoid along x, y, z. It is one of revolution if the first two are equal."});
+    visit(s.curvature, scene::positive,
+          About{"Geodesic/Curvature", "1/length", "Curvature of the paraboloid at its vertex."});
     visit(s.point, scene::Numbers{2},
           About{"Geodesic/Point", "",
                 "Initial coordinates: angles in radians, on the paraboloid lengths, on the hyperbolic plane numbers."});

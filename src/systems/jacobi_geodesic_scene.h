@@ -91,15 +91,17 @@ struct JacobiGeodesicScene {
   static void visit(Self& s, Visit&& visit) {
     visit(s.potential, potential_kind,
           About{"Jacobi geodesic/Potential", "",
-                "By unit mass. harmonic: (Stiffness/2) |q|^2. kepler: -Attraction/|q|."});
-    visit(s.stiffness, scene::positive, About{"Jacobi geodesic/Stiffness", "1/time^2", "Of the harmonic potential."});
+                "Potential per unit mass. harmonic: (Stiffness/2) |q|^2. kepler: -Attraction/|q|."});
+    visit(s.stiffness, scene::positive,
+          About{"Jacobi geodesic/Stiffness", "1/time^2", "Stiffness of the harmonic potential."});
     visit(s.attraction, scene::positive, About{"Jacobi geodesic/Attraction", "length^3/time^2", "Kepler's constant."});
     visit(s.energy, scene::Number{},
           About{"Jacobi geodesic/Energy", "length^2/time^2",
-                "The energy h of the motions, by unit mass; the metric exists where U < h only."});
+                "Energy h of the motions per unit mass; the metric exists only where U < h."});
     visit(s.position, scene::Numbers{2}, About{"Jacobi geodesic/Position", "length", "Where the geodesic starts."});
-    visit(s.direction, scene::Numbers{2},
-          About{"Jacobi geodesic/Direction", "", "Of the start; the speed of the motion follows from the energy."});
+    visit(
+        s.direction, scene::Numbers{2},
+        About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
   /// The scene's time being an arc, the unit of time is that of length²/time.

@@ -38,33 +38,32 @@ struct MassPointsScene {
   static void visit(Self& s, Visit&& visit) {
     const scene::Number not_negative{.low = 0};
     visit(s.masses, scene::Numbers{.n = 0, .number = scene::positive},
-          About{"Mass points/Masses", "mass", "The mass of each point; their number is that of the points."});
+          About{"Mass points/Masses", "mass", "Masses of the points, one for each point."});
     visit(s.positions, scene::Rows{3},
-          About{"Mass points/Positions", "length", "Initial positions, one row (x, y, z) a point."});
+          About{"Mass points/Positions", "length", "Initial positions, one row (x, y, z) per point."});
     visit(s.velocities, scene::Rows{3},
-          About{"Mass points/Velocities", "length/time", "Initial velocities, one row a point."});
+          About{"Mass points/Velocities", "length/time", "Initial velocities, one row per point."});
     visit(s.gravitational_constant, not_negative,
           About{"Mass points/Gravitational constant", "length^3/mass/time^2",
                 "G of the mutual attraction G m_i m_j / r^2; 0: none."});
     visit(s.springs, scene::Rows{4, true},
           About{"Mass points/Springs", "",
-                "One row a spring: point, point, stiffness (mass/time^2), rest length (length). Points are numbered "
-                "from 1."});
+                "One row per spring: first point, second point, stiffness (mass/time^2), rest length (length). "
+                "Points are numbered from 1."});
     visit(s.dashpots, scene::Rows{3, true},
           About{"Mass points/Dashpots", "",
-                "One row a dashpot: point, point, damping (mass/time) of the rate of their distance."});
-    visit(s.field, scene::Numbers{3},
-          About{"Mass points/Field", "length/time^2", "Acceleration of a uniform field, the weight."});
+                "One row per dashpot: first point, second point, damping (mass/time) of the rate of their distance."});
+    visit(s.field, scene::Numbers{3}, About{"Mass points/Field", "length/time^2", "Acceleration of a uniform field."});
     visit(s.center, scene::Numbers{3},
           About{"Mass points/Center", "length",
-                "Place that Confinement and Central attraction pull to; angular momentum is about it."});
+                "Centre of Confinement and Central attraction; the angular momentum is taken about it."});
     visit(s.confinement, not_negative,
           About{"Mass points/Confinement", "mass/time^2", "Stiffness of a spring from each point to the center."});
     visit(s.central_attraction, not_negative,
           About{"Mass points/Central attraction", "length^3/time^2",
                 "Attraction by the center: the acceleration is this number / r^2."});
     visit(s.drag, not_negative,
-          About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per velocity."});
+          About{"Mass points/Drag", "mass/time", "Force against the velocity of each point, per unit of velocity."});
   }
   void rescale(const Scales& scales) {
     for (std::size_t k = 0; k < springs.size(); k += 4) {

@@ -85,7 +85,7 @@ struct FrameParameters {
   FrameForces forces;
 };
 
-/// The terms of 5.6.7, in the moving frame and by unit mass.
+/// The terms of 5.6.7, in the moving frame and per unit mass.
 struct RelativeTerms {
   Eigen::Vector3d force, translation, rotation, coriolis, centrifugal;
   Eigen::Vector3d sum() const { return force + translation + rotation + coriolis + centrifugal; }

@@ -43,22 +43,25 @@ struct MovingFrameScene {
     constexpr scene::Numbers vector{3};
     visit(s.form, form_kind,
           About{"Moving frame/Form", "",
-                "Which law is integrated. moving: that of the frame, with inertial forces. inertial: that of space."});
+                "Which equation of motion is integrated. moving: that in the frame, with inertial forces. inertial: "
+                "that in space."});
     visit(s.position, vector, About{"Moving frame/Position", "length", "Initial position in the frame."});
     visit(s.velocity, vector, About{"Moving frame/Velocity", "length/time", "Initial velocity relative to the frame."});
     visit_motion(s, visit);
     visit(s.field, vector, About{"Moving frame/Field", "length/time^2", "Uniform gravity in space."});
     visit(s.stiffness, scene::Number{},
-          About{"Moving frame/Stiffness", "1/time^2", "Of an isotropic spring to Centre, by unit mass."});
+          About{"Moving frame/Stiffness", "1/time^2", "Stiffness of an isotropic spring to Centre, per unit mass."});
     visit(s.attraction, scene::Number{},
           About{"Moving frame/Attraction", "length^3/time^2",
                 "Kepler's constant: Centre attracts with Attraction/distance^2."});
-    visit(s.center, vector, About{"Moving frame/Centre", "length", "Of spring and attraction, at rest in space."});
+    visit(s.center, vector,
+          About{"Moving frame/Centre", "length", "Centre of the spring and of the attraction, at rest in space."});
     visit(s.frame_field, vector, About{"Moving frame/Frame field", "length/time^2", "Uniform gravity in the frame."});
     visit(s.frame_stiffness, vector,
-          About{"Moving frame/Frame stiffness", "1/time^2", "Of springs along the axes of the frame, by unit mass."});
+          About{"Moving frame/Frame stiffness", "1/time^2",
+                "Stiffnesses of springs along the axes of the frame, per unit mass."});
     visit(s.frame_center, vector,
-          About{"Moving frame/Frame centre", "length", "Where the springs of the frame have no force."});
+          About{"Moving frame/Frame centre", "length", "Point of the frame where its springs have no force."});
   }
 
   Scales scales() const {
@@ -90,12 +93,12 @@ struct MovingFrameScene {
     vector("relative_v", "length/time", "velocity relative to the frame, along its axes");
     vector("inertial_", "length", "position in space");
     vector("inertial_v", "length/time", "velocity in space");
-    vector("force_", "length/time^2", "given force by unit mass, along the axes of the frame");
+    vector("force_", "length/time^2", "given force per unit mass, along the axes of the frame");
     vector("translation_", "length/time^2", "inertial force of the origin's acceleration, -M^-1 r''");
     vector("euler_", "length/time^2", "inertial force of the rotation's change, -Omega' x Q");
     vector("coriolis_", "length/time^2", "Coriolis force, -2 Omega x Q'");
     vector("centrifugal_", "length/time^2", "centrifugal force, -Omega x (Omega x Q)");
-    columns.push_back({"potential", "length^2/time^2", "of the given forces, by unit mass"});
+    columns.push_back({"potential", "length^2/time^2", "potential energy of the given forces, per unit mass"});
     columns.push_back({"energy", "length^2/time^2",
                        "kinetic energy in space and potential, constant if no force is at rest in the moving frame"});
     columns.push_back({"jacobi", "length^2/time^2",
@@ -160,21 +163,24 @@ struct MovingFrameScene {
     constexpr scene::Numbers vector{3};
     visit(s.orientation, vector,
           About{"Moving frame/Orientation", "",
-                "Of the frame at time 0: axis of the rotation that brings the axes of space to those of the frame, "
-                "times its angle in radians."});
-    visit(s.spin_axis, vector, About{"Moving frame/Spin axis", "", "Direction, in the frame, about which it spins."});
+                "Orientation of the frame at time 0: axis of the rotation that takes the axes of space to those of "
+                "the frame, times its angle in radians."});
+    visit(s.spin_axis, vector,
+          About{"Moving frame/Spin axis", "", "Direction, in the frame, of the axis about which it spins."});
     visit(s.spin_rate, scene::Number{}, About{"Moving frame/Spin rate", "1/time", "Rate of the spin at time 0."});
     visit(s.spin_acceleration, scene::Number{},
-          About{"Moving frame/Spin acceleration", "1/time^2", "Constant change of the spin's rate."});
+          About{"Moving frame/Spin acceleration", "1/time^2", "Constant rate of change of the spin rate."});
     visit(s.precession, vector,
-          About{"Moving frame/Precession", "1/time", "Angular velocity, in space, of the spin's axis."});
-    visit(s.origin, vector, About{"Moving frame/Origin", "length", "Place of the frame's origin at time 0."});
-    visit(s.origin_velocity, vector, About{"Moving frame/Origin velocity", "length/time", "Its velocity at time 0."});
+          About{"Moving frame/Precession", "1/time", "Angular velocity, in space, of the spin axis."});
+    visit(s.origin, vector, About{"Moving frame/Origin", "length", "Position of the frame's origin at time 0."});
+    visit(s.origin_velocity, vector,
+          About{"Moving frame/Origin velocity", "length/time", "Velocity of the origin at time 0."});
     visit(s.origin_acceleration, vector,
-          About{"Moving frame/Origin acceleration", "length/time^2", "Its constant acceleration."});
+          About{"Moving frame/Origin acceleration", "length/time^2", "Constant acceleration of the origin."});
     visit(s.shaking, vector,
-          About{"Moving frame/Shaking", "length", "Amplitude b of the origin's further motion b sin(w t)."});
-    visit(s.shaking_frequency, scene::Number{}, About{"Moving frame/Shaking frequency", "1/time", "Its w."});
+          About{"Moving frame/Shaking", "length", "Amplitude b of an additional motion b sin(w t) of the origin."});
+    visit(s.shaking_frequency, scene::Number{},
+          About{"Moving frame/Shaking frequency", "1/time", "Frequency w of Shaking."});
   }
 
   static double norm(const Vector3& x) { return Eigen::Vector3d(x.data()).stableNorm(); }

@@ -118,8 +118,8 @@ struct RigidBodyScene {
   static void visit(Self& s, Visit&& visit) {
     visit(s.form, form_kind,
           About{"Rigid body/Form", "",
-                "constrained: 3x3 matrices with the six constraints of a rotation. euler: Euler's equation for "
-                "quaternions; flat bodies too, springs only with a fixed point."});
+                "constrained: 3x3 matrices with the six constraints of a rotation. euler: Euler's equation with "
+                "quaternions; it also takes flat bodies, but springs only with a fixed point."});
     visit(s.fixed_point, scene::Boolean{},
           About{"Rigid body/Fixed point", "",
                 "true: the origin of the body stays at the origin of space. false: free; the origin of the body is its "
@@ -129,12 +129,12 @@ struct RigidBodyScene {
           About{"Rigid body/Center", "length", "Centre of mass in the body, from the fixed point."});
     visit(s.inertia, scene::Matrix{},
           About{"Rigid body/Inertia", "mass*length^2",
-                "Inertia operator in the body about its origin; on its diagonal the moments of inertia."});
+                "Inertia operator in the body about its origin; its diagonal holds the moments of inertia."});
     visit(s.gravity, scene::Numbers{3},
           About{"Rigid body/Gravity", "length/time^2", "Acceleration of gravity in space."});
     visit(s.springs, scene::Rows{8, true},
           About{"Rigid body/Springs", "",
-                "One row a spring: point of the body (3 numbers, length), point of space (3), stiffness "
+                "One row per spring: point of the body (3 numbers, length), point of space (3), stiffness "
                 "(mass/time^2), rest length."});
     visit(s.rotation, scene::Matrix{},
           About{"Rigid body/Rotation", "",
@@ -142,7 +142,7 @@ struct RigidBodyScene {
     visit(s.angular_velocity, scene::Numbers{3},
           About{"Rigid body/Angular velocity", "1/time", "Initial angular velocity in the body."});
     visit(s.position, scene::Numbers{3},
-          About{"Rigid body/Position", "length", "Initial place of the centre of mass of a free body."});
+          About{"Rigid body/Position", "length", "Initial position of the centre of mass of a free body."});
     visit(s.velocity, scene::Numbers{3},
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }

@@ -36,8 +36,8 @@ struct TorusScene {
           About{"Torus/Damping", "1/time", "Friction c: the force on the particle is -c times its velocity."});
     visit(s.tilt, scene::Number{},
           About{"Torus/Tilt", "",
-                "Angle in radians by which the vertical leans out of the plane of the ring, towards the axis; upright "
-                "(0), the two saddles are joined by an orbit."});
+                "Angle in radians by which the vertical leans out of the plane of the ring, towards the axis. "
+                "Without tilt the two saddles are joined by an orbit."});
     visit(s.angles, scene::Numbers{2},
           About{"Torus/Angles", "",
                 "Initial angles w, u in radians: w around the tube, 0 outside; u around the axis, 0 at the top."});
@@ -63,10 +63,10 @@ struct TorusScene {
             {"x", "length", "position along the axis of the torus"},
             {"y", "length", "position across"},
             {"z", "length", "position in the plane of the ring, upwards; vertical without Tilt"},
-            {"kinetic", "length^2/time^2", "kinetic energy by unit mass"},
-            {"potential", "length^2/time^2", "potential energy by unit mass"},
+            {"kinetic", "length^2/time^2", "kinetic energy per unit mass"},
+            {"potential", "length^2/time^2", "potential energy per unit mass"},
             {"energy", "length^2/time^2", "their sum"},
-            {"dissipated_power", "length^2/time^3", "rate at which friction takes energy away, by unit mass"}};
+            {"dissipated_power", "length^2/time^3", "rate at which friction dissipates energy, per unit mass"}};
   }
 
   struct Model {

@@ -153,7 +153,7 @@ class ContinuumLoads(StoppedRunTest):
         self.assertIn("the multiplier 2 higher", (self.scratch / "output/pressed/log.txt").read_text())
 
     def test_periodic_tide(self):
-        """Both models under a tide that comes and goes, their centre of mass on its own way: x3 of both agree."""
+        """Both models under a periodic tide, their centre of mass on its own way: x3 of both agree."""
         for options in ({}, {"Body/Incompressible": "false", "Material/Drag": 0.1}):
             deformation = "1.05, 0, 0; 0, 1, 0; 0, 0, " + ("0.97" if options else "$(1/1.05)")
             tables = self.run_scene({**BOTH, **options, "Initial state/Deformation": deformation, "Time/Step": 0.005,

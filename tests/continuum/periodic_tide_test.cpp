@@ -1,4 +1,4 @@
-/// The tide that comes and goes on the finite-element ball: the energy that it gives (affine states: loads_test.cpp).
+/// The periodic tide on the finite-element ball: the energy that it gives (affine states: loads_test.cpp).
 
 #include <gtest/gtest.h>
 

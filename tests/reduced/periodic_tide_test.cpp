@@ -1,4 +1,4 @@
-/// The tide that comes and goes, T cos(ωt + φ): the centre of mass under it by Mathieu's functions and by integration,
+/// The periodic tide T cos(ωt + φ): the centre of mass under it by Mathieu's functions and by integration,
 /// the body by an equation of motion that is written here, the energy that the tide gives and its balance.
 
 #include "loads/periodic_tide.h"

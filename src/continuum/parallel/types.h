@@ -42,7 +42,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     else
       x *= a;
   }
-  /// A number that is not one counts as infinite (linfty_norm passes over it).
+  /// NaN counts as infinite (linfty_norm ignores it).
   static double max_norm(const Vector& x) {
     double norm = 0;
     for (const double value : x)
