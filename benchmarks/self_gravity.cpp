@@ -9,13 +9,13 @@
 #include <random>
 #include <vector>
 
-#include "reduced/self_gravity.h"
+#include "gravity/ellipsoid_gravity.h"
 
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using namespace pseudorigid::reduced;
+using namespace pseudorigid::gravity;
 
 constexpr size_t n_bodies = 256;  // more than branch predictors learn by heart
 
@@ -60,7 +60,7 @@ double boost_integrals(const Vector3d& a, const Policy& policy) {
          ellint_rd(x[0], x[1], x[2], policy);
 }
 
-const SelfGravity gravity{1};
+const EllipsoidGravity ellipsoid{1};
 
 void boost_as_it_is(benchmark::State& loop) {
   in_turn(loop, semi_axes(), [](const Vector3d& a) { return boost_integrals(a, boost::math::policies::policy<>()); });
@@ -76,17 +76,17 @@ void axes(benchmark::State& loop) {
   in_turn(loop, bodies(), [](const Matrix3d& F) { return pseudorigid::mechanics::principal_axes(F).a.sum(); });
 }
 void energy(benchmark::State& loop) {
-  in_turn(loop, bodies(), [](const Matrix3d& F) { return gravity.energy(F); });
+  in_turn(loop, bodies(), [](const Matrix3d& F) { return ellipsoid.energy(F); });
 }
 void force(benchmark::State& loop) {
-  in_turn(loop, bodies(), [](const Matrix3d& F) { return gravity.gradient(F).sum(); });
+  in_turn(loop, bodies(), [](const Matrix3d& F) { return ellipsoid.gradient(F).sum(); });
 }
 void force_of_a_diagonal_body(benchmark::State& loop) {
-  in_turn(loop, semi_axes(), [](const Vector3d& a) { return gravity.gradient(a.asDiagonal()).sum(); });
+  in_turn(loop, semi_axes(), [](const Vector3d& a) { return ellipsoid.gradient(a.asDiagonal()).sum(); });
 }
 void second_derivative(benchmark::State& loop) {
   const Matrix3d H = bodies().front();
-  in_turn(loop, bodies(), [&](const Matrix3d& F) { return gravity.second_derivative(F, H).sum(); });
+  in_turn(loop, bodies(), [&](const Matrix3d& F) { return ellipsoid.second_derivative(F, H).sum(); });
 }
 
 BENCHMARK(boost_as_it_is)->Name("3 R_D by boost::math::ellint_rd");

@@ -14,12 +14,12 @@
 #include <string_view>
 #include <variant>
 
+#include "gravity/ellipsoid_gravity.h"
 #include "loads/forcing.h"
 #include "materials/eigen_tensor.h"
 #include "materials/law_table.h"
 #include "reduced/external_potential.h"
 #include "reduced/reference_body.h"
-#include "reduced/self_gravity.h"
 
 namespace pseudorigid::reduced {
 
@@ -42,7 +42,7 @@ class Potential {
         loaded_(forcing.gravity_constant != 0 || external_.present()),
         spherical_(body.shape.isIdentity(0)) {
     const double G = forcing.gravity_constant;
-    if (G != 0) gravity_ = SelfGravity{0.6 * G * body.mass * body.mass};
+    if (G != 0) gravity_ = gravity::EllipsoidGravity{0.6 * G * body.mass * body.mass};
   }
 
   /// As of a law, materials/law_limits.h.
@@ -102,7 +102,7 @@ class Potential {
   materials::AnyLaw law_;
   bool limited_;
   ReferenceBody body_;
-  std::optional<SelfGravity> gravity_;
+  std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
   bool loaded_;     // there is more than stored energy
   bool spherical_;  // S = Id

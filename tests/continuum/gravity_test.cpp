@@ -10,7 +10,7 @@
 #include "analysis/order_fit.h"
 #include "continuum/balls.h"
 #include "continuum/modes/sphere_frequencies.h"
-#include "reduced/self_gravity.h"
+#include "gravity/ellipsoid_gravity.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -57,7 +57,7 @@ double affine_error(int degree, int n_refinements) {
   const Matrix3d of_elements = moment(ball, force_of_gravity(ball, x), x);
   EXPECT_NEAR(of_elements.trace(), 0, 1e-12);
   const double mass = 4 * M_PI / 3;  // the mass of the ball; the points have its volume to the error that is asked for
-  const reduced::SelfGravity exact{0.6 * G * mass * mass};
+  const gravity::EllipsoidGravity exact{0.6 * G * mass * mass};
   const Matrix3d expected = -traceless(exact.gradient(ellipsoid) * ellipsoid.transpose());
   return (traceless(of_elements) - expected).norm() / expected.norm();
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "analysis/order_fit.h"
-#include "reduced/self_gravity.h"
+#include "gravity/ellipsoid_gravity.h"
 
 namespace pseudorigid::gravity {
 namespace {
@@ -105,7 +105,7 @@ TEST(SurfaceGravity, EnergyOfTheSphereIsKnown) {
 /// points to the fourth power and faster.
 TEST(SurfaceGravity, ForceOnAffineFieldsConvergesToThatOfTheEllipsoid) {
   const double volume = 4 * pi / 3 * axes.determinant(), mass = volume;
-  const reduced::SelfGravity exact{0.6 * mass * mass};
+  const gravity::EllipsoidGravity exact{0.6 * mass * mass};
   // The energy does not know how the ellipsoid turned into what it is; ∂V/∂F Fᵀ is the same for all F with one FFᵀ.
   const Matrix3d expected = traceless(exact.gradient(axes) * axes.transpose());
   std::vector<analysis::ErrorPoint> errors;

@@ -11,7 +11,7 @@
 ///
 /// A₁ + A₂ + A₃ = 2.
 
-#include "reduced/ellipsoid_integrals.h"
+#include "gravity/ellipsoid_integrals.h"
 
 namespace pseudorigid::reduced {
 
@@ -23,7 +23,7 @@ struct IndexSymbols {
 inline IndexSymbols index_symbols(const Eigen::Vector3d& axes) {
   const double unit = axes.maxCoeff();
   const Eigen::Vector3d a = axes / unit, x = a.cwiseAbs2();
-  const auto [d, t] = ellipsoid_integrals(a);
+  const auto [d, t] = gravity::ellipsoid_integrals(a);
   const double factor = 2.0 / 3 * a.prod();
   IndexSymbols s;
   s.A = factor * d;

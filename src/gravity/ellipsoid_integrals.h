@@ -22,7 +22,7 @@
 #include <cmath>
 #include <utility>
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::gravity {
 
 struct EllipsoidIntegrals {
   Eigen::Vector3d d, t;
@@ -102,4 +102,4 @@ EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   return {d, t};
 }
 
-}  // namespace pseudorigid::reduced
+}  // namespace pseudorigid::gravity

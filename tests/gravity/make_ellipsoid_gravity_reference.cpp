@@ -1,4 +1,4 @@
-/// Writes self_gravity_reference.csv: 1000 triples of semi-axes a_i with the exact bits of the doubles, and
+/// Writes ellipsoid_gravity_reference.csv: 1000 triples of semi-axes a_i with the exact bits of the doubles, and
 ///
 ///   d_i = R_D(a_j², a_k², a_i²) to 50 digits,      t_k = (3/2) ∫₀^∞ ds/((a_i² + s)(a_j² + s)Δ) = −(d_i − d_j)/(a_i² −
 ///   a_j²) to 30,
@@ -6,7 +6,7 @@
 /// by Boost.Multiprecision and Boost.Math's ellint_rd with 150 digits; where two axes coincide to 50 digits, one is
 /// moved by 10⁻⁵⁰ of itself: the quotient then still has 50 right digits.
 ///
-/// make_self_gravity_reference > self_gravity_reference.csv
+/// make_ellipsoid_gravity_reference > ellipsoid_gravity_reference.csv
 
 #include <array>
 #include <boost/math/special_functions/ellint_rd.hpp>

@@ -1,7 +1,7 @@
-/// Self-gravity against stored values of 50 digits (make_self_gravity_reference.cpp) on 1000 triples of semi-axes: flat
-/// bodies, needles, nearly and exactly coinciding axes, sizes whose squares almost overflow; and its structure.
+/// Self-gravity against stored values of 50 digits (make_ellipsoid_gravity_reference.cpp) on 1000 triples of semi-axes:
+/// flat bodies, needles, nearly and exactly coinciding axes, sizes whose squares almost overflow; and its structure.
 
-#include "reduced/self_gravity.h"
+#include "gravity/ellipsoid_gravity.h"
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@
 namespace pseudorigid::testing {
 namespace {
 
-using reduced::SelfGravity;
+using gravity::EllipsoidGravity;
 using Wide = Eigen::Matrix<long double, 3, 1>;  // its range holds d_i ~ a⁻³ of every size
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-const SelfGravity gravity{3};  // k/3 = 1
+const EllipsoidGravity ellipsoid{3};  // k/3 = 1
 
 struct Reference {
   Vector3d a;
@@ -35,7 +35,7 @@ struct Reference {
 const std::vector<Reference>& references() {
   static const auto list = [] {
     std::vector<Reference> rows;
-    std::ifstream file(SELF_GRAVITY_REFERENCE);
+    std::ifstream file(ELLIPSOID_GRAVITY_REFERENCE);
     std::string line, cell;
     for (std::getline(file, line); std::getline(file, line);) {
       std::istringstream cells(line);
@@ -69,13 +69,13 @@ std::vector<Matrix3d> rotated_shapes() {
   return list;
 }
 
-TEST(SelfGravity, HasAThousandReferences) { EXPECT_EQ(references().size(), 1000u); }
+TEST(EllipsoidGravity, HasAThousandReferences) { EXPECT_EQ(references().size(), 1000u); }
 
 // 1e-14 is what is promised; about 1e-15 is reached.
-TEST(SelfGravity, ForceOfTheAxesHas14Digits) {
+TEST(EllipsoidGravity, ForceOfTheAxesHas14Digits) {
   double worst = 0;
   for (const auto& reference : references()) {
-    const Matrix3d force = gravity.gradient(reference.a.asDiagonal());
+    const Matrix3d force = ellipsoid.gradient(reference.a.asDiagonal());
     ASSERT_TRUE(force.isDiagonal(0));
     worst = std::max(worst, (force.diagonal().cwiseQuotient(reference.force()).array() - 1).abs().maxCoeff());
   }
@@ -83,23 +83,23 @@ TEST(SelfGravity, ForceOfTheAxesHas14Digits) {
   EXPECT_LE(worst, 1e-14);
 }
 
-TEST(SelfGravity, EnergyHas14Digits) {
+TEST(EllipsoidGravity, EnergyHas14Digits) {
   for (const auto& reference : references()) {
     const Wide a = reference.a.cast<long double>();
     const double energy = -double(a.cwiseProduct(a).dot(reference.d));  // −k R_F = −Σ x_i d_i
-    EXPECT_NEAR(gravity.energy(reference.a.asDiagonal()) / energy, 1, 1e-14);
+    EXPECT_NEAR(ellipsoid.energy(reference.a.asDiagonal()) / energy, 1, 1e-14);
   }
 }
 
 // Rounding the entries of F alone moves its smallest axis by cond(F)·ε.
-TEST(SelfGravity, ForceOfARotatedBodyIsRightToItsConditionNumber) {
+TEST(EllipsoidGravity, ForceOfARotatedBodyIsRightToItsConditionNumber) {
   std::mt19937 generator(7);
   double worst = 0;
   for (const auto& reference : references())
     for (int i = 0; i < 100; ++i) {  // many: some make products of rows exactly zero
       const Matrix3d U = random_rotation(generator), V = random_rotation(generator);
       const Matrix3d expected = rotated(U, reference.force(), V);
-      const Matrix3d error = gravity.gradient(rotated(U, reference.a, V)) - expected;
+      const Matrix3d error = ellipsoid.gradient(rotated(U, reference.a, V)) - expected;
       const double size = expected.cwiseAbs().maxCoeff();  // squares of 1e-300 would vanish in a norm
       const double units = (error / size).norm() / (epsilon * reference.condition());
       ASSERT_TRUE(std::isfinite(units)) << reference.a.transpose();
@@ -110,10 +110,10 @@ TEST(SelfGravity, ForceOfARotatedBodyIsRightToItsConditionNumber) {
 }
 
 // α₁ + α₂ + α₃ = 2/(a₁a₂a₃) with α_i = ⅔ d_i
-TEST(SelfGravity, CoefficientsHaveTheirSum) {
+TEST(EllipsoidGravity, CoefficientsHaveTheirSum) {
   for (const auto& reference : references()) {
     const Vector3d a = reference.a / reference.a.maxCoeff();
-    EXPECT_NEAR(2.0 / 3 * reduced::ellipsoid_integrals(a).d.sum() * a.prod() / 2, 1, 1e-14);
+    EXPECT_NEAR(2.0 / 3 * gravity::ellipsoid_integrals(a).d.sum() * a.prod() / 2, 1, 1e-14);
   }
 }
 
@@ -139,7 +139,7 @@ Matrix3d second_derivative_of_axes(const Reference& reference, int l, int m) {
 }
 
 // The entry (l, m) is a difference of terms of the size of d_l; the others are products.
-TEST(SelfGravity, SecondDerivativeOfTheAxesHas14Digits) {
+TEST(EllipsoidGravity, SecondDerivativeOfTheAxesHas14Digits) {
   for (const auto& reference : references()) {
     const double size = reference.a.maxCoeff();
     const Wide d = reference.d * (static_cast<long double>(size) * size * size);
@@ -147,7 +147,7 @@ TEST(SelfGravity, SecondDerivativeOfTheAxesHas14Digits) {
       for (int m = 0; m < 3; ++m) {
         Matrix3d H = Matrix3d::Zero();
         H(l, m) = size;
-        const Matrix3d D = gravity.second_derivative(reference.a.asDiagonal(), H) * size * size;
+        const Matrix3d D = ellipsoid.second_derivative(reference.a.asDiagonal(), H) * size * size;
         const Matrix3d expected = second_derivative_of_axes(reference, l, m);
         Matrix3d terms = expected.cwiseAbs();
         terms(l, m) += double(d[l]);
@@ -156,58 +156,58 @@ TEST(SelfGravity, SecondDerivativeOfTheAxesHas14Digits) {
   }
 }
 
-TEST(SelfGravity, GradientIsTheDerivativeOfTheEnergy) {
+TEST(EllipsoidGravity, GradientIsTheDerivativeOfTheEnergy) {
   std::mt19937 generator(2);
   for (const Matrix3d& F : rotated_shapes()) {
     const Matrix3d H = random_matrix(generator);
-    const auto slope = [&](double h) { return (gravity.energy(F + h * H) - gravity.energy(F - h * H)) / (2 * h); };
+    const auto slope = [&](double h) { return (ellipsoid.energy(F + h * H) - ellipsoid.energy(F - h * H)) / (2 * h); };
     const double h = 1e-3;  // Richardson: h⁴ and ε/h are both 1e-12
-    EXPECT_NEAR((4 * slope(h) - slope(2 * h)) / 3, gravity.gradient(F).cwiseProduct(H).sum(), 1e-10);
+    EXPECT_NEAR((4 * slope(h) - slope(2 * h)) / 3, ellipsoid.gradient(F).cwiseProduct(H).sum(), 1e-10);
   }
 }
 
-TEST(SelfGravity, SecondDerivativeIsTheDerivativeOfTheGradient) {
+TEST(EllipsoidGravity, SecondDerivativeIsTheDerivativeOfTheGradient) {
   std::mt19937 generator(3);
   for (const Matrix3d& F : rotated_shapes()) {
     const Matrix3d H = random_matrix(generator);
     const auto slope = [&](double h) -> Matrix3d {
-      return (gravity.gradient(F + h * H) - gravity.gradient(F - h * H)) / (2 * h);
+      return (ellipsoid.gradient(F + h * H) - ellipsoid.gradient(F - h * H)) / (2 * h);
     };
     const double h = 1e-3;  // as above
-    const Matrix3d D = gravity.second_derivative(F, H);
+    const Matrix3d D = ellipsoid.second_derivative(F, H);
     EXPECT_LE(((4 * slope(h) - slope(2 * h)) / 3 - D).norm(), 1e-10 * D.norm());
   }
 }
 
-TEST(SelfGravity, SecondDerivativeIsSymmetric) {
+TEST(EllipsoidGravity, SecondDerivativeIsSymmetric) {
   std::mt19937 generator(4);
   for (const Matrix3d& F : rotated_shapes()) {
     const Matrix3d G = random_matrix(generator), H = random_matrix(generator);
-    EXPECT_NEAR(gravity.second_derivative(F, G).cwiseProduct(H).sum(),
-                gravity.second_derivative(F, H).cwiseProduct(G).sum(), 1e-13);
+    EXPECT_NEAR(ellipsoid.second_derivative(F, G).cwiseProduct(H).sum(),
+                ellipsoid.second_derivative(F, H).cwiseProduct(G).sum(), 1e-13);
   }
 }
 
 // V is homogeneous of degree −1; powers of two are exact, so the promise is bit for bit.
-TEST(SelfGravity, IsHomogeneousBitForBit) {
+TEST(EllipsoidGravity, IsHomogeneousBitForBit) {
   std::mt19937 generator(5);
   for (const Matrix3d& F : rotated_shapes())
     for (const double s : {0x1p+500, 0x1p-500, 0x1p+21, 0x1p+3}) {
       const Matrix3d H = random_matrix(generator);
-      EXPECT_EQ(gravity.energy(s * F) * s, gravity.energy(F));
-      EXPECT_EQ(gravity.gradient(s * F) * s * s, gravity.gradient(F));
-      EXPECT_EQ(gravity.second_derivative(s * F, s * H) * s * s, gravity.second_derivative(F, H));
+      EXPECT_EQ(ellipsoid.energy(s * F) * s, ellipsoid.energy(F));
+      EXPECT_EQ(ellipsoid.gradient(s * F) * s * s, ellipsoid.gradient(F));
+      EXPECT_EQ(ellipsoid.second_derivative(s * F, s * H) * s * s, ellipsoid.second_derivative(F, H));
     }
 }
 
 // J is conserved if (∂V/∂F)Fᵀ is symmetric, Z if Fᵀ ∂V/∂F is; forming these products costs a round-off of |∂V/∂F||F|.
-TEST(SelfGravity, ExertsNoTorqueAndNoCirculation) {
+TEST(EllipsoidGravity, ExertsNoTorqueAndNoCirculation) {
   std::mt19937 generator(6);
   double worst = 0;
   for (const auto& reference : references()) {
     const Vector3d a = reference.a / reference.a.maxCoeff();
     const Matrix3d F = rotated(random_rotation(generator), a, random_rotation(generator));
-    const Matrix3d force = gravity.gradient(F), torque = force * F.transpose(), circulation = F.transpose() * force;
+    const Matrix3d force = ellipsoid.gradient(F), torque = force * F.transpose(), circulation = F.transpose() * force;
     const double skew = std::max((torque - torque.transpose()).norm(), (circulation - circulation.transpose()).norm());
     worst = std::max(worst, skew / (force.norm() * F.norm()));
   }
@@ -215,17 +215,17 @@ TEST(SelfGravity, ExertsNoTorqueAndNoCirculation) {
   EXPECT_LE(worst, 10 * epsilon);
 }
 
-TEST(SelfGravity, InputThatIsNotFiniteOrHasNoVolumeComesOutAsNotFinite) {
+TEST(EllipsoidGravity, InputThatIsNotFiniteOrHasNoVolumeComesOutAsNotFinite) {
   for (const double bad : {double(NAN), double(INFINITY)})
     for (int i = 0; i < 9; ++i) {
       Matrix3d F = rotated_shapes()[3];
       F(i) = bad;
-      EXPECT_FALSE(std::isfinite(gravity.energy(F)));
-      EXPECT_FALSE(gravity.gradient(F).allFinite());
-      EXPECT_FALSE(gravity.second_derivative(F, Matrix3d::Identity()).allFinite());
+      EXPECT_FALSE(std::isfinite(ellipsoid.energy(F)));
+      EXPECT_FALSE(ellipsoid.gradient(F).allFinite());
+      EXPECT_FALSE(ellipsoid.second_derivative(F, Matrix3d::Identity()).allFinite());
     }
-  EXPECT_FALSE(gravity.gradient(Matrix3d::Zero()).allFinite());
-  EXPECT_FALSE(gravity.gradient(Vector3d(1, 0, 0).asDiagonal()).allFinite());
+  EXPECT_FALSE(ellipsoid.gradient(Matrix3d::Zero()).allFinite());
+  EXPECT_FALSE(ellipsoid.gradient(Vector3d(1, 0, 0).asDiagonal()).allFinite());
 }
 
 }  // namespace

@@ -17,12 +17,12 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "gravity/ellipsoid_integrals.h"
 #include "mechanics/core/principal_axes.h"
-#include "reduced/ellipsoid_integrals.h"
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::gravity {
 
-struct SelfGravity {
+struct EllipsoidGravity {
   double strength;  ///< k = (3/5) G M²
 
   double energy(const Eigen::Matrix3d& F) const {
@@ -66,4 +66,4 @@ struct SelfGravity {
   }
 };
 
-}  // namespace pseudorigid::reduced
+}  // namespace pseudorigid::gravity

@@ -1,0 +1,43 @@
+#pragma once
+/// Orthonormal polynomials on the unit ball, ∫φ_a φ_b dξ = δ_ab, by rising degree:
+///
+///   φ_nlm(ξ) = √(2n+3) P_s(2|ξ|² − 1) |ξ|^l Y_lm(ξ/|ξ|),   l = n, n − 2, … ≥ 0,   s = (n − l)/2,   m = −l … l,
+///
+/// with Jacobi's polynomials P_s = P_s^{(0, l+½)} and the real spherical harmonics Y_lm ~ cos mφ (m ≥ 0), sin |m|φ
+/// (m < 0) (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). Both factors come from recurrences in the
+/// Cartesian coordinates, so nothing is singular at the poles or the centre, and the basis has a condition of 1 at any
+/// degree. P_N has C(N+3, 3) of them, those of P_{N−1} first.
+///
+/// Each is even or odd in each coordinate.
+
+#include <array>
+#include <vector>
+
+namespace pseudorigid::polynomial {
+
+/// Bit i is set where a function is odd in ξ_i.
+using Parity = unsigned int;
+
+struct BallPolynomial {
+  int n, l, m;
+
+  Parity parity() const {
+    const int order = m < 0 ? -m : m;
+    const bool odd_in_y = m < 0, odd_in_x = (order % 2 == 1) != odd_in_y, odd_in_z = (l - order) % 2 == 1;
+    return (odd_in_x ? 1U : 0U) | (odd_in_y ? 2U : 0U) | (odd_in_z ? 4U : 0U);
+  }
+};
+
+/// Those of P_N, in order.
+std::vector<BallPolynomial> ball_polynomials(int N);
+
+/// A value and its gradient by ξ.
+struct Jet {
+  double value = 0;
+  std::array<double, 3> gradient{};
+};
+
+/// Values and gradients of all of P_N at a point, in the order of ball_polynomials.
+std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi);
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,101 @@
+#include "polynomial/constraint.h"
+
+#include <algorithm>
+
+#include "polynomial/dense_kernels.h"
+#include "polynomial/scratch.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+/// ∂u/∂X at the points.
+void gradient(const PolynomialSpace& space, const Eigen::VectorXd& u, double* F) {
+  space.gradients().evaluate(space.blocks(), 3, u.data(), F);
+}
+void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, double* A) {
+  ScratchArray F(space.gradients().size(3));
+  gradient(space, q, F);
+  inverse_transposed(space.n_points(), F, A);
+}
+/// r_b = Σ ψ_b y; y is changed.
+void test_with_pressures(const PolynomialSpace& space, double* y, Eigen::VectorXd& r) {
+  r.setZero();
+  space.pressures().add_transposed(space.pressure_blocks(), 1, y, r.data());
+}
+/// s ← w λ
+void weighted_pressure(const PolynomialSpace& space, const Eigen::VectorXd& lambda, double* s) {
+  space.pressures().evaluate(space.pressure_blocks(), 1, lambda.data(), s);
+  for (int p = 0; p < space.n_points(); ++p) s[p] *= space.weights()[p];
+}
+void clear(const PolynomialSpace& space, double* T) { std::fill_n(T, space.gradients().size(3), 0.0); }
+
+}  // namespace
+
+double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g) {
+  ScratchArray F(space.gradients().size(3)), y(space.n_points());
+  gradient(space, q, F);
+  const double least = log_jacobian(space.n_points(), space.weights().data(), F, y);
+  test_with_pressures(space, y, g);
+  return least;
+}
+
+void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                     Eigen::VectorXd& r) {
+  ScratchArray A(space.gradients().size(3)), B(space.gradients().size(3)), y(space.n_points());
+  inverse_gradient(space, q, A);
+  gradient(space, v, B);
+  weighted_product(space.n_points(), space.weights().data(), A, B, y);
+  test_with_pressures(space, y, r);
+}
+
+void constraint_curvature(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                          Eigen::VectorXd& r) {
+  ScratchArray A(space.gradients().size(3)), B(space.gradients().size(3)), y(space.n_points());
+  inverse_gradient(space, q, A);
+  gradient(space, v, B);
+  weighted_curvature(space.n_points(), space.weights().data(), A, B, y);
+  test_with_pressures(space, y, r);
+}
+
+void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
+                  Eigen::VectorXd& f) {
+  ScratchArray A(space.gradients().size(3)), T(space.gradients().size(3)), s(space.n_points());
+  inverse_gradient(space, q, A);
+  weighted_pressure(space, lambda, s);
+  clear(space, T);
+  add_multiple(space.n_points(), s, A, T);
+  space.gradients().add_transposed(space.blocks(), 3, T, f.data());
+}
+
+void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                       const Eigen::VectorXd& lambda, Eigen::VectorXd& f) {
+  ScratchArray A(space.gradients().size(3)), B(space.gradients().size(3)), T(space.gradients().size(3)),
+      s(space.n_points());
+  inverse_gradient(space, q, A);
+  gradient(space, v, B);
+  weighted_pressure(space, lambda, s);
+  clear(space, T);
+  add_rate_of_inverse(space.n_points(), s, A, B, T);
+  space.gradients().add_transposed(space.blocks(), 3, T, f.data());
+}
+
+ReactionsBetween::ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0)
+    : space_(space), A1_(space.gradients().size(3)), A0_(q1.data() == q0.data() ? 0 : A1_.size()) {
+  inverse_gradient(space, q1, A1_.data());
+  if (!A0_.empty()) inverse_gradient(space, q0, A0_.data());
+}
+
+void ReactionsBetween::multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product) const {
+  const double* A0 = A0_.empty() ? A1_.data() : A0_.data();
+  ScratchArray T(space_.gradients().size(3)), y(space_.n_points()), f(space_.n_unknowns());
+  weighted_pressure(space_, lambda, y);
+  clear(space_, T);
+  add_multiple(space_.n_points(), y, A0, T);
+  std::fill_n(static_cast<double*>(f), space_.n_unknowns(), 0.0);
+  space_.gradients().add_transposed(space_.blocks(), 3, T, f);
+  space_.gradients().evaluate(space_.blocks(), 3, f, T);
+  weighted_product(space_.n_points(), space_.weights().data(), A1_.data(), T, y);
+  test_with_pressures(space_, y, product);
+}
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,40 @@
+#pragma once
+/// The constraint of incompressible polynomial bodies and its derivatives,
+///
+///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
+///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   its rate along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
+///
+/// Vectors may have entries more than the space has unknowns; these are left as they are.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "polynomial/polynomial_space.h"
+
+namespace pseudorigid::polynomial {
+
+/// g; returns the least det F, without which g means nothing.
+double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
+void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                     Eigen::VectorXd& r);
+void constraint_curvature(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                          Eigen::VectorXd& r);
+/// f ← f + Gᵀλ
+void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
+                  Eigen::VectorXd& f);
+/// f ← f + the rate of Gᵀλ along v
+void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
+                       const Eigen::VectorXd& lambda, Eigen::VectorXd& f);
+
+/// S = G(q₁) G(q₀)ᵀ without a matrix.
+class ReactionsBetween {
+ public:
+  ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0);
+  void multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product) const;
+
+ private:
+  const PolynomialSpace& space_;
+  std::vector<double> A1_, A0_;  ///< F⁻ᵀ at the points
+};
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,253 @@
+#include "polynomial/dense_kernels.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <variant>
+
+#include "mechanics/core/lanes.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+constexpr int n_lanes = mechanics::native_lanes;
+using L = mechanics::Lanes<n_lanes>;
+using Tensor = materials::Tensor<L>;
+static_assert(point_block % n_lanes == 0);
+
+[[gnu::always_inline]] inline L load(const double* x) {
+  L lanes;
+  std::memcpy(&lanes.v, x, sizeof lanes.v);
+  return lanes;
+}
+[[gnu::always_inline]] inline void store(const L& lanes, double* x) { std::memcpy(x, &lanes.v, sizeof lanes.v); }
+
+/// The tensor at the points p, p + 1, … of a field.
+[[gnu::always_inline]] inline Tensor load(const double* field, int n, int p) {
+  const auto entry = [&](int k) { return load(field + static_cast<long>(k) * n + p); };
+  return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
+}
+[[gnu::always_inline]] inline void store(const Tensor& T, double* field, int n, int p) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) store(T(i, j), field + static_cast<long>(3 * i + j) * n + p);
+}
+
+[[gnu::always_inline]] inline Tensor add(const Tensor& A, const Tensor& B) {
+  return materials::entrywise([](const L& a, const L& b) { return a + b; }, A, B);
+}
+[[gnu::always_inline]] inline Tensor transposed(const Tensor& A) {
+  return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
+}
+
+/// n_vectors vectors of y at e = first, …
+template <int n_vectors>
+[[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
+                                                 int first) {
+  L sums[n_vectors];
+  for (L& sum : sums) sum = 0;
+  for (int a = 0; a < n; ++a) {
+    const double* row = table + static_cast<long>(a) * length + first;
+    const L factor = c[a];
+    for (int k = 0; k < n_vectors; ++k) sums[k] += factor * load(row + k * n_lanes);
+  }
+  for (int k = 0; k < n_vectors; ++k) store(sums[k], y + first + k * n_lanes);
+}
+
+/// Rows a = first, …, n_rows of them.
+template <int n_rows>
+[[gnu::always_inline]] inline void contract_rows(const double* table, int length, const double* y, double* c,
+                                                 int first) {
+  L sums[n_rows];
+  for (L& sum : sums) sum = 0;
+  for (int e = 0; e < length; e += n_lanes) {
+    const L value = load(y + e);
+    for (int k = 0; k < n_rows; ++k) sums[k] += value * load(table + static_cast<long>(first + k) * length + e);
+  }
+  for (int k = 0; k < n_rows; ++k) c[first + k] += sums[k].sum(n_lanes);
+}
+
+/// C_ij for n_rows rows of A and n_columns of B.
+template <int n_rows, int n_columns>
+[[gnu::always_inline]] inline void multiply_block(const double* A, const double* B, int n, int length, double* C,
+                                                  int i0, int j0) {
+  L sums[n_rows][n_columns];
+  for (auto& row : sums)
+    for (L& sum : row) sum = 0;
+  for (int e = 0; e < length; e += n_lanes) {
+    L b[n_columns];
+    for (int j = 0; j < n_columns; ++j) b[j] = load(B + static_cast<long>(j0 + j) * length + e);
+    for (int i = 0; i < n_rows; ++i) {
+      const L a = load(A + static_cast<long>(i0 + i) * length + e);
+      for (int j = 0; j < n_columns; ++j) sums[i][j] += a * b[j];
+    }
+  }
+  for (int i = 0; i < n_rows; ++i)
+    for (int j = 0; j < n_columns; ++j) C[static_cast<long>(i0 + i) * n + j0 + j] += sums[i][j].sum(n_lanes);
+}
+
+template <int n_rows>
+void multiply_rows(const double* A, const double* B, int n, int length, double* C, int i0) {
+  constexpr int n_columns = 4;
+  int j = 0;
+  for (; j + n_columns <= n; j += n_columns) multiply_block<n_rows, n_columns>(A, B, n, length, C, i0, j);
+  for (; j < n; ++j) multiply_block<n_rows, 1>(A, B, n, length, C, i0, j);
+}
+
+/// Calls visitor(law, p) for the first point p of every vector.
+template <class Visitor>
+void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
+  std::visit(
+      [&](const auto& known) {
+        for (int p = 0; p < n; p += n_lanes) visitor(known, p);
+      },
+      law);
+}
+
+/// ∂U/∂F = (κ/2)(J − 1/J) cof F
+[[gnu::always_inline]] inline Tensor volumetric_stress(double kappa, const Tensor& F) {
+  const Tensor cof = materials::cofactor(F);
+  const L J = materials::determinant(F, cof);
+  return L(0.5 * kappa) * (J - 1.0 / J) * cof;
+}
+[[gnu::always_inline]] inline Tensor volumetric_stress_rate(double kappa, const Tensor& F, const Tensor& H) {
+  const Tensor cof = materials::cofactor(F);
+  const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);
+  return add(L(0.5 * kappa) * (1.0 + 1.0 / (J * J)) * rate * cof,
+             L(0.5 * kappa) * (J - 1.0 / J) * materials::cofactor_derivative(F, H));
+}
+
+}  // namespace
+
+void combine(const double* table, int n, int length, const double* c, double* y) {
+  constexpr int n_vectors = 4;
+  int first = 0;
+  for (; first + n_vectors * n_lanes <= length; first += n_vectors * n_lanes)
+    combine_block<n_vectors>(table, n, length, c, y, first);
+  for (; first < length; first += n_lanes) combine_block<1>(table, n, length, c, y, first);
+}
+
+void contract(const double* table, int n, int length, const double* y, double* c) {
+  constexpr int n_rows = 4;
+  int a = 0;
+  for (; a + n_rows <= n; a += n_rows) contract_rows<n_rows>(table, length, y, c, a);
+  for (; a < n; ++a) contract_rows<1>(table, length, y, c, a);
+}
+
+void multiply_transposed(const double* A, int m, const double* B, int n, int length, double* C) {
+  constexpr int n_rows = 4;
+  int i = 0;
+  for (; i + n_rows <= m; i += n_rows) multiply_rows<n_rows>(A, B, n, length, C, i);
+  for (; i < m; ++i) multiply_rows<1>(A, B, n, length, C, i);
+}
+
+double stress(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T) {
+  L least = std::numeric_limits<double>::infinity();
+  for_each_vector(law, n, [&]<class Law>(const Law& known, int p) {
+    const Tensor f = load(F, n, p);
+    least = min(materials::determinant(f), least);
+    if constexpr (materials::is_limited<Law>) least = min(known.reserve(f), least);
+    Tensor P = known.stress(f);
+    if (kappa != 0) P = add(P, volumetric_stress(kappa, f));
+    store(load(w + p) * P, T, n, p);
+  });
+  return least.least(n_lanes);
+}
+
+void stress_rate(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, const double* H,
+                 double* T) {
+  for_each_vector(law, n, [&](const auto& known, int p) {
+    const Tensor f = load(F, n, p), h = load(H, n, p);
+    Tensor P = known.tangent(f, h);
+    if (kappa != 0) P = add(P, volumetric_stress_rate(kappa, f, h));
+    store(load(w + p) * P, T, n, p);
+  });
+}
+
+EnergySums energy(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F) {
+  L elastic = 0, volumetric = 0;
+  for_each_vector(law, n, [&](const auto& known, int p) {
+    const Tensor f = load(F, n, p);
+    elastic += load(w + p) * known.energy(f);
+    if (kappa == 0) return;
+    const L J = materials::determinant(f);
+    volumetric += load(w + p) * (0.25 * kappa) * (J * J - 1.0 - 2.0 * log(J));
+  });
+  return {elastic.sum(n_lanes), volumetric.sum(n_lanes)};
+}
+
+double log_jacobian(int n, const double* w, const double* F, double* y) {
+  L least = std::numeric_limits<double>::infinity();
+  for (int p = 0; p < n; p += n_lanes) {
+    const L J = materials::determinant(load(F, n, p));
+    least = min(J, least);
+    store(load(w + p) * log1p(J - 1.0), y + p);
+  }
+  return least.least(n_lanes);
+}
+
+double jacobian(int n, const double* F, double* J) {
+  L least = std::numeric_limits<double>::infinity();
+  for (int p = 0; p < n; p += n_lanes) {
+    const L det = materials::determinant(load(F, n, p));
+    least = min(det, least);
+    store(det, J + p);
+  }
+  return least.least(n_lanes);
+}
+
+void inverse_transposed(int n, const double* F, double* A) {
+  for (int p = 0; p < n; p += n_lanes) {
+    const Tensor f = load(F, n, p), cof = materials::cofactor(f);
+    store(1.0 / materials::determinant(f, cof) * cof, A, n, p);
+  }
+}
+
+void add_multiple(int n, const double* s, const double* A, double* T) {
+  for (int p = 0; p < n; p += n_lanes) store(add(load(T, n, p), load(s + p) * load(A, n, p)), T, n, p);
+}
+
+void weighted_product(int n, const double* w, const double* A, const double* B, double* y) {
+  for (int p = 0; p < n; p += n_lanes) store(load(w + p) * materials::dot(load(A, n, p), load(B, n, p)), y + p);
+}
+
+void weighted_curvature(int n, const double* w, const double* A, const double* B, double* y) {
+  for (int p = 0; p < n; p += n_lanes) {
+    const Tensor rate = materials::transposed_product(load(A, n, p), load(B, n, p));
+    store(-(load(w + p) * materials::trace_of_square(rate)), y + p);
+  }
+}
+
+void add_rate_of_inverse(int n, const double* s, const double* A, const double* B, double* T) {
+  for (int p = 0; p < n; p += n_lanes) {
+    const Tensor a = load(A, n, p), rate = materials::product(materials::product(a, transposed(load(B, n, p))), a);
+    store(add(load(T, n, p), -load(s + p) * rate), T, n, p);
+  }
+}
+
+double add_viscous_stress(int n, const double* w, double eta, const double* F, const double* A, const double* B,
+                          double* T) {
+  L power = 0;
+  for (int p = 0; p < n; p += n_lanes) {
+    const Tensor a = load(A, n, p), L_t = materials::product(a, transposed(load(B, n, p)));
+    const Tensor d = L(0.5) * add(L_t, transposed(L_t));
+    const L strength = load(w + p) * (2 * eta) * materials::determinant(load(F, n, p));
+    power += strength * materials::dot(d, d);
+    store(add(load(T, n, p), strength * materials::product(d, a)), T, n, p);
+  }
+  return power.sum(n_lanes);
+}
+
+void transform_images(double* slots, int n_images, int length) {
+  for (int half = 1; half < n_images; half *= 2)
+    for (int first = 0; first < n_images; first += 2 * half)
+      for (int slot = first; slot < first + half; ++slot) {
+        double *x = slots + static_cast<long>(slot) * length, *y = x + static_cast<long>(half) * length;
+        for (int e = 0; e < length; e += n_lanes) {
+          const L a = load(x + e), b = load(y + e);
+          store(a + b, x + e);
+          store(a - b, y + e);
+        }
+      }
+}
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,58 @@
+#pragma once
+/// Solution of the Gram systems of the constraint ∫ψ ln J dX = 0,
+///
+///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
+///
+/// S is small and dense. Its Cholesky factor at an earlier position q_f is kept: with S_f = G(q_f)G(q_f)ᵀ,
+///
+///   λ ← λ + S_f⁻¹ (r − S λ)
+///
+/// contracts by the relative change of S since. Products with S need no matrix. S is factored anew where the iteration
+/// is slow, and as soon as the iterations that a new factor would have spared have cost as much as it does, so the cost
+/// is at most twice the least.
+
+#include <Eigen/Cholesky>
+
+#include "mechanics/core/status.h"
+#include "polynomial/polynomial_space.h"
+
+namespace pseudorigid::polynomial {
+
+class GramSolver {
+ public:
+  explicit GramSolver(const PolynomialSpace& space);
+
+  /// λ with |r − Sλ|_∞ at most 10⁻⁴ |r|_∞ or `enough`, whichever is larger.
+  mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
+                               double enough, Eigen::VectorXd& lambda);
+
+  long n_factorizations() const { return n_factorizations_; }
+
+  /// The position of the factor, and what has been spent beside it.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    visit(position_);
+    visit(is_known_);
+    visit(spent_);
+  }
+
+ private:
+  bool factor(const Eigen::VectorXd& q);
+  bool ensure_factor(const Eigen::VectorXd& q0);
+  double iteration_cost() const;
+  double factorization_cost() const;
+
+  const PolynomialSpace* space_;
+  std::vector<double> weighted_pressures_;  ///< [function][point]: w ψ
+  Eigen::VectorXd position_;                ///< where the factor was made, or is to be made
+  bool is_known_ = false;                   ///< position_ is one
+  double spent_ = 0;                        ///< on iterations since
+  Eigen::VectorXd factored_at_;             ///< of what is in factor_; empty: nothing
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  long n_factorizations_ = 0;
+};
+
+/// G(q): one row a pressure function, one column an unknown.
+Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q);
+
+}  // namespace pseudorigid::polynomial

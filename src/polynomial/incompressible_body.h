@@ -1,0 +1,80 @@
+#pragma once
+/// The incompressible polynomial body as a constrained system of the mechanics core:
+///
+///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
+///
+/// A pressure on the surface is carried by the constraint and is no force here. λ = Σλ_bψ_b is the Kirchhoff pressure
+/// Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
+
+#include <cmath>
+
+#include "mechanics/core/constraint_newton.h"
+#include "polynomial/constraint.h"
+#include "polynomial/gram_solver.h"
+#include "polynomial/polynomial_body.h"
+
+namespace pseudorigid::polynomial {
+
+class IncompressibleBody : public PolynomialBody {
+ public:
+  using Multiplier = Eigen::VectorXd;
+  struct Workspace {
+    GramSolver gram;
+    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, maximum norm
+
+    template <class Visit>
+    void visit_memory(Visit&& visit) {
+      gram.visit_memory(visit);
+    }
+  };
+  static constexpr int n_constraints = mechanics::dynamic_constraints;
+
+  explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
+
+  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace&, Vector& f) const {
+    return applied_force(t, q, v, f);
+  }
+  mechanics::Status constraint(const Vector& q, Multiplier& g) const {
+    const double least = polynomial::constraint(space(), q, g);
+    return least > 0 && std::isfinite(least) ? mechanics::Status() : inadmissible(q);
+  }
+  void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const {
+    polynomial::constraint_rate(space(), q, v, r);
+  }
+  void constraint_curvature(const Vector& q, const Vector& v, Multiplier& r) const {
+    polynomial::constraint_curvature(space(), q, v, r);
+  }
+  void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
+    polynomial::add_reaction(space(), q, lambda, f);
+  }
+  void add_reaction_rate(const Vector& q, const Vector& v, const Multiplier& lambda, Vector& f) const {
+    polynomial::add_reaction_rate(space(), q, v, lambda, f);
+  }
+  mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& workspace,
+                                    Multiplier& lambda) const {
+    return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);
+  }
+  /// |g|_∞ and |Gv|_∞ that count as zero: a few units of round-off of the sums over the points.
+  double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
+  /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J|.
+  double multiplier_scale() const { return std::sqrt(space().volume()); }
+
+  Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }
+  Workspace make_workspace() const { return {GramSolver(space()), 0}; }
+
+  /// (1/m̄) ∫p dV of the true pressure, m̄ = tr E₀/3: with self-gravity the gauge of its energy is taken out, as in the
+  /// continuum (gravity/surface_gravity.h).
+  double mean_multiplier(const Vector& q, const Multiplier& lambda) const {
+    const double of_gravity = gravity() ? gravity()->energy(q) / 3 : 0;
+    const int constant = space().pressure_place(0);
+    return (lambda[constant] * std::sqrt(space().volume()) - of_gravity) / (space().inertia().sum() / 3);
+  }
+
+ private:
+  static BodySetup without_pressure(BodySetup setup) {
+    setup.loads = loads::at_constant_volume(setup.loads);
+    return setup;
+  }
+};
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,206 @@
+#include "polynomial/polynomial_body.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "polynomial/dense_kernels.h"
+#include "polynomial/scratch.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+/// ∂F/∂X entries at one point as a matrix.
+Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
+  Eigen::Matrix3d F;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) F(i, k) = field[static_cast<std::ptrdiff_t>(3 * i + k) * n + p];
+  return F;
+}
+
+/// Axes whose turns leave the symmetry planes as they are.
+std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
+  std::vector<int> axes;
+  for (int i = 0; i < 3; ++i) {
+    const bool free = !(reflect[(i + 1) % 3] || reflect[(i + 2) % 3]);
+    if (free) axes.push_back(i);
+  }
+  return axes;
+}
+
+bool depends_on_direction(const loads::Forcing& f) {
+  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0);
+}
+
+double sum_of_products(const std::vector<double>& w, const double* y, int n) {
+  double sum = 0;
+  for (int p = 0; p < n; ++p) sum += w[p] * y[p];
+  return sum;
+}
+
+}  // namespace
+
+PolynomialBody::PolynomialBody(const BodySetup& s)
+    : space_(std::make_shared<PolynomialSpace>(s.degree, s.reflect, s.semi_axes)),
+      law_(s.law),
+      volumetric_stiffness_(s.volumetric_stiffness),
+      loads_(s.loads),
+      constant_(loads::constant_forcing(s.loads)),
+      driven_(loads::depend_on_time(s.loads)) {
+  if (!depends_on_direction(constant_) && !driven_) turns_ = free_turns(s.reflect);
+  if (const double G = constant_.gravity_constant; G > 0)
+    gravity_ = std::make_shared<BodyGravity>(G, space_, s.n_gravity_points);
+}
+
+PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {
+  Vector x = make_vector();
+  space_->set_affine(A, c, x.head(space_->n_unknowns()));
+  return x;
+}
+
+mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, Vector& f) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  const double least = stress(law_, volumetric_stiffness_, n, space_->weights().data(), F, T);
+  if (!(least > 0 && std::isfinite(least))) return inadmissible(q);
+  const loads::Forcing now = driven_ ? loads::driving(loads_, t) : loads::Forcing{};
+  if (const double p = constant_.pressure + now.pressure; p != 0) {
+    ScratchArray A(space_->gradients().size(3)), wJ(n);
+    inverse_transposed(n, F, A);
+    jacobian(n, F, wJ);
+    for (int i = 0; i < n; ++i) wJ[i] *= p * space_->weights()[i];
+    add_multiple(n, wJ, A, T);
+  }
+  const double taken = constant_.viscosity != 0 ? add_dissipation(v, F, T) : 0;
+  const double given = driven_ ? external_energy(loads::driving_rate(loads_, t), q, F) : 0;
+  f.setZero();
+  space_->gradients().add_transposed(space_->blocks(), 3, T, f.data());
+  f = -f;
+  add_loads(constant_, q, f);
+  if (driven_) add_loads(now, q, f);
+  if (gravity_) gravity_->add_force(q, f);
+  if (n_accounts() == 0) return {};
+  const int n_unknowns = space_->n_unknowns();
+  f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
+  f[n_unknowns] = taken + constant_.drag * v.head(n_unknowns).squaredNorm();
+  f[n_unknowns + 1] = given;
+  return {};
+}
+
+/// All but pressure and what dissipates.
+void PolynomialBody::add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const {
+  const auto& space = *space_;
+  if (!forcing.nominal_traction.isZero(0))
+    space.add_uniform_stress(forcing.nominal_traction, f.head(space.n_unknowns()));
+  if (!forcing.acceleration.isZero(0))
+    for (int i = 0; i < 3; ++i)
+      if (const int at = space.place(i, 0); at >= 0) f[at] += forcing.acceleration[i] * std::sqrt(space.volume());
+  if (forcing.quadratic.isZero(0)) return;
+  const int n_functions = space.n_functions();
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      if (forcing.quadratic(i, j) == 0) continue;
+      for (int a = 0; a < n_functions; ++a)
+        if (const int at_i = space.place(i, a), at_j = space.place(j, a); at_i >= 0 && at_j >= 0)
+          f[at_i] -= forcing.quadratic(i, j) * q[at_j];
+    }
+}
+
+double PolynomialBody::external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const {
+  if (!forcing.present()) return 0;
+  const auto& space = *space_;
+  const auto x = q.head(space.n_unknowns());
+  Vector of_traction = Vector::Zero(space.n_unknowns());
+  space.add_uniform_stress(forcing.nominal_traction, of_traction);
+  double energy = 0.5 * forcing.quadratic.cwiseProduct(space.moment(x, x)).sum() -
+                  space.volume() * forcing.acceleration.dot(space.mean(x)) - of_traction.dot(x);
+  if (forcing.pressure == 0) return energy;
+  ScratchArray J(space.n_points());
+  jacobian(space.n_points(), F, J);
+  return energy + forcing.pressure * sum_of_products(space.weights(), J, space.n_points());
+}
+
+double PolynomialBody::add_dissipation(const Vector& v, const double* F, double* T) const {
+  const int n = space_->n_points();
+  ScratchArray A(space_->gradients().size(3)), B(space_->gradients().size(3));
+  inverse_transposed(n, F, A);
+  space_->gradients().evaluate(space_->blocks(), 3, v.data(), B);
+  return add_viscous_stress(n, space_->weights().data(), constant_.viscosity, F, A, B, T);
+}
+
+PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  const EnergySums stored = energy(law_, volumetric_stiffness_, n, space_->weights().data(), F);
+  PotentialEnergies V{.elastic = stored.elastic + stored.volumetric, .volumetric = stored.volumetric};
+  if (gravity_) V.gravitational = gravity_->energy(q);
+  V.external = external_energy(constant_, q, F);
+  if (driven_) V.external += external_energy(loads::driving(loads_, t), q, F);
+  return V;
+}
+
+double PolynomialBody::potential_energy(const Vector& q) const {
+  if (!admissible(q)) return std::numeric_limits<double>::infinity();
+  return potential_energies(0, q).total();
+}
+
+void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
+  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // ê x has (ê x)_j = −x_k, (ê x)_k = x_j
+  dq.setZero();
+  dv.setZero();
+  for (int a = 0; a < space_->n_functions(); ++a) {
+    const int at_j = space_->place(j, a), at_k = space_->place(k, a);
+    if (at_j < 0 || at_k < 0) continue;
+    dq[at_j] = -q[at_k];
+    dq[at_k] = q[at_j];
+    dv[at_j] = -v[at_k];
+    dv[at_k] = v[at_j];
+  }
+}
+
+mechanics::Status PolynomialBody::admissible(const Vector& q) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  const double least = stress(law_, 0, n, space_->weights().data(), F, T);
+  return least > 0 && std::isfinite(least) ? mechanics::Status() : inadmissible(q);
+}
+
+mechanics::Status PolynomialBody::inadmissible(const Vector& q) const {
+  if (const auto limit = materials::limit_of(law_);
+      !limit.empty() && least(q, [](const Eigen::Matrix3d& F) { return F.determinant(); }) > 0)
+    return mechanics::Status::failure(materials::beyond_limit(limit));
+  return mechanics::Status::failure("the body is turned inside out or is not finite: " + least_jacobian_in_words(q));
+}
+
+std::string PolynomialBody::least_jacobian_in_words(const Vector& q) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3)), J(n);
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  jacobian(n, F, J);
+  int place = 0;
+  for (int p = 1; p < n; ++p)
+    if (J[p] < J[place] || std::isnan(J[p])) place = p;
+  const auto& xi = space_->points()[place];
+  const auto& s = space_->semi_axes();
+  char text[120];
+  std::snprintf(text, sizeof text, "det F = %.3g at X/r = (%.3f, %.3f, %.3f)", J[place], s[0] * xi[0], s[1] * xi[1],
+                s[2] * xi[2]);
+  return text;
+}
+
+double PolynomialBody::least(const Vector& q, double (*value)(const Eigen::Matrix3d& F)) const {
+  const int n = space_->n_points();
+  ScratchArray F(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  double least = std::numeric_limits<double>::infinity();
+  for (int p = 0; p < n; ++p) {
+    const double at_point = value(tensor_at(F, n, p));
+    if (at_point < least || std::isnan(at_point)) least = at_point;
+  }
+  return least;
+}
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,111 @@
+#pragma once
+/// Polynomial bodies: higher-order pseudo-rigid bodies (Cohen and Muncaster 1988; Papadopoulos 2001) of degree N,
+///
+///   x = Σ q_ia φ_a(X) e_i,   q̈ = −∂V/∂q + loads   [+ Gᵀλ,   g_b = ∫ψ_b ln J dX = 0,   incompressible_body.h]
+///   V(q) = ∫W(F) + U(J) dX + Ê + V_e,   F = ∂x/∂X
+///
+/// the generalized Newton law (Oliva 5.3–5.4) on the coefficients of an orthonormal basis, so that the mass is the
+/// identity (polynomial_space.h). N = 1 is the pseudo-rigid body; N → ∞ is the continuum. U is the volumetric
+/// stabilisation (κ/4)(J² − 1 − ln J²), 0 unless asked for. Loads are those of loads/forcing.h:
+///
+///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
+///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
+///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
+///
+/// With dissipation, or with loads that depend on time, two numbers more, s and s', obey s̈ = the power that dissipation
+/// takes, s̈' = the power that a change of the loads gives: their velocities are the energies taken and given.
+///
+/// All integrals are of the whole body, in internal units.
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "loads/list.h"
+#include "materials/law_table.h"
+#include "mechanics/core/constrained_system.h"
+#include "polynomial/body_gravity.h"
+#include "polynomial/polynomial_space.h"
+
+namespace pseudorigid::polynomial {
+
+/// What a body is made of and what acts on it.
+struct BodySetup {
+  int degree = 3;
+  std::array<bool, 3> reflect{};  ///< the symmetry planes of the motion
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Ones();
+  materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
+  double volumetric_stiffness = 0;  ///< κ
+  loads::Loads loads{};
+  std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
+};
+
+struct PotentialEnergies {
+  double elastic = 0;  ///< with the volumetric part
+  double volumetric = 0, gravitational = 0, external = 0;
+  double total() const { return elastic + gravitational + external; }
+};
+
+class PolynomialBody {
+ public:
+  using Vector = Eigen::VectorXd;
+
+  explicit PolynomialBody(const BodySetup& setup);
+
+  void apply_inverse_mass(const Vector& f, Vector& a) const { a = f; }
+  void apply_mass(const Vector& v, Vector& f) const { f = v; }
+  bool time_dependent() const { return driven_; }
+  bool velocity_dependent() const { return constant_.dissipative(); }
+  bool dissipative() const { return constant_.dissipative(); }
+  Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
+
+  double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
+  /// Of the loads that do not depend on time; not finite where some det F ≤ 0.
+  double potential_energy(const Vector& q) const;
+  PotentialEnergies potential_energies(double t, const Vector& q) const;
+  /// The turns of space about axes that the symmetry planes leave free, where no load depends on the direction.
+  int n_symmetries() const { return static_cast<int>(turns_.size()); }
+  void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
+
+  const PolynomialSpace& space() const { return *space_; }
+  const materials::AnyLaw& law() const { return law_; }
+  /// Null without self-gravity.
+  const BodyGravity* gravity() const { return gravity_.get(); }
+  double volumetric_stiffness() const { return volumetric_stiffness_; }
+  const loads::Forcing& constant_forcing() const { return constant_; }
+
+  /// x = c + A X; velocities likewise.
+  Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
+  double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
+
+  /// Whether x is a deformation of this body, and if not why and where.
+  mechanics::Status admissible(const Vector& q) const;
+  /// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)" of the least det F over the points of integration.
+  std::string least_jacobian_in_words(const Vector& q) const;
+  /// The least value of a function of F over the points of integration.
+  double least(const Vector& q, double (*value)(const Eigen::Matrix3d& F)) const;
+
+ protected:
+  /// f of all but reactions.
+  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, Vector& f) const;
+  [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
+
+ private:
+  int n_accounts() const { return driven_ || constant_.dissipative() ? 2 : 0; }
+  void add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const;
+  double external_energy(const loads::Forcing& forcing, const Vector& q, const double* F) const;
+  double add_dissipation(const Vector& v, const double* F, double* T) const;
+
+  std::shared_ptr<const PolynomialSpace> space_;
+  materials::AnyLaw law_;
+  double volumetric_stiffness_;
+  loads::Loads loads_;
+  loads::Forcing constant_;  ///< of the loads that do not depend on time
+  bool driven_;              ///< there are others
+  std::vector<int> turns_;   ///< axes of the symmetries
+  std::shared_ptr<const BodyGravity> gravity_;
+};
+
+}  // namespace pseudorigid::polynomial

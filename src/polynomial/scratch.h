@@ -1,0 +1,35 @@
+#pragma once
+/// Arrays for the time of a function, kept for the next one: a step of a small body allocates nothing.
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pseudorigid::polynomial {
+
+/// n numbers of any value. Arrays end in the reverse order of their beginning.
+class ScratchArray {
+ public:
+  explicit ScratchArray(std::size_t n) {
+    auto& kept = kept_arrays();
+    if (!kept.empty()) {
+      numbers_ = std::move(kept.back());
+      kept.pop_back();
+    }
+    if (numbers_.size() < n) numbers_.resize(n);
+  }
+  ~ScratchArray() { kept_arrays().push_back(std::move(numbers_)); }
+  ScratchArray(const ScratchArray&) = delete;
+  ScratchArray& operator=(const ScratchArray&) = delete;
+
+  operator double*() { return numbers_.data(); }
+
+ private:
+  static std::vector<std::vector<double>>& kept_arrays() {
+    thread_local std::vector<std::vector<double>> kept;
+    return kept;
+  }
+  std::vector<double> numbers_;
+};
+
+}  // namespace pseudorigid::polynomial
