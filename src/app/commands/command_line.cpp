@@ -1,7 +1,9 @@
 #include "app/commands/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "scene/user_error.h"
 
@@ -31,6 +33,14 @@ scene::Format format_of(const std::string& name) {
   throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
 }
 
+/// Names the directory of the scenes that are installed with the program; empty where it is not installed.
+std::string note_on_scenes() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto scenes = program.parent_path().parent_path() / "share" / "pseudorigid" / "params";
+  return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
+}
+
 }  // namespace
 
 Options parse_command_line(int argc, const char* const* argv) {
@@ -39,9 +49,10 @@ Options parse_command_line(int argc, const char* const* argv) {
                "pseudorigid"};
   app.set_version_flag("--version", "version");
   app.require_subcommand(0, 1);
-  app.footer(
-      "Exit codes: 0 done; 2 the input is wrong; 3 the run could not go on or was interrupted (--resume\n"
-      "continues it); 1 a defect of the program.");
+  app.footer(std::string() +
+             "Exit codes: 0 done; 2 the input is wrong; 3 the run could not go on or was interrupted (--resume\n"
+             "continues it); 1 a defect of the program." +
+             note_on_scenes());
 
   bool quiet = false, verbose = false;
   auto* run = app.add_subcommand("run", "Run a scene and write its results");

@@ -114,7 +114,7 @@ class GramSolver::Impl {
       Impl& self;
       mutable bool asked_of_zero;
       void vmult(Vector& result, const Vector& multiplier) const {
-        if (std::exchange(asked_of_zero, false))
+        if (std::exchange(asked_of_zero, false) && multiplier.all_zero())
           result = 0.0;
         else
           self.multiply(result, multiplier);
@@ -125,17 +125,22 @@ class GramSolver::Impl {
       void vmult(Vector& result, const Vector& r) const { self.apply(result, r); }
     };
     using Gmres = dealii::SolverGMRES<Vector>;
-    constexpr int n_basis = 40;
     constexpr bool on_the_right = true;
+    constexpr int n_basis = 40;
+#if DEAL_II_VERSION_GTE(9, 6, 0)
+    const Gmres::AdditionalData settings(n_basis, on_the_right, true, false, false,
+                                         dealii::LinearAlgebra::OrthogonalizationStrategy::modified_gram_schmidt);
+#else
+    const Gmres::AdditionalData settings(n_basis + 2, on_the_right);
+#endif
     const bool dense = method_ == GramMethod::dense, conjugate = !dense && q1_ == q0_;
-    const Gram gram{*this, !conjugate};  // GMRES first multiplies the start, λ = 0
+    const Gram gram{*this, !conjugate};  // GMRES of deal.II 9.4 multiplies the start, λ = 0
     dealii::SolverControl control(dense ? n_basis : 200, tolerance, false, false);
     try {
       if (conjugate)
         dealii::SolverCG<Vector>(control).solve(gram, lambda, r, Preconditioner{*preconditioner_});
       else
-        Gmres(control, Gmres::AdditionalData(n_basis + 2, on_the_right))
-            .solve(gram, lambda, r, Preconditioner{*preconditioner_});
+        Gmres(control, settings).solve(gram, lambda, r, Preconditioner{*preconditioner_});
     } catch (const dealii::SolverControl::NoConvergence&) {
       return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
               static_cast<int>(control.last_step())};

@@ -82,8 +82,7 @@ TwoLevelGram::~TwoLevelGram() {
 }
 
 void TwoLevelGram::number_functions() {
-  dealii::IndexSet on_own_cells;
-  dealii::DoFTools::extract_locally_active_dofs(dof_handler_, on_own_cells);
+  const dealii::IndexSet on_own_cells = dealii::DoFTools::extract_locally_active_dofs(dof_handler_);
   const auto partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(dof_handler_.locally_owned_dofs(),
                                                                                  on_own_cells, space_.communicator());
   restricted_.reinit(partitioner);
@@ -125,8 +124,7 @@ void TwoLevelGram::project_functions() {
 }
 
 void TwoLevelGram::make_coarse_matrix() {
-  dealii::IndexSet relevant;
-  dealii::DoFTools::extract_locally_relevant_dofs(dof_handler_, relevant);
+  const dealii::IndexSet relevant = dealii::DoFTools::extract_locally_relevant_dofs(dof_handler_);
   dealii::DynamicSparsityPattern pattern(relevant);
   for (const auto& functions : cell_functions_)
     for (const auto i : functions) pattern.add_entries(i, functions.begin(), functions.end());

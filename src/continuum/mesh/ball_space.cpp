@@ -43,8 +43,7 @@ BallSpace::BallSpace(BallMesh mesh, int degree, bool with_account)
 void BallSpace::number_nodes(bool with_account) {
   dof_handler_ = std::make_unique<dealii::DoFHandler<3>>(mesh_.triangulation());
   dof_handler_->distribute_dofs(element_);
-  dealii::IndexSet on_own_cells;
-  dealii::DoFTools::extract_locally_active_dofs(*dof_handler_, on_own_cells);
+  const dealii::IndexSet on_own_cells = dealii::DoFTools::extract_locally_active_dofs(*dof_handler_);
   const unsigned int n_all = n_global_nodes() + (with_account ? 1 : 0);
   dealii::IndexSet own = components_of(dof_handler_->locally_owned_dofs(), n_all);
   if (with_account && dof_handler_->locally_owned_dofs().is_element(n_all - 2)) {

@@ -1,0 +1,84 @@
+"""`cmake --install` into an empty directory: what is there runs from anywhere, says what the program says, and goes away
+again. One test, since there is one list of installed files in a build directory."""
+import json
+import os
+import pathlib
+import re
+import subprocess
+
+from program_test import ProgramTest, SOURCE, main
+
+
+class Installation(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.build = self.program.parents[1]
+        self.prefix = self.scratch / "prefix"
+        self.home = self.scratch / "home"
+        self.home.mkdir()
+
+    def shell(self, *command, **options):
+        return subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True,
+                              cwd=self.home, **options).stdout
+
+    def test_what_is_installed_works_and_can_be_removed(self):
+        self.shell("cmake", "--install", self.build, "--prefix", self.prefix)
+        self.program = self.prefix / "bin" / "pseudorigid"
+        self.shares = self.prefix / "share"
+        self.check_scenes()
+        self.check_manual()
+        self.check_completion()
+        self.check_pages()
+        self.shell("cmake", "-P", self.build / "uninstall.cmake")
+        left = [path for path in self.files("prefix") if (self.prefix / path).is_file() or "pseudorigid" in path]
+        self.assertEqual(left, [])
+
+    def check_scenes(self):
+        scenes = self.shares / "pseudorigid" / "params"
+        self.assertEqual({path.name for path in scenes.iterdir()}, {path.name for path in (SOURCE / "params").iterdir()})
+        self.assertIn(str(scenes), self.run_done("--help").stdout)
+        # Both programs, and both models.
+        self.run_done("run", scenes / "quickstart.prm", "--set", "Time/End=0.5", cwd=self.home)
+        manifest = json.loads((self.home / "output" / "quickstart" / "manifest.json").read_text())
+        self.assertEqual((manifest["state"], sorted(manifest["models"])), ("done", ["continuum", "reduced"]))
+        # A scene finds its mesh beside it.
+        self.run_done("check", scenes / "rough_ball.prm", cwd=self.home)
+
+    def check_manual(self):
+        page = (self.shares / "man" / "man1" / "pseudorigid.1").read_text().replace("\\-", "-")
+        entries = json.loads(self.run_done("parameters", "--format", "json").stdout)
+        self.assertGreater(len(entries), 50)
+        for entry in entries:
+            self.assertIn(f'.BR "{entry["entry"]}" ', page)
+        for subcommand in ("run", "check", "parameters", "report"):
+            self.assertIn(self.run_done(subcommand, "--help").stdout.split("\n\nExit codes")[0], page)
+
+    def check_completion(self):
+        def completed(*words):
+            """What is offered for the last word."""
+            script = 'source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _pseudorigid; printf "%s\\n" "${COMPREPLY[@]}"'
+            path = f"{self.program.parent}:{os.environ['PATH']}"
+            return self.shell("bash", "-c", script, "bash", self.shares / "bash-completion" / "completions" / "pseudorigid",
+                              "pseudorigid", *words, env={**os.environ, "PATH": path}).split("\n")[:-1]
+
+        (self.home / "own.prm").touch()
+        (self.home / "own.txt").touch()
+        self.assertEqual(completed("r"), ["run", "report"])
+        self.assertEqual(completed("run", "--re"), ["--resume"])
+        self.assertEqual(completed("run", "ow"), ["own.prm"])
+        self.assertEqual(completed("run", "own.prm", "--set", "Continuum/Ref"), ["Continuum/Refinements="])
+        self.assertEqual(completed("run", "own.prm", "--set", "Initial state/Def"), ["Initial\\ state/Deformation="])
+        self.assertEqual(completed("parameters", "--format", ""), ["prm", "markdown", "json"])
+
+    def check_pages(self):
+        """Links lead to what is installed as well, or to the sources."""
+        pages = self.shares / "doc" / "pseudorigid"
+        for page in [pages / "README.md", pages / "docs" / "install.md"]:
+            for target in re.findall(r"\]\(((?!https?:)[^)#\s]+)", page.read_text()):
+                link = pathlib.Path(os.path.normpath(page.parent / target))
+                in_sources = SOURCE / link.relative_to(pages)
+                self.assertTrue(link.exists() or in_sources.exists(), f"{page.name}: {target}")
+
+
+if __name__ == "__main__":
+    main()
