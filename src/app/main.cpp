@@ -6,5 +6,5 @@
 int main(int argc, char** argv) {
   pseudorigid::io::open_standard_descriptors();
   using namespace pseudorigid::app;
-  return run_program(argc, argv, {.models = {{"reduced", run_reduced}}, .libraries = common_libraries()});
+  return run_program(argc, argv, {.models = {{"reduced", run_reduced}, {"polynomial", run_polynomial}}, .libraries = common_libraries()});
 }

@@ -78,7 +78,7 @@ int main(int argc, char** argv) {
   const MpiRanks several;
   if (Launch().n_ranks != 1) mpi.emplace(argc, argv, 1);
   return run_program(argc, argv,
-                     {.models = {{"reduced", run_reduced}, {"continuum", run_on_all_ranks}},
+                     {.models = {{"reduced", run_reduced}, {"polynomial", run_polynomial}, {"continuum", run_on_all_ranks}},
                       .libraries = std::move(libraries),
                       .runs_discretized = true,
                       .ranks = mpi ? &several : &one_rank()});

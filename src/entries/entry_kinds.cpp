@@ -131,6 +131,32 @@ std::string Integer::expected() const {
   return fmt::format("a whole number from {} to {}", low, high);
 }
 
+Problem AutoOrIntegers::read(std::string_view text, std::vector<int>& value) const {
+  std::vector<int> numbers;
+  if (text != "auto") {
+    for (const std::string_view part : parts_of(text, ',')) {
+      int one = 0;
+      if (Problem problem = number.read(part, one)) return problem;
+      if (!numbers.empty() && one <= numbers.back()) return "the numbers must rise, and " + got(text);
+      numbers.push_back(one);
+    }
+    if (numbers.empty()) return got(text);
+  }
+  value = std::move(numbers);
+  return std::nullopt;
+}
+
+std::string AutoOrIntegers::print(const std::vector<int>& value) const {
+  if (value.empty()) return "auto";
+  std::string list;
+  for (const int one : value) list += (list.empty() ? "" : ", ") + std::to_string(one);
+  return list;
+}
+
+std::string AutoOrIntegers::expected() const {
+  return "auto, or rising whole numbers separated by ',', each " + number.expected();
+}
+
 Problem Boolean::read(std::string_view text, bool& value) const {
   if (text != "true" && text != "false") return got(text);
   value = text == "true";

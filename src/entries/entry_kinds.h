@@ -93,6 +93,17 @@ struct AutoOrInteger {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
+/// The word `auto` (an empty list), or whole numbers separated by `,` that rise.
+struct AutoOrIntegers {
+  Integer number;
+
+  static constexpr std::string_view type = "auto or list of integers";
+  Problem read(std::string_view text, std::vector<int>& value) const;
+  std::string print(const std::vector<int>& value) const;
+  std::string expected() const;
+  std::vector<std::string_view> words() const { return {"auto"}; }
+};
+
 struct Boolean {
   static constexpr std::string_view type = "boolean";
   Problem read(std::string_view text, bool& value) const;

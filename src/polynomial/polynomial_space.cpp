@@ -48,6 +48,7 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
       n_images_(1 << free_axes_.size()),
       functions_(ball_polynomials(degree)),
       gradients_(0, 1, {}),
+      values_(0, 1, {}),
       pressures_(0, 1, {}) {
   inertia_ = volume_ / 5 * semi_axes.cwiseAbs2();
   blocks_ = make_blocks(3, degree, places_, n_unknowns_);
@@ -63,8 +64,9 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
       points_.push_back(image(point.xi, slot, free_axes_));
       weights_.push_back(point.weight * semi_axes.prod() * n_mirrors());
     }
-  gradients_ = make_tables(true, stride);
-  pressures_ = make_tables(false, stride);
+  gradients_ = make_tables(blocks_, true, stride);
+  values_ = make_tables(blocks_, false, stride);
+  pressures_ = make_tables(pressure_blocks_, false, stride);  // ψ_a = φ_a, as ρ = 1
 
   integrated_gradients_ = Eigen::MatrixXd::Zero(3, static_cast<Eigen::Index>(functions_.size()));
   for (const WeightedPoint& point : octant) {
@@ -98,15 +100,14 @@ std::vector<Block> PolynomialSpace::make_blocks(int n_components, int degree, st
   return blocks;
 }
 
-PointTables PolynomialSpace::make_tables(bool gradients, int stride) const {
+PointTables PolynomialSpace::make_tables(const std::vector<Block>& blocks, bool gradients, int stride) const {
   std::vector<int> shift(gradients ? 3 : 1, 0);
   if (gradients)
     for (std::size_t b = 0; b < free_axes_.size(); ++b) shift[free_axes_[b]] = 1 << b;
   PointTables tables(stride, n_images_, shift);
   std::vector<std::vector<Jet>> jets;
   for (int p = 0; p < stride; ++p) jets.push_back(functions_at(points_[p]));
-  // ψ_a = φ_a, as ρ = 1.
-  for (const Block& block : gradients ? blocks_ : pressure_blocks_) {
+  for (const Block& block : blocks) {
     std::vector<double> rows;
     for (const int a : block.functions)
       for (std::size_t field = 0; field < shift.size(); ++field)
@@ -202,6 +203,12 @@ void PolynomialSpace::add_uniform_stress(const Eigen::Matrix3d& P, Eigen::Ref<Ei
     for (std::size_t a = 0; a < functions_.size(); ++a)
       if (const int at = places_[i][a]; at >= 0)
         f[at] += P.row(i).dot(integrated_gradients_.col(static_cast<Eigen::Index>(a)));
+}
+
+PointValues PolynomialSpace::values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const {
+  PointValues values(n_points(), 3);
+  values_.evaluate(blocks_, 3, x.data(), values.data());
+  return values;
 }
 
 Eigen::Vector3d PolynomialSpace::value(const std::vector<Jet>& functions,

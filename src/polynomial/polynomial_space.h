@@ -21,6 +21,9 @@
 
 namespace pseudorigid::polynomial {
 
+/// A vector at every point: one row a point.
+using PointValues = Eigen::MatrixX3d;
+
 class PolynomialSpace {
  public:
   /// Degree 1 … 13. `reflect`: the symmetry planes ξ_i = 0 of the motion.
@@ -76,13 +79,15 @@ class PolynomialSpace {
   /// x, and ∂x/∂X, from functions_at.
   Eigen::Vector3d value(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
+  /// The field at the points of integration.
+  PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// Tables of the position and its derivatives along e_θ and e_φ (by ξ) at the surface points of the octant, filled
   /// up.
   PointTables surface_tables(int q) const;
 
  private:
   std::vector<Block> make_blocks(int n_components, int degree, std::vector<std::vector<int>>& places, int& size) const;
-  PointTables make_tables(bool gradients, int stride) const;
+  PointTables make_tables(const std::vector<Block>& blocks, bool gradients, int stride) const;
   int linear_function(int axis) const;
 
   int degree_;
@@ -97,7 +102,7 @@ class PolynomialSpace {
   std::vector<Block> blocks_, pressure_blocks_;
   std::vector<std::array<double, 3>> points_;
   std::vector<double> weights_;
-  PointTables gradients_, pressures_;
+  PointTables gradients_, values_, pressures_;
   Eigen::MatrixXd integrated_gradients_;  ///< [k][function]: ∫∂φ_a/∂X_k dX
 };
 

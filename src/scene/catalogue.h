@@ -92,8 +92,12 @@ struct ModelDescription {
   /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
   /// processes may share it, and it runs in the executable that links deal.II.
   bool discretized = false;
+  bool has_nonaffine = false;  ///< it moves in other ways than x = QX: sectors and the columns `nonaffine` concern it
   bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
   std::vector<Column> columns{};                   ///< of all groups, as documented
+  /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
+  /// first.
+  std::vector<std::string> rungs{};
   /// The header of its CSV file.
   std::function<std::vector<std::string>(const Quantities&)> header{};
   /// The line for people of a scene that runs it, and of one that does not.

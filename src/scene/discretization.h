@@ -21,6 +21,8 @@
 namespace pseudorigid::scene {
 
 inline constexpr int largest_degree = 8;
+/// Of polynomial bodies.
+inline constexpr int largest_polynomial_degree = 13;
 /// Of a search; a scene may ask for more.
 inline constexpr int largest_refinements_of_search = 2;
 

@@ -191,6 +191,24 @@ void visit_time(S& scene, Visit& visit) {
 }
 
 template <SceneOrConst S, class Visit>
+void visit_polynomial(S& scene, Visit& visit) {
+  auto& [degrees, tolerance, gravity_points] = scene.polynomial;
+  visit(degrees, AutoOrIntegers{{1, largest_polynomial_degree}},
+        About{"Polynomial/Degree", "",
+              "Degree N of the polynomials in which the positions are written; degree 1 is the pseudo-rigid body. "
+              "Several degrees, as 1, 3, 5, are run one after the other: the last is the model of the scene, and the "
+              "others are compared as it is. auto: 1, 3, 5, ... until the estimated error meets Tolerance."});
+  visit(tolerance, Number{1e-10, 1e-1},
+        About{"Polynomial/Tolerance", "",
+              "Bound of the error of Q that the degree may leave (largest entry, over all samples), where Degree is "
+              "auto. The time error is then kept below a twentieth of it."});
+  visit(gravity_points, AutoOrInteger{{2, 24}},
+        About{"Polynomial/Gravity points", "",
+              "Points per direction on an octant of the surface for self-gravity, which sums over their pairs. auto: "
+              "four more than Degree. The cost of gravity grows as the fourth power of this number."});
+}
+
+template <SceneOrConst S, class Visit>
 void visit_continuum(S& scene, Visit& visit) {
   auto& [degree, refinements, tolerance, error_estimate, gravity_points, stiffness, mesh, symmetry] = scene.continuum;
   visit(degree, AutoOrInteger{{1, largest_degree}},
@@ -304,6 +322,7 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_modes(scene, visit);
   visit_systems(scene, visit);
   visit_time(scene, visit);
+  visit_polynomial(scene, visit);
   visit_continuum(scene, visit);
   visit_output(scene, visit);
   visit_sweep(scene, visit);

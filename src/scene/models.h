@@ -42,6 +42,11 @@ inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }
 
+/// Whether one of them may bend.
+inline bool has_nonaffine(const Scene& scene) {
+  return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
+}
+
 /// The names of the catalogue's models of which something holds.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {

@@ -100,11 +100,13 @@ void describe_output(const Scene& scene, Needs& needs) {
     else if (i < quantities_kind.n_in_all)
       unwanted.push_back(name);
   }
-  const auto discretized = names_where(scene, [](const auto& model) { return model.discretized; });
+  const auto nonaffine = names_where(scene, [](const auto& model) { return model.has_nonaffine; });
   if (!evaluated.empty()) needs.needed.push_back("quantities: " + joined(evaluated));
   if (!unwanted.empty())
     needs.skipped.push_back("quantities: " + joined(unwanted) + " (not among Output/Quantities" +
-                            (needs.discretized ? ")" : fmt::format(", or of the {} only)", joined(discretized))));
+                            (std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine)
+                                 ? ")"
+                                 : fmt::format(", or of {} only)", the_models(nonaffine))));
   sort_out(needs, needs.graphics, fmt::format("graphics: {} frames (vtu)", scene.output.frames),
            "graphics: Output/Graphics is none; no folder is made");
 }
@@ -174,13 +176,15 @@ Needs needs(const Scene& scene) {
     if (offers(*model, scene.analysis)) needs.models.push_back(model);
   needs.discretized = std::ranges::any_of(needs.models, &ModelDescription::discretized);
   needs.constraint = scene.body.incompressible;
-  needs.pressure_space = needs.discretized && scene.body.incompressible;
+  needs.pressure_space =
+      std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine) && scene.body.incompressible;
   needs.comparison = needs.models.size() > 1 && scene.analysis == Analysis::motion;
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
-  needs.quantities.nonaffine = needs.quantities.nonaffine && needs.discretized;
+  const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);
+  needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;
   needs.surface_watch = needs.discretized && needs.constraint;
-  if (needs.discretized) needs.sector = sector(scene);
+  if (nonaffine) needs.sector = sector(scene);
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,
            fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,

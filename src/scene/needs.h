@@ -15,14 +15,14 @@ struct Needs {
   std::vector<const ModelDescription*> models;  ///< of the ball, to run in this order
   bool discretized = false;                     ///< one of them: deal.II, MPI, PETSc, a mesh
   bool constraint = false;                      ///< det = 1 and its multiplier
-  bool pressure_space = false;                  ///< of the discretized model
+  bool pressure_space = false;                  ///< of the models that may bend
   bool comparison = false;                      ///< of the others with the last of the models
   bool companion = false;                       ///< a run on another discretisation, for the error of the first
   bool surface_watch = false;  ///< of the discretized model: whether its surface reaches the limit of its law
   bool graphics = false;       ///< files for ParaView
   bool report = false;         ///< report.html, and shapes.csv of a discretized model
   Quantities quantities;       ///< the observables to evaluate
-  Sector sector;               ///< of the discretized model
+  Sector sector;               ///< of the models that may bend
   std::vector<std::string> needed, skipped;  ///< one line each, for people
   std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
 };

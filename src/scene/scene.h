@@ -107,6 +107,11 @@ struct Scene {
     double tolerance = 1e-6;
     std::optional<double> constraint_tolerance{};  ///< empty: auto (app/run/model_stepping.h)
   } time;
+  struct Polynomial {
+    std::vector<int> degrees{5};  ///< rising; empty: auto
+    double tolerance = 1e-3;
+    std::optional<int> gravity_points;  ///< empty: auto (polynomial/body_gravity.h)
+  } polynomial;
   struct Continuum {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
     double tolerance = 1e-3;

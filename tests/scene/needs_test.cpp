@@ -161,7 +161,8 @@ TEST(Needs, AReducedSceneNeedsNothingOfTheContinuum) {
   EXPECT_TRUE(result.quantities.state);
   EXPECT_TRUE(mentions(result.skipped, "no deal.II, MPI or PETSc"));
   EXPECT_TRUE(
-      mentions(result.skipped, "quantities: nonaffine (not among Output/Quantities, or of the continuum only)"));
+      mentions(result.skipped,
+               "quantities: nonaffine (not among Output/Quantities, or of the models polynomial, continuum only)"));
   EXPECT_FALSE(mentions(result.needed, "continuum"));
 }
 

@@ -1,6 +1,7 @@
 #include "app/commands/compare_models.h"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "analysis/comparison_report.h"
@@ -14,6 +15,7 @@ namespace {
 
 struct Run {
   const scene::ModelDescription* model;
+  std::string name;  ///< of its files
   const io::Manifest::Model* statistics;
   io::Table table;
 };
@@ -21,9 +23,14 @@ struct Run {
 /// Those of which there is a file, with the samples that all of them reached; a model that stopped early has fewer.
 std::vector<Run> runs_to_compare(const RunContext& context, const io::Manifest& manifest) {
   std::vector<Run> runs;
-  for (const scene::ModelDescription* model : context.needs.models)
-    if (const auto ran = manifest.models.find(std::string(model->name)); ran != manifest.models.end())
-      runs.push_back({model, &ran->second, io::read_csv(context.directory.csv(model->name))});
+  const auto take = [&](const scene::ModelDescription* model, const std::string& name) {
+    if (const auto ran = manifest.models.find(name); ran != manifest.models.end())
+      runs.push_back({model, name, &ran->second, io::read_csv(context.directory.csv(name))});
+  };
+  for (const scene::ModelDescription* model : context.needs.models) {
+    for (const std::string& rung : model->rungs) take(model, rung);
+    take(model, std::string(model->name));
+  }
   std::size_t n_common = runs.empty() ? 0 : runs.front().table.n_rows();
   for (const Run& run : runs) n_common = std::min(n_common, run.table.n_rows());
   for (Run& run : runs) run.table.values.resize(n_common * run.table.columns.size());
@@ -51,7 +58,7 @@ analysis::Comparison compare(const RunContext& context, const Run& run, const Ru
   take_errors(*run.statistics, options);
   take_errors(*reference.statistics, options);
   const auto named = [](const Run& r) {
-    return analysis::ModelRunTable{std::string(r.model->name), std::string(r.model->adjective), r.table};
+    return analysis::ModelRunTable{r.name, std::string(r.model->adjective), r.table};
   };
   return analysis::compare(named(run), named(reference), options);
 }
@@ -67,8 +74,7 @@ std::string compare_models(const RunContext& context, const io::Manifest& manife
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
     comparisons.push_back(compare(context, runs[i], runs.back()));
     const analysis::Comparison& comparison = comparisons.back();
-    analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + std::string(runs[i].model->name),
-                               comparison);
+    analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + runs[i].name, comparison);
     context.log->debug("{}", analysis::summary_sentence(comparison));
     if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
   }

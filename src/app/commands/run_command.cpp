@@ -7,6 +7,7 @@
 #include "app/commands/compare_models.h"
 #include "app/commands/sweep.h"
 #include "app/commands/sweep_rows.h"
+#include "app/polynomial/degree_search.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/reduced/ball_equilibria.h"
@@ -37,13 +38,17 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
     context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
                       context.resumes ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
   manifest.content().models[std::string(name)] = outcome.statistics;
+  for (const auto& [rung, statistics] : outcome.of_rungs) manifest.content().models[rung] = statistics;
   return outcome;
 }
 
 /// What may leave files of its own name: the models, and every system of the catalogue.
 std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   std::vector<std::string> names;
-  for (const scene::ModelDescription& model : catalogue.models) names.emplace_back(model.name);
+  for (const scene::ModelDescription& model : catalogue.models) {
+    names.emplace_back(model.name);
+    names.insert(names.end(), model.rungs.begin(), model.rungs.end());
+  }
   for (const scene::SystemDescription& system : catalogue.systems) names.emplace_back(system.file);
   return names;
 }
@@ -52,7 +57,7 @@ std::vector<std::string> movers(const scene::Catalogue& catalogue) {
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& name : movers(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
-  for (const char* name : {SweepRows::name, DiscretizationSearch::checkpoint_name})
+  for (const char* name : {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name})
     paths.push_back(directory.checkpoint(name));
   std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
   return paths;

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "app/continuum/nonaffine_watch.h"
 #include "app/continuum/stored_energy.h"
 #include "app/continuum/wrinkling_watch.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/mesh_file.h"
 #include "app/run/model_run.h"
+#include "app/run/nonaffine_watch.h"
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
 #include "app/search/continuum_run.h"
@@ -43,7 +43,7 @@ class ContinuumModel {
         rank_order_(ball_.space()),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
-        nonaffine_(context),
+        nonaffine_(context, name),
         tension_(context, name),
         wrinkling_(context, law_) {
     request_.nonaffine |= nonaffine_.watches();

@@ -103,6 +103,7 @@ scene::ModelDescription continuum_description() {
               "Finite elements, with a pressure that preserves volume where the body is incompressible: the ball "
               "itself, to the error of its mesh.",
           .discretized = true,
+          .has_nonaffine = true,
           .has_modes = true,
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },

@@ -2,6 +2,7 @@
 /// What all models of one run share.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,6 +74,7 @@ struct ModelOutcome {
   std::string message;  ///< one sentence, for the user, if not finished
   io::Manifest::Model statistics;
   std::optional<Stepping> stepping{};
+  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< of further runs, by the names of their files
 };
 
 }  // namespace pseudorigid::app

@@ -7,6 +7,8 @@ namespace pseudorigid::app {
 
 ModelOutcome run_reduced(const RunContext& context);
 
+ModelOutcome run_polynomial(const RunContext& context);
+
 /// The system of the table that the scene names.
 ModelOutcome run_system(const RunContext& context);
 

@@ -1,10 +1,11 @@
 #pragma once
-/// A fluid under its own gravity and quadratic potentials moves as x = QX for ever (Dirichlet), so that what its
-/// elements show beside an affine motion is error, and grows: nothing resists it. Reports the first sample at which it
+/// A fluid under its own gravity and quadratic potentials moves as x = QX for ever (Dirichlet), so that what a model
+/// shows beside an affine motion is error, and grows: nothing resists it. Reports the first sample at which it
 /// is more than 1 % of the body, and at the end the largest. Looked at samples only.
 
 #include <algorithm>
 #include <optional>
+#include <string_view>
 
 #include "app/run/run_context.h"
 #include "scene/scales.h"
@@ -13,8 +14,8 @@ namespace pseudorigid::app {
 
 class NonaffineWatch {
  public:
-  explicit NonaffineWatch(const RunContext& context)
-      : context_(context), watches_(scene::is_fluid(context.scene) && stays_affine(context.scene)) {}
+  NonaffineWatch(const RunContext& context, std::string_view model)
+      : context_(context), model_(model), watches_(scene::is_fluid(context.scene) && stays_affine(context.scene)) {}
 
   bool watches() const { return watches_; }
 
@@ -25,17 +26,16 @@ class NonaffineWatch {
     if (first_ || displacement <= acceptable) return;
     first_ = time;
     context_.log->warn(
-        "continuum: at t = {:.6g} the displacement beside the affine motion is {:.3g} % of the body; of a fluid it is "
-        "error, and grows until the mesh tangles",
-        time, 100 * displacement);
+        "{}: at t = {:.6g} the displacement beside the affine motion is {:.3g} % of the body; of a fluid it is "
+        "error, and grows until the motion breaks off",
+        model_, time, 100 * displacement);
   }
 
   void report(io::Manifest::Model& statistics) const {
     if (!watches_) return;
     statistics.counters["nonaffine_displacement_at_most"] = largest_;
-    context_.log->info(
-        "continuum: displacement beside the affine motion, an error of a fluid: at most {:.3g} % of the body",
-        100 * largest_);
+    context_.log->info("{}: displacement beside the affine motion, an error of a fluid: at most {:.3g} % of the body",
+                       model_, 100 * largest_);
   }
 
  private:
@@ -48,6 +48,7 @@ class NonaffineWatch {
   }
 
   const RunContext& context_;
+  std::string_view model_;
   bool watches_;
   double largest_ = 0;
   std::optional<double> first_;

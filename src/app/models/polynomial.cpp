@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <string>
+
+#include "app/models/ball_models.h"
+#include "io/trajectory.h"
+#include "scene/discretization.h"
+#include "scene/models.h"
+#include "scene/sector.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using scene::Refusal;
+using scene::Scene;
+
+std::string polynomial_needed(const Scene& scene) {
+  const auto& degrees = scene.polynomial.degrees;
+  std::string of_degree = "degree";
+  for (const int N : degrees) of_degree += (N == degrees.front() ? " " : ", ") + std::to_string(N);
+  if (degrees.empty())
+    of_degree = fmt::format("the lowest degree with an estimated error of Q up to {}",
+                            scene::print_number(scene.polynomial.tolerance));
+  const scene::Sector sector = scene::sector(scene);
+  return fmt::format("polynomial body: {}, {}, one of {} ({})", of_degree, sector.name(), sector.n_images(),
+                     sector.reason);
+}
+
+std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
+
+/// A run of each degree but the highest of a list.
+std::vector<std::string> rungs() {
+  std::vector<std::string> names;
+  for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(fmt::format("polynomial-{}", N));
+  return names;
+}
+
+/// What other models have and polynomial bodies have not.
+std::optional<Refusal> refuses_body(const Scene& scene) {
+  const auto& others =
+      scene::joined(scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; }));
+  if (scene.body.inertia)
+    return Refusal{"Body/Inertia",
+                   "a polynomial body is a ball or an ellipsoid with the inertia of its Semi-axes; set Inertia = auto"};
+  if (scene::has_mesh_file(scene))
+    return Refusal{
+        "Continuum/Mesh",
+        fmt::format("a polynomial body is a ball or an ellipsoid; leave polynomial out of Models = {}", others)};
+  if (!scene.body.incompressible && loads::present(scene.loads.get<loads::SelfGravity>()))
+    return Refusal{"Gravity/Constant",
+                   "self-gravity of a compressible body, whose density is not uniform, is offered for the reduced "
+                   "model; set Models = reduced"};
+  return {};
+}
+
+std::optional<Refusal> refuses(const Scene& scene) {
+  if (auto refusal = refuses_body(scene)) return refusal;
+  return refuses_motion(scene);
+}
+
+}  // namespace
+
+scene::ModelDescription polynomial_description() {
+  using Observables = mechanics::ContinuumObservables;
+  return {.name = "polynomial",
+          .adjective = "polynomial",
+          .documentation =
+              "A body whose positions are polynomials of degree N in the reference positions: between the pseudo-rigid "
+              "body, N = 1, and the continuum.",
+          .by_default = false,
+          .has_nonaffine = true,
+          .columns = io::documented_columns<Observables>(),
+          .rungs = rungs(),
+          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+          .needed = polynomial_needed,
+          .skipped = polynomial_skipped,
+          .refuses = refuses};
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,37 @@
+#pragma once
+/// A run of the polynomial model: one body of one degree.
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "app/run/run_context.h"
+#include "app/run/scene_to_model.h"
+#include "app/search/deformation_trace.h"
+#include "polynomial/polynomial_body.h"
+#include "scene/stabilization.h"
+
+namespace pseudorigid::app {
+
+struct PolynomialTask {
+  int degree;
+  std::string name = "polynomial";     ///< of its files
+  DeformationTrace* trace = nullptr;   ///< where the run leaves Q as it goes, if anybody asks
+  std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
+};
+
+/// In internal units.
+inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
+  return {.degree = degree,
+          .reflect = reflect,
+          .semi_axes = to_eigen(scene.body.semi_axes),
+          .law = internal_law(scene),
+          .volumetric_stiffness = scene::volumetric_stiffness(scene) / units_of(scene).stress(),
+          .loads = internal_loads(scene),
+          .n_gravity_points = scene.polynomial.gravity_points};
+}
+
+ModelOutcome run_incompressible_polynomial(const RunContext& context, const PolynomialTask& task);
+ModelOutcome run_compressible_polynomial(const RunContext& context, const PolynomialTask& task);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,164 @@
+#include "app/polynomial/degree_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "analysis/space_error.h"
+#include "app/run/model_checkpoint.h"
+#include "io/checkpoint.h"
+#include "scene/discretization.h"
+#include "scene/entries.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// Part of Polynomial/Tolerance that the error in time may be.
+constexpr double time_part = 0.05;
+
+/// A run of which only the trace is wanted: no observables, no files and no messages.
+ModelOutcome run_silently(const PolynomialRun& run, const RunContext& context, const scene::Scene& scene,
+                          const PolynomialTask& task) {
+  scene::Needs needs = context.needs;
+  needs.graphics = false;
+  for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
+  RunContext silent = derived(context, scene, needs);
+  silent.log = io::make_logger(io::Verbosity::silent, {});
+  silent.sink_of = [](const RunContext&, const char*) { return std::make_unique<ModelSink>(); };
+  return run(silent, task);
+}
+
+double work(const ModelOutcome& outcome) {
+  const auto& c = outcome.statistics.counters;
+  const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };
+  return count("unknowns") * (count("forces") + count("pilot_forces"));
+}
+
+class DegreeSearch {
+ public:
+  DegreeSearch(const RunContext& context, const PolynomialRun& run)
+      : context_(context), run_(run), scene_(context.scene), tolerance_(context.scene.polynomial.tolerance) {
+    scene_.time.tolerance = std::min(scene_.time.tolerance, time_part * tolerance_);
+  }
+
+  ModelOutcome run() {
+    if (!load()) {
+      ModelOutcome last = search();
+      if (last.end != mechanics::Outcome::finished) return last;
+      save();
+    }
+    context_.log->info("polynomial: degree {}{}", degree_, in_words());
+    ModelOutcome outcome = run_(derived(context_, scene_, context_.needs), {.degree = degree_});
+    auto& counters = outcome.statistics.counters;
+    counters["estimated_space_error"] = error_;
+    counters["relative_space_error"] = error_ * relative_to_largest_;
+    counters["search_runs"] = static_cast<double>(n_runs_);
+    counters["search_work"] = work_;
+    return outcome;
+  }
+
+ private:
+  /// Ends at the first degree whose error is within the tolerance, or at the last one.
+  ModelOutcome search() {
+    analysis::SpaceErrorLadder errors;
+    DeformationTrace before;
+    ModelOutcome outcome;
+    for (degree_ = 1;; degree_ += 2) {
+      DeformationTrace trace;
+      outcome = run_silently(run_, context_, scene_, {.degree = degree_, .trace = &trace});
+      if (outcome.end == mechanics::Outcome::interrupted) {
+        outcome.message = "polynomial interrupted while looking for the degree";
+        return outcome;
+      }
+      work_ += work(outcome);
+      ++n_runs_;
+      const TraceDifference apart = difference(trace, before);
+      errors.add(degree_, apart.largest);
+      if (apart.largest > 0) relative_to_largest_ = apart.relative / apart.largest;
+      if (errors.n_runs() > 1) {
+        error_ = errors.error();
+        context_.log->info("polynomial: degree {}: Q differs by {:.1e} from the degree before, estimated error {:.1e}",
+                           degree_, apart.largest, error_);
+      }
+      const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
+      if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
+      // Where the motion breaks off, a higher degree does not carry it on.
+      if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
+      before = std::move(trace);
+    }
+    outcome.end = mechanics::Outcome::finished;
+    if (error_ > tolerance_)
+      context_.log->warn(
+          "polynomial: degree {} is the highest that was tried; its estimated error of Q is {:.1e}, the tolerance "
+          "{:.1e}",
+          degree_, error_, tolerance_);
+    return outcome;
+  }
+
+  std::string in_words() const {
+    return n_runs_ == 0 ? std::string(", found before")
+                        : fmt::format(" taken, estimated error of Q {:.1e} (tolerance {:.1e})", error_, tolerance_);
+  }
+
+  std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
+  /// Sweeps keep no states.
+  bool keeps_states() const { return context_.scene.sweep.empty(); }
+  void save() const {
+    if (!keeps_states()) return;
+    io::Checkpoint c;
+    c.set("scene", run_identity(context_.scene).frozen_scene);
+    c.set("degree", degree_);
+    c.set("numbers", std::array{error_, relative_to_largest_, work_});
+    c.save(path());
+  }
+  bool load() {
+    if (!context_.resumes || !keeps_states() || !std::filesystem::exists(path())) return false;
+    const io::Checkpoint c = io::Checkpoint::load(path());
+    degree_ = static_cast<int>(c.get_integer("degree"));
+    const auto& numbers = c.get_doubles("numbers", 3);
+    error_ = numbers[0];
+    relative_to_largest_ = numbers[1];
+    work_ = numbers[2];
+    return true;
+  }
+
+  const RunContext& context_;
+  const PolynomialRun& run_;
+  scene::Scene scene_;
+  double tolerance_;
+  int degree_ = 1;
+  std::size_t n_runs_ = 0;
+  double error_ = 0, relative_to_largest_ = 0, work_ = 0;
+};
+
+}  // namespace
+
+ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run) {
+  const std::vector<int>& degrees = context.scene.polynomial.degrees;
+  std::map<std::string, io::Manifest::Model> of_rungs;
+  for (const int N : degrees) {
+    const bool is_last = N == degrees.back();
+    const std::string name = is_last ? "polynomial" : fmt::format("polynomial-{}", N);
+    ModelOutcome outcome = run(context, {.degree = N, .name = name});
+    if (!is_last && outcome.end != mechanics::Outcome::interrupted) {
+      if (outcome.end == mechanics::Outcome::failed) context.log->warn("{}", outcome.message);
+      of_rungs[name] = outcome.statistics;
+      continue;
+    }
+    outcome.of_rungs = std::move(of_rungs);
+    return outcome;
+  }
+  return {};
+}
+
+ModelOutcome run_degree_search(const RunContext& context, const PolynomialRun& run) {
+  return DegreeSearch(context, run).run();
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,127 @@
+#pragma once
+/// The polynomial body of a scene, incompressible or compressible, as ModelRun wants it.
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "app/polynomial/body_setup.h"
+#include "app/run/nonaffine_watch.h"
+#include "app/run/run_context.h"
+#include "app/run/tension_watch.h"
+#include "app/search/deformation_trace.h"
+#include "io/csv.h"
+#include "io/trajectory.h"
+#include "mechanics/steps/step_size.h"
+#include "polynomial/observe.h"
+
+namespace pseudorigid::app {
+
+/// `Body` is a polynomial::IncompressibleBody or polynomial::CompressibleBody.
+template <class Body>
+class PolynomialModel {
+ public:
+  using System = Body;
+  using State = mechanics::State<System>;
+  using Workspace = typename System::Workspace;
+  /// A step of a small body takes microseconds.
+  static constexpr int steps_between_looks = 16;
+  static constexpr double pilot_reserve = 0.5;
+  /// A force costs enough that pilots are spared.
+  static constexpr bool spares_pilots = true;
+
+  PolynomialModel(const RunContext& context, const PolynomialTask& task)
+      : name_(task.name),
+        name(name_.c_str()),
+        context_(context),
+        trace_(task.trace),
+        body_(body_setup(context.scene, context.needs.sector.reflect, task.degree)),
+        request_(context.request()),
+        trajectory_(context.needs.quantities, context.units),
+        nonaffine_(context, name),
+        tension_(context, name) {
+    request_.nonaffine |= nonaffine_.watches();
+    request_.multiplier |= tension_.watches();
+  }
+  PolynomialModel(const PolynomialModel&) = delete;
+
+ private:
+  std::string name_;
+
+ public:
+  const char* const name;
+
+  const System& system() const { return body_; }
+  State initial_state() const {
+    const scene::Scene& scene = context_.scene;
+    const io::Units& units = context_.units;
+    return {0, body_.affine(initial_deformation(scene), initial_center(scene, units)),
+            body_.affine(initial_velocity(scene, units), initial_center_velocity(scene, units))};
+  }
+  double constraint_scale() const { return body_.multiplier_scale(); }  // only called with constraints
+  Eigen::Matrix3d configuration(const State& state) const { return affine_part(state.q); }
+  double rate(const State& state) const { return mechanics::affine_rate(affine_part(state.q), affine_part(state.v)); }
+  /// About two pulsations.
+  double pilot_window(double end) const { return std::min(end, 5.0); }
+
+  std::string place_of_least_jacobian(const State& state) const {
+    return "least " + body_.least_jacobian_in_words(state.q);
+  }
+
+  const std::vector<std::string>& columns() const { return trajectory_.names(); }
+
+  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (auto status = polynomial::observe(body_, state, workspace, request_, observables_); !status) return status;
+    trajectory_.row(time, observables_, row);
+    if (trace_) (*trace_)[sample_at(time)] = configuration(state);
+    nonaffine_.look(time, observables_.nonaffine_displacement);
+    tension_.look(time, observables_.multiplier * context_.units.multiplier());
+    return {};
+  }
+  /// Goes on with what the rows of an interrupted run say of the past.
+  void take_up(const io::Table& rows) {
+    if (tension_.watches() && rows.has_column("multiplier"))
+      tension_.take_up(rows.column("time"), rows.column("multiplier"));
+    if (!trace_ || !rows.has_column("Q11")) return;
+    const std::size_t first = rows.column_index("Q11");
+    for (std::size_t n = 0; n < rows.n_rows(); ++n)
+      (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
+  }
+
+  template <class MethodWorkspace>
+  void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
+    auto& c = statistics.counters;
+    c["degree"] = body_.space().degree();
+    c["unknowns"] = body_.space().n_unknowns();
+    c["images"] = body_.space().n_mirrors();
+    c["points"] = body_.space().n_points();
+    if constexpr (!mechanics::unconstrained<System>) {
+      c["multipliers"] = body_.space().n_pressures();
+      c["gram_iterations"] = static_cast<double>(w.counters.n_gram_iterations);
+      if constexpr (requires { w.system.gram; })
+        c["gram_factorizations"] = static_cast<double>(w.system.gram.n_factorizations());
+    }
+    nonaffine_.report(statistics);
+    tension_.report(statistics);
+  }
+
+ private:
+  Eigen::Matrix3d affine_part(const Eigen::VectorXd& x) const {
+    return body_.space().affine_part(x.head(body_.space().n_unknowns()));
+  }
+  long sample_at(double time) const {
+    return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
+  }
+
+  const RunContext& context_;
+  DeformationTrace* trace_;  ///< null: nobody asks for it
+  System body_;
+  mechanics::ObservableRequest request_;
+  mechanics::ContinuumObservables observables_;
+  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
+  NonaffineWatch nonaffine_;
+  TensionWatch tension_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,21 @@
+#include "app/polynomial/degree_search.h"
+#include "app/run/run_models.h"
+
+namespace pseudorigid::app {
+namespace {
+
+ModelOutcome run_body(const RunContext& context, const PolynomialTask& task) {
+  return context.scene.body.incompressible ? run_incompressible_polynomial(context, task)
+                                           : run_compressible_polynomial(context, task);
+}
+
+}  // namespace
+
+ModelOutcome run_polynomial(const RunContext& context) {
+  const std::vector<int>& degrees = context.scene.polynomial.degrees;
+  if (degrees.empty()) return run_degree_search(context, run_body);
+  if (degrees.size() > 1) return run_listed_degrees(context, run_body);
+  return run_body(context, {.degree = degrees.front()});
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,133 @@
+#include "polynomial/observe.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "mechanics/core/principal_axes.h"
+#include "polynomial/dense_kernels.h"
+#include "polynomial/scratch.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
+
+/// Integrals over the body of F, J and X ⊗ Fᵀẋ.
+struct Integrals {
+  Eigen::Matrix3d F = Eigen::Matrix3d::Zero(), X_pulled_back = Eigen::Matrix3d::Zero();
+  double volume = 0;
+};
+
+/// A 3×3 integral over the whole body from that over the computed part: entries that are odd under one of its
+/// reflections cancel.
+Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j && (reflect[i] || reflect[j])) integral(i, j) = 0;
+  return integral;
+}
+
+Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
+  const int n = space.n_points();
+  ScratchArray F(space.gradients().size(3));
+  space.gradients().evaluate(space.blocks(), 3, q.data(), F);
+  Integrals sums;
+  const PointValues velocity = space.values_at_points(v);
+  for (int p = 0; p < n; ++p) {
+    const double w = space.weights()[p];
+    if (w == 0) continue;
+    Eigen::Matrix3d F_p;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) F_p(i, k) = F[static_cast<std::ptrdiff_t>(3 * i + k) * n + p];
+    const auto& xi = space.points()[p];
+    const Eigen::Vector3d X = space.semi_axes().cwiseProduct(Eigen::Vector3d(xi[0], xi[1], xi[2]));
+    sums.F += w * F_p;
+    sums.volume += w * F_p.determinant();
+    sums.X_pulled_back += w * X * (F_p.transpose() * velocity.row(p).transpose()).transpose();
+  }
+  sums.F = without_odd_entries(sums.F, space.reflect());
+  sums.X_pulled_back = without_odd_entries(sums.X_pulled_back, space.reflect());
+  return sums;
+}
+
+/// |x|² and that of its part beside an affine motion about the origin.
+struct Parts {
+  double whole, nonaffine;
+};
+Parts parts(const PolynomialSpace& space, const Eigen::VectorXd& relative) {
+  Eigen::VectorXd affine = Eigen::VectorXd::Zero(space.n_unknowns());
+  space.set_affine(space.affine_part(relative), Eigen::Vector3d::Zero(), affine);
+  return {relative.squaredNorm(), (relative - affine).squaredNorm()};
+}
+
+/// Coefficients about the mean.
+Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x) {
+  Eigen::VectorXd result = x.head(space.n_unknowns());
+  for (int i = 0; i < 3; ++i)
+    if (const int at = space.place(i, 0); at >= 0) result[at] = 0;
+  return result;
+}
+
+void observe_energies(const PolynomialBody& body, const BodyState& state, mechanics::ContinuumObservables& o) {
+  const PotentialEnergies V = body.potential_energies(state.t, state.q);
+  o.kinetic = body.kinetic_energy(state.v);
+  o.elastic = V.elastic;
+  o.volumetric = V.volumetric;
+  o.gravitational = V.gravitational;
+  o.external = V.external - body.given(state.v);
+  o.dissipated = body.dissipated(state.v);
+}
+
+/// All but the multiplier.
+void observe_motion(const PolynomialBody& body, const BodyState& state, const mechanics::ObservableRequest& request,
+                    mechanics::ContinuumObservables& o) {
+  const PolynomialSpace& space = body.space();
+  const auto q = state.q.head(space.n_unknowns()), v = state.v.head(space.n_unknowns());
+  o.center = space.mean(q);
+  o.velocity = space.mean(v);
+  o.Q = space.affine_part(q);
+  o.Qdot = space.affine_part(v);
+  const Eigen::VectorXd x = relative(space, state.q), u = relative(space, state.v);
+  const Integrals sums = integrals(space, x, u);
+  o.F = sums.F / space.volume();
+  o.volume_ratio = sums.volume / space.volume();
+  if (request.energies) observe_energies(body, state, o);
+  if (request.momenta) {
+    o.angular_momentum = mechanics::axial_vector(space.moment(x, u));
+    o.circulation = mechanics::axial_vector(sums.X_pulled_back);
+  }
+  o.least_over_points = [&body, &state](double (*value)(const Eigen::Matrix3d& F)) {
+    return body.least(state.q, value);
+  };
+  if (request.axes)
+    o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
+  if (request.nonaffine) {
+    const Parts of_x = parts(space, x), of_u = parts(space, u);
+    o.nonaffine_kinetic_fraction = ratio(of_u.nonaffine, of_u.whole);
+    o.nonaffine_displacement = std::sqrt(ratio(of_x.nonaffine, of_x.whole));
+    o.min_jacobian = body.least(state.q, [](const Eigen::Matrix3d& F) { return F.determinant(); });
+  }
+}
+
+}  // namespace
+
+mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
+                          IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
+                          mechanics::ContinuumObservables& o) {
+  if (auto status = body.admissible(state.q); !status) return status;
+  observe_motion(body, state, request, o);
+  if (!request.multiplier) return {};
+  Eigen::VectorXd lambda = body.make_multiplier();
+  if (auto status = mechanics::multiplier_of_motion(body, state, workspace, lambda); !status) return status;
+  o.multiplier = body.mean_multiplier(state.q, lambda);
+  return {};
+}
+
+mechanics::Status observe(const CompressibleBody& body, const BodyState& state, CompressibleBody::Workspace&,
+                          const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  if (auto status = body.admissible(state.q); !status) return status;
+  observe_motion(body, state, request, o);
+  return {};
+}
+
+}  // namespace pseudorigid::polynomial
