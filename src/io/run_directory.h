@@ -24,7 +24,7 @@ class RunDirectory {
                const std::optional<std::filesystem::path>& output_option);
 
   /// Creates the folder and removes the results of an earlier run: files that bear one of our names, those of the
-  /// `movers` included (names of models and systems: <name>.csv, pictures, comparison-<name>.csv …), nothing else.
+  /// `movers` included (names of models and systems: <name>.csv, pictures, comparison-<name>.csv, modes-<name>.csv …), nothing else.
   /// UserError with path and reason if the folder cannot be created or written, or if another run is at work in it. It
   /// is the caller's as long as he keeps the lock.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;

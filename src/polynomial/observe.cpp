@@ -99,8 +99,7 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
   o.least_over_points = [&body, &state](double (*value)(const Eigen::Matrix3d& F)) {
     return body.least(state.q, value);
   };
-  if (request.axes)
-    o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
+  if (request.axes) o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
   if (request.nonaffine) {
     const Parts of_x = parts(space, x), of_u = parts(space, u);
     o.nonaffine_kinetic_fraction = ratio(of_u.nonaffine, of_u.whole);

@@ -146,6 +146,31 @@ double PolynomialBody::potential_energy(const Vector& q) const {
   return potential_energies(0, q).total();
 }
 
+void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f) const {
+  const int n = space_->n_points();
+  const std::size_t size = space_->gradients().size(3);
+  ScratchArray F(size), H(size), T(size);
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+  space_->gradients().evaluate(space_->blocks(), 3, u.data(), H);
+  stress_rate(law_, volumetric_stiffness_, n, space_->weights().data(), F, H, T);
+  if (const double p = constant_.pressure; p != 0) {  // D(J F⁻ᵀ)[H] = J (F⁻ᵀ:H) F⁻ᵀ − J F⁻ᵀHᵀF⁻ᵀ
+    ScratchArray A(size), wJ(n), y(n);
+    inverse_transposed(n, F, A);
+    jacobian(n, F, wJ);
+    for (int i = 0; i < n; ++i) wJ[i] *= p * space_->weights()[i];
+    weighted_product(n, wJ, A, H, y);
+    add_multiple(n, y, A, T);
+    add_rate_of_inverse(n, wJ, A, H, T);
+  }
+  Vector rate = Vector::Zero(f.size());
+  space_->gradients().add_transposed(space_->blocks(), 3, T, rate.data());
+  f -= rate;
+  loads::Forcing linear;
+  linear.quadratic = constant_.quadratic;
+  add_loads(linear, u, f);
+  if (gravity_) gravity_->add_force_rate(q, u, f);
+}
+
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
   const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // ê x has (ê x)_j = −x_k, (ê x)_k = x_j
   dq.setZero();

@@ -50,6 +50,7 @@ struct PotentialEnergies {
 class PolynomialBody {
  public:
   using Vector = Eigen::VectorXd;
+  static constexpr bool has_costly_force = true;
 
   explicit PolynomialBody(const BodySetup& setup);
 
@@ -67,6 +68,9 @@ class PolynomialBody {
   /// The turns of space about axes that the symmetry planes leave free, where no load depends on the direction.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
+
+  /// f ← f + the rate of the conservative forces along u, of loads that do not depend on time.
+  void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }

@@ -197,7 +197,7 @@ class Validator {
              "and motions of the centre");
     if (is_fluid(scene_))
       refuse("Material/Law", "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0");
-    if (!fixed_discretization(scene_))
+    if (is_discretized(scene_) && !fixed_discretization(scene_))
       refuse(scene_.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
              "auto is offered for motions; modes have their spread as a measure of the mesh's error, so give a number");
     if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)

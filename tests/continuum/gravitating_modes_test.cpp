@@ -11,13 +11,14 @@
 #include <string>
 
 #include "analysis/order_fit.h"
+#include "analysis/sphere_frequencies.h"
 #include "continuum/modes/modes.h"
-#include "continuum/modes/sphere_frequencies.h"
 
 namespace pseudorigid::testing {
 namespace {
 
 using namespace continuum;
+using analysis::sphere_frequency;
 
 std::vector<BallFrequency> modes(int degree, int n_refinements, int n_frequencies, double gamma, double kappa = 0) {
   const BallSpace space(BallMesh({{true, true, true}}, n_refinements), degree);

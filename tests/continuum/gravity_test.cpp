@@ -8,14 +8,14 @@
 
 #include "analysis/frequency.h"
 #include "analysis/order_fit.h"
+#include "analysis/sphere_frequencies.h"
 #include "continuum/balls.h"
-#include "continuum/modes/sphere_frequencies.h"
 #include "gravity/ellipsoid_gravity.h"
 
 namespace pseudorigid::testing {
 namespace {
 
-using continuum::sphere_frequency;
+using analysis::sphere_frequency;
 using continuum::Vector;
 
 const Matrix3d ellipsoid = (Vector3d(1.3, 1.1, 0.7) / std::cbrt(1.3 * 1.1 * 0.7)).asDiagonal();

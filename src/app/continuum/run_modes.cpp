@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "app/continuum/stored_energy.h"
+#include "app/run/mode_table.h"
 #include "continuum/modes/modes.h"
-#include "continuum/modes/sphere_frequencies.h"
 #include "continuum/output/nodal_fields.h"
-#include "io/csv.h"
 #include "io/pvd.h"
 #include "io/vtu.h"
 
@@ -29,50 +25,15 @@ double gravity_of(const continuum::RestProblem& problem) {
                          : 0;
 }
 
-/// The frequency of the sphere.
-double exact_frequency(const BallFrequency& f, const continuum::RestProblem& problem) {
-  const double mu = problem.elasticity.shear_modulus(), lambda = problem.elasticity.lame_lambda();
-  const bool spheroidal = f.kind == ModeKind::spheroidal;
-  return std::sqrt(mu) * (problem.incompressible
-                              ? continuum::sphere_frequency(spheroidal, f.degree, f.overtone, gravity_of(problem))
-                              : continuum::compressible_sphere_frequency(spheroidal, f.degree, f.overtone,
-                                                                         std::sqrt(mu / (lambda + 2 * mu))));
-}
-
-/// The pseudo-rigid ball has the five motions Q = Id + εH with H symmetric and without trace, m̄ Ḧ = −(2 + 4γ/25)μ Vol
-/// H, and where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
-double reduced_frequency(const BallFrequency& f, const continuum::RestProblem& problem) {
-  if (f.kind != ModeKind::spheroidal || f.overtone != 0) return 0;
-  const double mu = problem.elasticity.shear_modulus(), lambda = problem.elasticity.lame_lambda();
-  if (f.degree == 2) return std::sqrt((10 + 0.8 * gravity_of(problem)) * mu);
-  return f.degree == 0 ? std::sqrt(5 * (3 * lambda + 2 * mu)) : 0;
-}
-
-std::string name_of(const BallFrequency& f) {
-  return fmt::format("{}{}{}", f.kind == ModeKind::spheroidal ? 'S' : 'T', f.degree,
-                     f.overtone == 0 ? "" : fmt::format(", overtone {}", f.overtone));
-}
-
 void write_table(const std::vector<BallFrequency>& frequencies, const continuum::RestProblem& problem,
                  const RunContext& context) {
-  const std::vector<std::string> columns{"index",        "omega",  "kind",  "degree", "overtone",
-                                         "multiplicity", "spread", "exact", "reduced"};
-  auto csv = io::CsvWriter::create(context.directory.csv("modes"), columns);
-  context.log->info("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies", "spread",
-                    "exact sphere", "difference", "pseudo-rigid");
-  int index = 0;
-  for (const BallFrequency& f : frequencies) {
-    const double time = context.units.time, spread = (f.largest - f.least) / f.omega;
-    const double exact = exact_frequency(f, problem), reduced = reduced_frequency(f, problem);
-    csv.append(std::vector<double>{static_cast<double>(++index), f.omega / time, static_cast<double>(f.kind),
-                                   static_cast<double>(f.degree), static_cast<double>(f.overtone),
-                                   static_cast<double>(f.multiplicity), spread, exact / time, reduced / time});
-    context.log->info("{:>3}  {:<14} {:>16.10g} {:>6} {:>9.1e} {:>16} {:>10} {:>16}", index, name_of(f), f.omega / time,
-                      f.multiplicity, spread, fmt::format("{:.10g}", exact / time),
-                      fmt::format("{:.1e}", f.omega / exact - 1),
-                      reduced == 0 ? "" : fmt::format("{:.10g}", reduced / time));
-  }
-  csv.flush();
+  std::vector<ModeFrequency> rows;
+  for (const BallFrequency& f : frequencies)
+    rows.push_back({f.omega, f.least, f.largest, f.kind == ModeKind::spheroidal, f.degree, f.overtone, f.multiplicity});
+  const auto& elasticity = problem.elasticity;
+  write_mode_table(rows,
+                   {elasticity.shear_modulus(), elasticity.lame_lambda(), problem.incompressible, gravity_of(problem)},
+                   context, "modes");
 }
 
 /// One shape for each frequency, on the ball at rest, its largest displacement one radius.

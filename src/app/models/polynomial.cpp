@@ -21,6 +21,8 @@ std::string polynomial_needed(const Scene& scene) {
   if (degrees.empty())
     of_degree = fmt::format("the lowest degree with an estimated error of Q up to {}",
                             scene::print_number(scene.polynomial.tolerance));
+  if (scene.analysis == scene::Analysis::modes)
+    return fmt::format("polynomial body: {}, the whole ball in all its parities", of_degree);
   const scene::Sector sector = scene::sector(scene);
   return fmt::format("polynomial body: {}, {}, one of {} ({})", of_degree, sector.name(), sector.n_images(),
                      sector.reason);
@@ -53,8 +55,18 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   return {};
 }
 
+std::optional<Refusal> refuses_modes(const Scene& scene) {
+  if (scene.analysis != scene::Analysis::modes) return {};
+  if (scene.polynomial.degrees.size() != 1)
+    return Refusal{"Polynomial/Degree", "modes are those of one body: expected one whole number from 1 to 13"};
+  if (scene.body.semi_axes != std::vector<double>{1, 1, 1})
+    return Refusal{"Body/Semi-axes", "modes are those of the ball; leave the entry out"};
+  return {};
+}
+
 std::optional<Refusal> refuses(const Scene& scene) {
   if (auto refusal = refuses_body(scene)) return refusal;
+  if (auto refusal = refuses_modes(scene)) return refusal;
   return refuses_motion(scene);
 }
 
@@ -69,6 +81,7 @@ scene::ModelDescription polynomial_description() {
               "body, N = 1, and the continuum.",
           .by_default = false,
           .has_nonaffine = true,
+          .has_modes = true,
           .columns = io::documented_columns<Observables>(),
           .rungs = rungs(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },

@@ -27,9 +27,8 @@ class PolynomialModel {
   using Workspace = typename System::Workspace;
   /// A step of a small body takes microseconds.
   static constexpr int steps_between_looks = 16;
-  static constexpr double pilot_reserve = 0.5;
-  /// A force costs enough that pilots are spared.
-  static constexpr bool spares_pilots = true;
+  /// As of the continuum, whose motions these are.
+  static constexpr double pilot_reserve = 0.4;
 
   PolynomialModel(const RunContext& context, const PolynomialTask& task)
       : name_(task.name),
@@ -62,8 +61,8 @@ class PolynomialModel {
   double constraint_scale() const { return body_.multiplier_scale(); }  // only called with constraints
   Eigen::Matrix3d configuration(const State& state) const { return affine_part(state.q); }
   double rate(const State& state) const { return mechanics::affine_rate(affine_part(state.q), affine_part(state.v)); }
-  /// About two pulsations.
-  double pilot_window(double end) const { return std::min(end, 5.0); }
+  /// About half a pulsation: by then shear waves from the surface have crossed the ball.
+  double pilot_window(double end) const { return std::min(end, 1.0); }
 
   std::string place_of_least_jacobian(const State& state) const {
     return "least " + body_.least_jacobian_in_words(state.q);

@@ -51,7 +51,7 @@ class ModelStepping {
                                    .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
                                    .step_bound = std::min(bound, end_ - state.t),
                                    .interval = interval_,
-                                   .spare_pilots = spares_pilots,
+                                   .spare_pilots = mechanics::has_costly_force<System>,
                                    .method = method,
                                    .give_up = [this] { return context_.interrupted(); }};
     if constexpr (mechanics::ConstrainedSystem<System>) {
@@ -109,13 +109,8 @@ class ModelStepping {
 
  private:
   static constexpr int n_lanczos = 24;
-  /// Whether a force costs so much that pilots and looks at the frequency do, too.
-  static constexpr bool spares_pilots = [] {
-    if constexpr (requires { Model::spares_pilots; }) return Model::spares_pilots;
-    return !mechanics::VectorSpace<typename System::Vector>::dense;
-  }();
   /// Of ω², where a force costs much: a step shorter by a hundredth costs less than knowing better.
-  static constexpr double accuracy = spares_pilots ? 0.02 : 0;
+  static constexpr double accuracy = mechanics::has_costly_force<System> ? 0.02 : 0;
   /// A step is at most this part of what is stable at the state that it was chosen for.
   static constexpr double reserve = 0.8;
 

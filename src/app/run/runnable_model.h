@@ -5,7 +5,6 @@
 ///   void take_up(rows)                        what the rows of an interrupted run know of the past
 ///   Status judge(state) const                 states with which a run ends, asked after every step
 ///   double constraint_scale() const           with constraints
-///   static constexpr bool spares_pilots       a force costs much; true of distributed vectors
 ///   Status write_frame(path, state, system workspace)                         pictures
 ///   shape_columns(), n_shape_rows(), shape(time, state)                       shapes for the report
 ///   std::string place_of_least_jacobian(state) const                          for a run that cannot go on

@@ -46,6 +46,14 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
+/// Whether a force costs so much that pilot runs and looks at the frequency do, too: true of distributed vectors, and
+/// of systems that say so by a member of this name.
+template <class S>
+inline constexpr bool has_costly_force = [] {
+  if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
+  return !VectorSpace<typename S::Vector>::dense;
+}();
+
 /// A system may also know g(q + q_rounding) to well below the round-off of q, as `constraint(q, q_rounding, g)`, where
 /// q_rounding is what compensated sums have kept back from q. Its constraint is then met by that sum.
 template <class S>

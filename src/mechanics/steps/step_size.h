@@ -47,9 +47,8 @@ inline double damped_step_limit(double gamma, double safety = 0.8) { return safe
 /// Whether Method = auto considers a method for systems of type S, if its promises hold. Where forces cost little, one
 /// of fixed step that is not symplectic is for those who ask for it.
 template <class Method, class S>
-inline constexpr bool auto_considers =
-    Method::chosen_by_auto &&
-    (Method::adaptive || Method::symplectic || !VectorSpace<typename S::Vector>::dense) && method_fits<Method, S>();
+inline constexpr bool auto_considers = Method::chosen_by_auto && (Method::adaptive || Method::symplectic ||
+                                                                  has_costly_force<S>)&&method_fits<Method, S>();
 
 namespace detail {
 
@@ -57,10 +56,12 @@ namespace detail {
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
-/// The one that is asked for, or any that auto may take and whose promises hold.
+/// The one that is asked for, or any that auto may take and whose promises hold. Where a force costs much, an adaptive
+/// method is for dissipative systems, to which no method of fixed step and high order is open.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
+  if (Method::adaptive && has_costly_force<S> && !dissipative(system)) return false;
   if constexpr (auto_considers<Method, S>) return Method::accepts(form_for<Method>(system)).ok();
   return false;
 }

@@ -1,6 +1,6 @@
 /// The exact frequencies of the sphere: against tables, and against each other where one equation becomes the other.
 
-#include "continuum/modes/sphere_frequencies.h"
+#include "analysis/sphere_frequencies.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 namespace pseudorigid::testing {
 namespace {
 
-using continuum::compressible_sphere_frequency;
-using continuum::sphere_frequency;
+using analysis::compressible_sphere_frequency;
+using analysis::sphere_frequency;
 
 /// PHYSICS section 7; for λ = μ the lowest modes of Love's table, 0T2, 0S2 and 0S0.
 TEST(SphereFrequencies, AreThoseOfTheTables) {

@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-namespace pseudorigid::continuum {
+namespace pseudorigid::analysis {
 
 inline double toroidal_equation(int n, double x) {
   const double j = std::sph_bessel(static_cast<unsigned>(n), x);
@@ -68,4 +68,4 @@ inline double compressible_sphere_frequency(bool spheroidal, int n, int overtone
   return sphere_root([=](double x) { return compressible_spheroidal_equation(n, x, ratio); }, overtone);
 }
 
-}  // namespace pseudorigid::continuum
+}  // namespace pseudorigid::analysis

@@ -1,0 +1,62 @@
+#include "app/run/mode_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "analysis/sphere_frequencies.h"
+#include "io/csv.h"
+
+namespace pseudorigid::app {
+namespace {
+
+/// The frequency of the sphere.
+double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
+  const double mu = ball.shear_modulus, lambda = ball.lame_lambda;
+  return std::sqrt(mu) * (ball.incompressible
+                              ? analysis::sphere_frequency(f.spheroidal, f.degree, f.overtone, ball.gamma)
+                              : analysis::compressible_sphere_frequency(f.spheroidal, f.degree, f.overtone,
+                                                                        std::sqrt(mu / (lambda + 2 * mu))));
+}
+
+/// The pseudo-rigid ball has the five motions Q = Id + εH with H symmetric and without trace, m̄ Ḧ = −(2 + 4γ/25)μ Vol
+/// H, and where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
+double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
+  if (!f.spheroidal || f.overtone != 0) return 0;
+  const double mu = ball.shear_modulus, lambda = ball.lame_lambda;
+  if (f.degree == 2) return std::sqrt((10 + 0.8 * ball.gamma) * mu);
+  return f.degree == 0 ? std::sqrt(5 * (3 * lambda + 2 * mu)) : 0;
+}
+
+std::string name_of(const ModeFrequency& f) {
+  return fmt::format("{}{}{}", f.spheroidal ? 'S' : 'T', f.degree,
+                     f.overtone == 0 ? "" : fmt::format(", overtone {}", f.overtone));
+}
+
+}  // namespace
+
+void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
+                      std::string_view file) {
+  const std::vector<std::string> columns{"index",        "omega",  "kind",  "degree", "overtone",
+                                         "multiplicity", "spread", "exact", "reduced"};
+  constexpr double spheroidal = 1, toroidal = 2;  // the column kind
+  auto csv = io::CsvWriter::create(context.directory.csv(file), columns);
+  context.log->info("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies", "spread",
+                    "exact sphere", "difference", "pseudo-rigid");
+  int index = 0;
+  for (const ModeFrequency& f : frequencies) {
+    const double time = context.units.time, spread = (f.largest - f.least) / f.omega;
+    const double exact = exact_frequency(f, ball), reduced = reduced_frequency(f, ball);
+    csv.append(std::vector<double>{static_cast<double>(++index), f.omega / time, f.spheroidal ? spheroidal : toroidal,
+                                   static_cast<double>(f.degree), static_cast<double>(f.overtone),
+                                   static_cast<double>(f.multiplicity), spread, exact / time, reduced / time});
+    context.log->info("{:>3}  {:<14} {:>16.10g} {:>6} {:>9.1e} {:>16} {:>10} {:>16}", index, name_of(f), f.omega / time,
+                      f.multiplicity, spread, fmt::format("{:.10g}", exact / time),
+                      fmt::format("{:.1e}", f.omega / exact - 1),
+                      reduced == 0 ? "" : fmt::format("{:.10g}", reduced / time));
+  }
+  csv.flush();
+}
+
+}  // namespace pseudorigid::app
