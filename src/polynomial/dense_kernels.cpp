@@ -66,31 +66,35 @@ template <int n_rows>
   for (int k = 0; k < n_rows; ++k) c[first + k] += sums[k].sum(n_lanes);
 }
 
-/// C_ij for n_rows rows of A and n_columns of B.
-template <int n_rows, int n_columns>
-[[gnu::always_inline]] inline void multiply_block(const double* A, const double* B, int n, int length, double* C,
-                                                  int i0, int j0) {
-  L sums[n_rows][n_columns];
-  for (auto& row : sums)
-    for (L& sum : row) sum = 0;
-  for (int e = 0; e < length; e += n_lanes) {
-    L b[n_columns];
-    for (int j = 0; j < n_columns; ++j) b[j] = load(B + static_cast<long>(j0 + j) * length + e);
+/// C for n_rows rows of A and n_vectors vectors of columns.
+template <int n_rows, int n_vectors>
+[[gnu::always_inline]] inline void multiply_block(const double* A, const double* R, int n_points, int width, double* C,
+                                                  int row, int column) {
+  L sums[n_rows][n_vectors];
+  for (int i = 0; i < n_rows; ++i)
+    for (int k = 0; k < n_vectors; ++k)
+      sums[i][k] = load(C + static_cast<long>(row + i) * width + column + k * n_lanes);
+  for (int p = 0; p < n_points; ++p) {
+    const double* at = R + static_cast<long>(p) * width + column;
+    L r[n_vectors];
+    for (int k = 0; k < n_vectors; ++k) r[k] = load(at + k * n_lanes);
     for (int i = 0; i < n_rows; ++i) {
-      const L a = load(A + static_cast<long>(i0 + i) * length + e);
-      for (int j = 0; j < n_columns; ++j) sums[i][j] += a * b[j];
+      const L a = A[static_cast<long>(row + i) * n_points + p];
+      for (int k = 0; k < n_vectors; ++k) sums[i][k] += a * r[k];
     }
   }
   for (int i = 0; i < n_rows; ++i)
-    for (int j = 0; j < n_columns; ++j) C[static_cast<long>(i0 + i) * n + j0 + j] += sums[i][j].sum(n_lanes);
+    for (int k = 0; k < n_vectors; ++k)
+      store(sums[i][k], C + static_cast<long>(row + i) * width + column + k * n_lanes);
 }
 
 template <int n_rows>
-void multiply_rows(const double* A, const double* B, int n, int length, double* C, int i0) {
-  constexpr int n_columns = 4;
-  int j = 0;
-  for (; j + n_columns <= n; j += n_columns) multiply_block<n_rows, n_columns>(A, B, n, length, C, i0, j);
-  for (; j < n; ++j) multiply_block<n_rows, 1>(A, B, n, length, C, i0, j);
+void multiply_rows(const double* A, const double* R, int n_points, int width, double* C, int row) {
+  constexpr int n_vectors = 2;
+  int column = 0;
+  for (; column + n_vectors * n_lanes <= width; column += n_vectors * n_lanes)
+    multiply_block<n_rows, n_vectors>(A, R, n_points, width, C, row, column);
+  for (; column < width; column += n_lanes) multiply_block<n_rows, 1>(A, R, n_points, width, C, row, column);
 }
 
 /// Calls visitor(law, p) for the first point p of every vector.
@@ -133,11 +137,23 @@ void contract(const double* table, int n, int length, const double* y, double* c
   for (; a < n; ++a) contract_rows<1>(table, length, y, c, a);
 }
 
-void multiply_transposed(const double* A, int m, const double* B, int n, int length, double* C) {
+void multiply(const double* A, int m, const double* R, int n_points, int width, double* C) {
   constexpr int n_rows = 4;
   int i = 0;
-  for (; i + n_rows <= m; i += n_rows) multiply_rows<n_rows>(A, B, n, length, C, i);
-  for (; i < m; ++i) multiply_rows<1>(A, B, n, length, C, i);
+  for (; i + n_rows <= m; i += n_rows) multiply_rows<n_rows>(A, R, n_points, width, C, i);
+  for (; i < m; ++i) multiply_rows<1>(A, R, n_points, width, C, i);
+}
+
+void combine_at_points(const double* A0, const double* A1, const double* A2, const double* T, int n_points, int width,
+                       double* R) {
+  const long size = static_cast<long>(n_points) * width;
+  for (int p = 0; p < n_points; ++p) {
+    const L a0 = A0[p], a1 = A1[p], a2 = A2[p];
+    for (int c = 0; c < width; c += n_lanes) {
+      const double* at = T + static_cast<long>(p) * width + c;
+      store(a0 * load(at) + a1 * load(at + size) + a2 * load(at + 2 * size), R + static_cast<long>(p) * width + c);
+    }
+  }
 }
 
 double stress(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T) {

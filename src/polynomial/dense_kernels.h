@@ -15,8 +15,13 @@ inline constexpr int point_block = 8;
 void combine(const double* table, int n, int length, const double* c, double* y);
 /// c_a ← c_a + Σ_e T_ae y_e
 void contract(const double* table, int n, int length, const double* y, double* c);
-/// C ← C + A Bᵀ, of row-major A (m × length), B (n × length), C (m × n).
-void multiply_transposed(const double* A, int m, const double* B, int n, int length, double* C);
+/// C ← C + A R, of row-major A (m × n_points), R (n_points × width), C (m × width). The width is a whole number of
+/// blocks.
+void multiply(const double* A, int m, const double* R, int n_points, int width, double* C);
+/// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
+/// and A_k at n_points.
+void combine_at_points(const double* A0, const double* A1, const double* A2, const double* T, int n_points, int width,
+                       double* R);
 
 /// A 3×3 tensor at n points: entry (i, j) of point p is at (3i + j) n + p.
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 
 #include "polynomial/constraint.h"
@@ -32,69 +33,89 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   return rows;
 }
 
-/// F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block: one row a function.
-void reaction_rows(const PolynomialSpace& space, const Block& block, const double* A, double* rows) {
+int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
+
+/// The gradients of the functions of a block with those of a point side by side, [k][point of the octant][function].
+std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
-  const std::vector<double>& table = tables.rows(block.parity);
-  const int stride = tables.stride(), n_points = tables.n_points();
-  for (int a = 0; a < block.n(); ++a) {
-    const double* gradient = table.data() + static_cast<std::size_t>(a) * 3 * stride;
-    double* row = rows + static_cast<std::size_t>(a) * n_points;
-    for (int image = 0; image < space.n_images(); ++image) {
-      double signs[3];
-      for (int k = 0; k < 3; ++k) signs[k] = sign(image, block.slot ^ tables.shift(k));
-      const double* A_i = A + static_cast<std::size_t>(3 * block.component) * n_points + image * stride;
-      for (int p = 0; p < stride; ++p)
-        row[image * stride + p] = signs[0] * A_i[p] * gradient[p] +
-                                  signs[1] * A_i[n_points + p] * gradient[stride + p] +
-                                  signs[2] * A_i[2 * n_points + p] * gradient[2 * stride + p];
+  const std::vector<double>& rows = tables.rows(block.parity);
+  const int stride = tables.stride(), width = filled_up(block.n());
+  std::vector<double> by_point(static_cast<std::size_t>(3) * stride * width, 0.0);
+  for (int a = 0; a < block.n(); ++a)
+    for (int kp = 0; kp < 3 * stride; ++kp)
+      by_point[static_cast<std::size_t>(kp) * width + a] = rows[static_cast<std::size_t>(a) * 3 * stride + kp];
+  return by_point;
+}
+
+/// F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block, those of a point side by side. A = F⁻ᵀ.
+void reactions_at_points(const PolynomialSpace& space, const Block& block, const std::vector<double>& gradients,
+                         const double* A, double* R) {
+  const int stride = space.gradients().stride(), n_points = space.n_points(), width = filled_up(block.n());
+  ScratchArray signed_A(static_cast<std::size_t>(3) * stride);
+  for (int image = 0; image < space.n_images(); ++image) {
+    for (int k = 0; k < 3; ++k) {
+      const double s = sign(image, block.slot ^ space.gradients().shift(k));
+      const double* A_ik = A + static_cast<std::size_t>(3 * block.component + k) * n_points + image * stride;
+      for (int p = 0; p < stride; ++p) signed_A[k * stride + p] = s * A_ik[p];
     }
+    const double* rows = signed_A;
+    combine_at_points(rows, rows + stride, rows + 2 * stride, gradients.data(), stride, width,
+                      R + static_cast<std::size_t>(image) * stride * width);
   }
 }
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+}  // namespace
+
+GramMatrix::GramMatrix(const PolynomialSpace& space)
+    : space_(&space), weighted_pressures_(pressure_rows(space, space.weights())) {
+  for (const Block& block : space.blocks())
+    if (gradients_[block.parity].empty()) gradients_[block.parity] = gradients_by_point(space, block);
+}
+
 /// Calls visitor(block, columns) with the columns of G of each block, filled up with zeros to whole vectors.
 template <class Visitor>
-void for_each_part(const PolynomialSpace& space, const std::vector<double>& weighted_pressures,
-                   const Eigen::VectorXd& q, Visitor&& visitor) {
-  const int n_points = space.n_points(), n_pressures = space.n_pressures();
-  ScratchArray F(space.gradients().size(3)), A(space.gradients().size(3));
-  space.gradients().evaluate(space.blocks(), 3, q.data(), F);
+void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const {
+  const int n_points = space_->n_points(), n_pressures = space_->n_pressures();
+  ScratchArray F(space_->gradients().size(3)), A(space_->gradients().size(3));
+  space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
   inverse_transposed(n_points, F, A);
-  for (const Block& block : space.blocks()) {
-    const int width = (block.n() + point_block - 1) / point_block * point_block;
-    ScratchArray rows(static_cast<std::size_t>(width) * n_points);
-    std::fill_n(static_cast<double*>(rows), static_cast<std::size_t>(width) * n_points, 0.0);
-    reaction_rows(space, block, A, rows);
+  for (const Block& block : space_->blocks()) {
+    const int width = filled_up(block.n());
+    ScratchArray R(static_cast<std::size_t>(n_points) * width);
+    reactions_at_points(*space_, block, gradients_[block.parity], A, R);
     RowMajor columns = RowMajor::Zero(n_pressures, width);
-    multiply_transposed(weighted_pressures.data(), n_pressures, rows, width, n_points, columns.data());
+    multiply(weighted_pressures_.data(), n_pressures, R, n_points, width, columns.data());
     visitor(block, columns);
   }
 }
 
-}  // namespace
-
-Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q) {
-  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(space.n_pressures(), q.size());
-  for_each_part(space, pressure_rows(space, space.weights()), q, [&](const Block& block, const RowMajor& columns) {
+Eigen::MatrixXd GramMatrix::constraint_matrix(const Eigen::VectorXd& q) const {
+  Eigen::MatrixXd G = Eigen::MatrixXd::Zero(space_->n_pressures(), q.size());
+  for_each_part(q, [&](const Block& block, const RowMajor& columns) {
     G.middleCols(block.offset, block.n()) = columns.leftCols(block.n());
   });
   return G;
 }
 
+Eigen::MatrixXd GramMatrix::at(const Eigen::VectorXd& q) const {
+  const int n = space_->n_pressures();
+  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
+  for_each_part(q,
+                [&](const Block&, const RowMajor& columns) { S.selfadjointView<Eigen::Lower>().rankUpdate(columns); });
+  return S;
+}
+
+Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q) {
+  return GramMatrix(space).constraint_matrix(q);
+}
+
 GramSolver::GramSolver(const PolynomialSpace& space)
-    : space_(&space),
-      weighted_pressures_(pressure_rows(space, space.weights())),
-      position_(Eigen::VectorXd::Zero(space.n_unknowns())) {}
+    : space_(&space), matrix_(space), position_(Eigen::VectorXd::Zero(space.n_unknowns())) {}
 
 bool GramSolver::factor(const Eigen::VectorXd& q) {
-  const int n = space_->n_pressures();
-  RowMajor S = RowMajor::Zero(n, n);
-  for_each_part(*space_, weighted_pressures_, q, [&](const Block&, const RowMajor& columns) {
-    multiply_transposed(columns.data(), n, columns.data(), n, static_cast<int>(columns.cols()), S.data());
-  });
-  factor_.compute(S);
+  factor_.compute(matrix_.at(q));
   factored_at_ = q;
   ++n_factorizations_;
   return factor_.info() == Eigen::Success;
@@ -110,49 +131,65 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
   return factor(position_);
 }
 
-/// Multiplications and additions of a product with S and of a solution with its factor.
+/// Multiplications and additions of a product with S and of a solution with its factor; those at the points weigh more.
 double GramSolver::iteration_cost() const {
   const double n = space_->n_pressures(), stride = space_->gradients().stride();
   double functions = 0;
   for (const Block& block : space_->blocks()) functions += block.n();
   return 2 * stride * (3 * functions + n) + n * n + 60.0 * space_->n_points();
 }
-/// The same of a factorisation, whose kernels run about three times as fast as sums over tables.
+/// The same of a factorisation.
 double GramSolver::factorization_cost() const {
   const double n = space_->n_pressures(), n_unknowns = space_->n_unknowns();
-  return n_unknowns * space_->n_points() * (n + 9) / 3 + n * n * (n_unknowns + n / 3) / 3;
+  return n_unknowns * space_->n_points() * (n + 9) + n * n * (n_unknowns + n / 3);
 }
 
 mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                          double enough, Eigen::VectorXd& lambda) {
-  constexpr double part = 1e-4, slow = 0.5;
-  constexpr int max_iterations = 60;
-  const double sought = std::max(part * r.lpNorm<Eigen::Infinity>(), enough);
-  const auto failure = [] {
-    return mechanics::Status::failure("the constraints on the volume have become dependent: use a smaller step");
-  };
-  if (!ensure_factor(q0)) return {failure(), 0};
   const ReactionsBetween S(*space_, q1, q0);
+  int n_iterations = 0;
+  const auto dependent = [&]() -> mechanics::SolveReport {
+    return {mechanics::Status::failure("the constraints on the volume have become dependent: use a smaller step"),
+            n_iterations};
+  };
+  if (!ensure_factor(q0)) return dependent();
+  if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
+  // The factor is too old, unless it was made here.
+  if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
+  spent_ = 2 * factorization_cost();
+  if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();
+  return {{}, n_iterations};
+}
+
+bool GramSolver::iterate(const ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
+                         int& n_iterations) {
+  constexpr double part = 1e-4;
+  constexpr int max_iterations = 12;
+  const double sought = std::max(part * r.lpNorm<Eigen::Infinity>(), enough);
+  std::array<Eigen::VectorXd, max_iterations> z, y;
+  Eigen::VectorXd residual = r;
   lambda.setZero();
-  Eigen::VectorXd residual = r, product(r.size());
-  double before = residual.lpNorm<Eigen::Infinity>();
-  for (int i = 1; i <= max_iterations; ++i) {
-    lambda += factor_.solve(residual);
-    S.multiply(lambda, product);
-    residual = r - product;
-    const double norm = residual.lpNorm<Eigen::Infinity>();
-    if (!(norm <= sought) && i > 1) spent_ += iteration_cost();
-    if (norm <= sought) return {{}, i};
-    if (!(norm <= slow * before)) {
-      if (factored_at_ == q0.head(space_->n_unknowns())) return {failure(), i};
-      spent_ = 2 * factorization_cost();
-      if (!ensure_factor(q0)) return {failure(), i};
-      lambda.setZero();
-      residual = r;
+  for (int k = 0; k < max_iterations; ++k) {
+    ++n_iterations;
+    if (k > 0) spent_ += iteration_cost();
+    z[k] = factor_.solve(residual);
+    y[k].resize(r.size());
+    S.multiply(z[k], y[k]);
+    for (int j = 0; j < k; ++j) {
+      const double beta = y[j].dot(y[k]);
+      y[k] -= beta * y[j];
+      z[k] -= beta * z[j];
     }
-    before = residual.lpNorm<Eigen::Infinity>();
+    const double norm = y[k].norm();
+    if (!(norm > 0) || !std::isfinite(norm)) return residual.lpNorm<Eigen::Infinity>() <= sought;
+    y[k] /= norm;
+    z[k] /= norm;
+    const double alpha = y[k].dot(residual);
+    lambda += alpha * z[k];
+    residual -= alpha * y[k];
+    if (residual.lpNorm<Eigen::Infinity>() <= sought) return true;
   }
-  return {failure(), max_iterations};
+  return false;
 }
 
 }  // namespace pseudorigid::polynomial

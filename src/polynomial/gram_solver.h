@@ -3,20 +3,43 @@
 ///
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///
-/// S is small and dense. Its Cholesky factor at an earlier position q_f is kept: with S_f = G(q_f)G(q_f)ᵀ,
+/// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is kept and is the
+/// preconditioner of the generalized conjugate residual method (Eisenstat, Elman, Schultz 1983) for S, whose products
+/// need no matrix: with z_k = S_f⁻¹r_k and y_k = S z_k made orthonormal to the y_j before,
 ///
-///   λ ← λ + S_f⁻¹ (r − S λ)
+///   λ ← λ + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k.
 ///
-/// contracts by the relative change of S since. Products with S need no matrix. S is factored anew where the iteration
-/// is slow, and as soon as the iterations that a new factor would have spared have cost as much as it does, so the cost
-/// is at most twice the least.
+/// S is factored anew where the iteration is slow, and as soon as the iterations that a new factor would have spared
+/// have cost as much as it does, so the cost is at most twice the least.
 
 #include <Eigen/Cholesky>
+#include <array>
+#include <vector>
 
 #include "mechanics/core/status.h"
+#include "polynomial/constraint.h"
 #include "polynomial/polynomial_space.h"
 
 namespace pseudorigid::polynomial {
+
+/// G(q) and S(q, q) as matrices.
+class GramMatrix {
+ public:
+  explicit GramMatrix(const PolynomialSpace& space);
+
+  /// G(q): one row a pressure function, one column an entry of q.
+  Eigen::MatrixXd constraint_matrix(const Eigen::VectorXd& q) const;
+  /// The lower triangle of S(q, q).
+  Eigen::MatrixXd at(const Eigen::VectorXd& q) const;
+
+ private:
+  template <class Visitor>
+  void for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const;
+
+  const PolynomialSpace* space_;
+  std::vector<double> weighted_pressures_;        ///< [function][point]: w ψ
+  std::array<std::vector<double>, 8> gradients_;  ///< of each parity, [k][point of the octant][function]
+};
 
 class GramSolver {
  public:
@@ -39,15 +62,18 @@ class GramSolver {
  private:
   bool factor(const Eigen::VectorXd& q);
   bool ensure_factor(const Eigen::VectorXd& q0);
+  /// False where it does not converge.
+  bool iterate(const ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
+               int& n_iterations);
   double iteration_cost() const;
   double factorization_cost() const;
 
   const PolynomialSpace* space_;
-  std::vector<double> weighted_pressures_;  ///< [function][point]: w ψ
-  Eigen::VectorXd position_;                ///< where the factor was made, or is to be made
-  bool is_known_ = false;                   ///< position_ is one
-  double spent_ = 0;                        ///< on iterations since
-  Eigen::VectorXd factored_at_;             ///< of what is in factor_; empty: nothing
+  GramMatrix matrix_;
+  Eigen::VectorXd position_;     ///< where the factor was made, or is to be made
+  bool is_known_ = false;        ///< position_ is one
+  double spent_ = 0;             ///< on iterations since
+  Eigen::VectorXd factored_at_;  ///< of what is in factor_; empty: nothing
   Eigen::LLT<Eigen::MatrixXd> factor_;
   long n_factorizations_ = 0;
 };
