@@ -3,7 +3,8 @@
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
-#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md and docs/tutorial.md
+#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md, docs/scope.md and
+#               docs/tutorial.md
 #   pictures    docs/images: quickstart, report, equilibria, gallery
 #   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
@@ -43,8 +44,9 @@ make_pictures() {
   "$program" run params/quickstart.prm --output "$runs/quickstart"
   tools/plot_comparison.py "$runs/quickstart" --quantity Q33 --output "$images/quickstart_curves.svg"
   "$program" run params/quickstart.prm --output "$runs/fine" --set "Continuum/Refinements=1" --set "Time/End=7" \
-    --set "Output/Samples=140" --set "Output/Frames=15"
-  xvfb-run -a tools/render.py "$runs/fine" --frame 14 --output "$images/quickstart.png"
+    --set "Output/Samples=140" --set "Output/Frames=29"
+  xvfb-run -a tools/render.py "$runs/fine" --output "$images/quickstart.png"
+  xvfb-run -a tools/animate.py "$runs/fine" --output "$images/both_balls.gif"
   "$program" run params/quickstart.prm --output "$runs/report" --set "Output/Report=true"
   tools/page_picture.py "$runs/report/report.html" --output "$images/report.png"
   tools/plot_equilibria.py "$program" --output "$images/equilibria.svg"

@@ -23,6 +23,7 @@ from run_directory import fail
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TABLES = {
     "summary": tables.summary,
+    "ladder": tables.ladder,
     "sl3": lambda data: tables.methods(data, "sl3"),
     "rigid_body": lambda data: tables.methods(data, "rigid_body"),
     "double_pendulum": lambda data: tables.methods(data, "double_pendulum"),

@@ -1,6 +1,7 @@
 """Tables of the benchmarks as (header, rows of texts), from the files of docs/benchmarks/data; None without data."""
 
 import math
+import re
 import statistics
 
 from benchmark_data import (HISTORY_LEVELS, cheapest, discretization, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
@@ -292,6 +293,33 @@ def parts(data):
          "quick" if run["quick"] else "full"] for name, run in read_runs(data).items()]
 
 
+def ladder(data):
+    """The models from the poorest in motions to the richest: how many unknowns buy which accuracy."""
+    exact, pseudo_rigid = 2.665622189236, math.sqrt(10)  # docs/physics.md, section 3
+    # The release: docs/physics.md, section 10.
+    lines = [["pseudo-rigid body", "3", number(pseudo_rigid / exact - 1), number(0.35)]]
+    frequencies = {row["degree"]: float(row["error"]) for row in read_rows(data, "ball_frequency.csv")
+                   if row["way"] == "octant" and row["refinements"] == "0"}
+    releases = {row["degree"]: row for row in read_rows(data, "ball_release.csv")
+                if row["refinements"] == "0" and row["method"] == "symmetric-4" and row["tolerance"] == "0.0001"}
+    for degree, row in releases.items():
+        if degree in frequencies and int(degree) <= 6:
+            lines.append([f"finite elements, k = {degree}", row["unknowns"], number(frequencies[degree], 2),
+                          number(float(row["error"]), 2)])
+    header = ["model", "unknowns", "relative error of the frequency of S2", "error of Q33 in the release"]
+    return (header, lines) if releases and frequencies else None
+
+
+PACKAGES = {"GSL": "libgsl-dev", "odeint": "libboost-dev", "CVODE": "libsundials-dev", "ARKODE": "libsundials-dev",
+            "FEniCSx": "python3-dolfinx-real"}
+
+
+def library_version(data, part, library):
+    """The version of a library that a part was measured with, by that of its package."""
+    packages = read_runs(data)[part]["packages"]
+    return re.search(re.escape(PACKAGES[library]) + r" (?:\d+:)?([\d.]*\d)", packages)[1]
+
+
 def summary(data):
     """What the README quotes, a line for each statement that has its data."""
     lines = []
@@ -300,13 +328,15 @@ def summary(data):
         header, rows = fastest
         best = min((r for r in rows if r[3] != NONE and not r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
         rival = min((r for r in rows if r[3] != NONE and r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
+        library, _, method = rival[0].partition(" ")
         lines.append(["pseudo-rigid ball, 50 pulsations, error 1e-10", f"{best[3]} ms ({best[0]})",
-                      f"{rival[3]} ms ({rival[0]})"])
+                      f"{rival[3]} ms ({library} {library_version(data, 'methods', library)}, {method})"])
     for line in (release(data) or ([], []))[1]:
         if line[0] in ("1.0e-04", "1.3e-05") and line[1] != NONE:
-            rival = f"{line[5]} s (FEniCSx, {line[4]})" if line[5] != NONE else NONE
-            lines.append([f"elastic ball, nonlinear release, error {line[0]}", f"{line[2]} s ({line[1]})", rival])
+            version = library_version(data, "peers", "FEniCSx")
+            rival = f"{line[5]} s (FEniCSx {version}, {line[4]})" if line[5] != NONE else NONE
+            lines.append([f"elastic ball, release, error of Q33 {line[0]}", f"{line[2]} s ({line[1]})", rival])
     best = cheapest([r for r in read_rows(data, "ball_frequency.csv") if r["way"] == "octant"], 1e-9)
     if best:
-        lines.append(["elastic ball, frequency S2, relative error 1e-9", f"{number(float(best['seconds']))} s", NONE])
+        lines.append(["elastic ball, frequency of S2, relative error 1e-9", f"{number(float(best['seconds']))} s", NONE])
     return (["problem", "pseudorigid", "fastest rival here"], lines) if lines else None

@@ -300,12 +300,17 @@ def read_bodies(directory, frame, cut):
     return time, radius, continuum, reduced
 
 
-def draw(directory, frame, cut, output):
-    time, radius, continuum, reduced = read_bodies(directory, frame, cut)
-    shown = np.concatenate((continuum[1].ravel(), reduced[1].ravel()))
-    table = colours(rounded_up(np.quantile(shown, SATURATED)))
-    extent = max(radius, np.abs(continuum[0]).max(), np.abs(reduced[0]).max())
+def common_limits(pictures):
+    """For pictures, each as read_bodies gives it, on one scale: end of the colour bar, largest stress, half of the view."""
+    stress = np.concatenate([faces[1].ravel() for _, _, *bodies in pictures for faces in bodies])
+    extent = max(max(radius, *(np.abs(faces[0]).max() for faces in bodies)) for _, radius, *bodies in pictures)
+    return rounded_up(np.quantile(stress, SATURATED)), stress.max(), extent
 
+
+def draw(picture, limits, output):
+    time, radius, continuum, reduced = picture
+    end_of_bar, largest, extent = limits
+    table = colours(end_of_bar)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
@@ -320,7 +325,7 @@ def draw(directory, frame, cut, output):
         aim(view, extent)
     strip = renderer(window, 0, 0, 1, STRIP)
     strip.AddActor2D(colour_bar(table))
-    strip.AddActor2D(text(caption(shown.max(), table), 30, 0.5, 0.13))
+    strip.AddActor2D(text(caption(largest, table), 30, 0.5, 0.13))
 
     window.Render()
     image = vtkWindowToImageFilter()
@@ -333,7 +338,11 @@ def draw(directory, frame, cut, output):
     writer.Write()
     if writer.GetErrorCode():
         fail(f"--output: {output} cannot be written")
-    print(f"{output}: both bodies at time {time:g}")
+
+
+def check_screen():
+    if not os.environ.get("DISPLAY"):
+        fail("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
 
 
 def main():
@@ -343,9 +352,11 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, metavar="PNG", help="default: RUN_DIRECTORY/bodies.png")
     parser.add_argument("--whole", action="store_true", help="do not take a quarter out of the balls")
     arguments = parser.parse_args()
-    if not os.environ.get("DISPLAY"):
-        fail("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
-    draw(arguments.directory, arguments.frame, not arguments.whole, arguments.output or arguments.directory / "bodies.png")
+    check_screen()
+    picture = read_bodies(arguments.directory, arguments.frame, not arguments.whole)
+    output = arguments.output or arguments.directory / "bodies.png"
+    draw(picture, common_limits([picture]), output)
+    print(f"{output}: both bodies at time {picture[0]:g}")
 
 
 if __name__ == "__main__":
