@@ -44,6 +44,7 @@ def common_palette(frames):
     # What is most of a picture is white but for the choice of a palette.
     colours[3 * paper:3 * paper + 3] = [255, 255, 255]
     palette.putpalette(colours)
+    palette.load()
     return palette
 
 
