@@ -12,12 +12,14 @@ import argparse
 import pathlib
 import tempfile
 
+import numpy as np
 import PIL.Image
 
 import render
 from run_directory import existing, fail, read_pvd
 
 N_COLOURS, N_REFINEMENTS = 48, 2  # more colours are hardly seen and make the file larger
+ALMOST_WHITE = 245
 PALETTE_FRAMES = 8  # the palette is made from so many frames, spread over the motion
 
 
@@ -40,10 +42,10 @@ def common_palette(frames):
     for row, frame in enumerate(chosen):
         mosaic.paste(frame, (0, row * frame.height))
     palette = mosaic.quantize(N_COLOURS, PIL.Image.Quantize.MEDIANCUT, kmeans=N_REFINEMENTS)
-    colours, (_, paper) = palette.getpalette(), max(palette.getcolors())
-    # What is most of a picture is white but for the choice of a palette.
-    colours[3 * paper:3 * paper + 3] = [255, 255, 255]
-    palette.putpalette(colours)
+    # The paper is white but for the choice of a palette.
+    colours = np.array(palette.getpalette()).reshape(-1, 3)
+    colours[colours.min(axis=1) > ALMOST_WHITE] = 255
+    palette.putpalette(colours.ravel().tolist())
     palette.load()
     return palette
 
