@@ -1,7 +1,7 @@
 #!/usr/bin/python3
-"""A moving picture of both bodies of a run: each frame drawn as by tools/render.py, all on one scale, as an animated GIF.
+"""A moving picture of the bodies of a run: each frame drawn as by tools/render.py, all on one scale, as an animated GIF.
 
-The run must have been made with Output/Graphics = vtu and both models. Needs Debian's python3-vtk9 and python3-pil; the
+The run must have been made with Output/Graphics = vtu. Needs Debian's python3-vtk9 and python3-pil; the
 first draws through an X server. Without a screen:
 
     apt-get install python3-vtk9 python3-pil xvfb xauth libgl1-mesa-dri
@@ -16,7 +16,7 @@ import numpy as np
 import PIL.Image
 
 import render
-from run_directory import existing, fail, read_pvd
+from run_directory import Run, fail
 
 N_COLOURS, N_REFINEMENTS = 48, 2  # more colours are hardly seen and make the file larger
 ALMOST_WHITE = 245
@@ -25,8 +25,9 @@ PALETTE_FRAMES = 8  # the palette is made from so many frames, spread over the m
 
 def images(directory, cut, width):
     """All frames of a run, drawn and shrunk to this width."""
-    n_frames = len(read_pvd(existing(directory, "continuum.pvd", 'run the scene with --set "Output/Graphics=vtu"')))
-    pictures = [render.read_bodies(directory, frame, cut) for frame in range(n_frames)]
+    run = Run(directory)
+    n_frames = min(len(run.frames(model)) for model in run.models if run.has_frames(model) or model == run.models[-1])
+    pictures = [render.read_bodies(run, frame, cut) for frame in range(n_frames)]
     limits = render.common_limits(pictures)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "frame.png"

@@ -1,98 +1,120 @@
 #!/usr/bin/python3
-"""Curves of a run of both models: one component of the deformation over time, the difference of the models, and the
-part of the elastic ball's kinetic energy that is in non-affine motion.
+"""Curves of a run: one component of the deformation over time, and below it
 
-The component is the one that comparison.json names (C33, say, of C = Q^T Q, on which rotations do not count), or an
-entry of Q or C of your choice. Needs Debian's python3-matplotlib.
+- of two models their difference, and the part of the elastic ball's kinetic energy that is in non-affine motion;
+- of one model its semi-axes, and the kinetic and the elastic energy.
+
+The component is the one that comparison.json names (C33, say, of C = Q^T Q, on which rotations do not count), of one model
+the component of C that varies most, or an entry of Q or C of your choice. Needs Debian's python3-matplotlib.
 
     tools/plot_comparison.py output/quickstart
     tools/plot_comparison.py output/quickstart --quantity Q33 --output curves.svg
 """
 
 import argparse
-import json
 import pathlib
 import re
 
 import matplotlib
+import numpy as np
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
-from run_directory import existing, fail, read_csv  # noqa: E402
+from run_directory import Run, fail  # noqa: E402
 
 # Okabe and Ito's colours: distinct with every kind of colour vision.
-REDUCED = {"color": "#D55E00", "linestyle": "--", "label": "pseudo-rigid ball"}
-CONTINUUM = {"color": "#0072B2", "linestyle": "-", "label": "elastic ball"}
-REMEDY = "run the scene with Models = reduced, continuum"
+STYLES = [{"color": "#0072B2", "linestyle": "-"}, {"color": "#D55E00", "linestyle": "--"}, {"color": "#009E73", "linestyle": "-."}]
+AXES = ["#0072B2", "#E69F00", "#009E73"]
 
 
-def component(table, quantity, source):
-    """Q33 is a column; C33 = sum over k of Qk3 Qk3."""
-    letter, i, j = quantity
-    try:
-        if letter == "Q":
-            return table[quantity]
-        pairs = [zip(table[f"Q{k}{i}"], table[f"Q{k}{j}"]) for k in (1, 2, 3)]
-    except KeyError as missing:
-        fail(f"{source} has no column {missing}; run the scene with Output/Quantities = all")
-    return [sum(a * b for a, b in row) for row in zip(*pairs)]
+def component(run, model, quantity):
+    """Of Q or of C = Q^T Q."""
+    letter, i, j = quantity[0], int(quantity[1]) - 1, int(quantity[2]) - 1
+    Q = run.matrices(model, "Q")
+    return (Q if letter == "Q" else np.einsum("nki,nkj->nij", Q, Q))[:, i, j]
 
 
-def named_quantity(directory):
-    frequency = json.loads(existing(directory, "comparison.json", REMEDY).read_text())["frequency"]
-    if frequency is None:
-        fail("comparison.json names no component; run the scene with Output/Quantities = all")
-    return frequency["signal"]
+def named_quantity(run):
+    """What comparison.json names, or the component of C with the largest variance."""
+    if run.comparison and run.comparison.get("frequency"):
+        return run.comparison["frequency"]["signal"]
+    Q = run.matrices(run.models[-1], "Q")
+    i, j = np.unravel_index(np.argmax(np.einsum("nki,nkj->nij", Q, Q).var(axis=0)), (3, 3))
+    return f"C{min(i, j) + 1}{max(i, j) + 1}"
 
 
-def draw(directory, quantity, output):
-    tables = {m: read_csv(existing(directory, f"{m}.csv", REMEDY)) for m in ("reduced", "continuum", "comparison")}
-    n_common = len(tables["comparison"]["time"])  # a model that stopped early has fewer samples
-    time = tables["comparison"]["time"]
-    reduced, continuum = (component(tables[m], quantity, f"{m}.csv")[:n_common] for m in ("reduced", "continuum"))
-    nonaffine = tables["comparison"].get("nonaffine_kinetic_fraction")
-
-    plt.rcParams.update({"font.size": 13, "font.family": "DejaVu Sans", "svg.hashsalt": "pseudorigid"})
-    heights = [3, 1.6] + [1.6] * (nonaffine is not None)
-    figure, axes = plt.subplots(
-        len(heights), 1, sharex=True, figsize=(7, 1.1 * sum(heights)), height_ratios=heights, layout="constrained"
-    )
-    name = f"{quantity[0]}$_{{{quantity[1:]}}}$"
-    axes[0].plot(time, continuum, linewidth=2, **CONTINUUM)
-    axes[0].plot(time, reduced, linewidth=2, **REDUCED)
-    axes[0].set_ylabel(f"{name} (ratio of lengths{', squared' * (quantity[0] == 'C')})")
-    axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2, frameon=False)
-    axes[1].plot(time, [r - c for r, c in zip(reduced, continuum)], color="#333333", linewidth=1.8)
+def draw_difference(run, quantity, n, axes):
+    """The richest model beside the others, and below what the comparison says."""
+    reference, *others = reversed(run.models)
+    for model in others:
+        difference = component(run, model, quantity)[:n] - component(run, reference, quantity)[:n]
+        axes[1].plot(run.columns(model)["time"][:n], difference, color="#333333", linewidth=1.8)
     axes[1].axhline(0, color="#999999", linewidth=0.8)
-    axes[1].set_ylabel("pseudo-rigid\n$-$ elastic")
-    if nonaffine is not None:
-        axes[2].plot(time, nonaffine, color=CONTINUUM["color"], linewidth=1.8)
+    axes[1].set_ylabel("difference")
+    table = run.columns(reference)
+    if "nonaffine_kinetic_fraction" in table:
+        axes[2].plot(table["time"][:n], table["nonaffine_kinetic_fraction"][:n], color=STYLES[0]["color"], linewidth=1.8)
         axes[2].set_ylim(0, 1.05)
         axes[2].set_ylabel("non-affine /\nall kinetic\nenergy")
+
+
+def draw_alone(table, axes):
+    """Semi-axes and energies, as far as the table has them."""
+    for names, ax, label in (("a1 a2 a3".split(), axes[1], "semi-axes"), ("kinetic elastic".split(), axes[2], "energies")):
+        for name, colour in zip(names, AXES):
+            if name in table:
+                ax.plot(table["time"], table[name], color=colour, linewidth=1.8, label=name)
+        ax.set_ylabel(label)
+        if ax.lines:
+            ax.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+
+
+def draw(run, quantity, output):
+    if not run.models or run.manifest.get("system"):
+        fail(f"{run.directory} holds no motion of the ball")
+    models = list(reversed(run.models))
+    n = min(len(run.columns(model)["time"]) for model in models)  # a model that stopped early has fewer samples
+    plt.rcParams.update({"font.size": 13, "font.family": "DejaVu Sans", "svg.hashsalt": "pseudorigid"})
+    heights = [3, 1.6, 1.6]
+    figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7, 1.1 * sum(heights)), height_ratios=heights, layout="constrained")
+    for model, style in zip(models, STYLES):
+        axes[0].plot(run.columns(model)["time"][:n], component(run, model, quantity)[:n], linewidth=2, label=run.title(model), **style)
+    axes[0].set_ylabel(f"{quantity[0]}$_{{{quantity[1:]}}}$ (ratio of lengths{', squared' * (quantity[0] == 'C')})")
+    axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(models), frameon=False)
+    if len(models) > 1:
+        draw_difference(run, quantity, n, axes)
+    else:
+        draw_alone(run.columns(models[0]), axes)
+    for ax in axes[1:]:
+        if not ax.lines:
+            ax.set_visible(False)
     for ax in axes:
         ax.grid(color="#dddddd", linewidth=0.6)
         ax.spines[["top", "right"]].set_visible(False)
-    axes[-1].set_xlabel("time (the scene's unit)")
-    axes[-1].set_xlim(time[0], time[-1])
+    shown = [ax for ax in axes if ax.get_visible()][-1]
+    shown.set_xlabel("time (the scene's unit)")
+    shown.tick_params(labelbottom=True)
+    shown.set_xlim(0, run.columns(models[0])["time"][n - 1])
     figure.align_ylabels()
     try:
         figure.savefig(output, dpi=120, metadata={"Date": None} if output.suffix == ".svg" else None)
     except (OSError, ValueError) as error:
         fail(f"--output: {error}")
-    print(f"{output}: {quantity} of {n_common} samples")
+    print(f"{output}: {quantity} of {n} samples")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("directory", type=pathlib.Path, metavar="RUN_DIRECTORY")
-    parser.add_argument("--quantity", metavar="Qij|Cij", help="default: the one that comparison.json names")
+    parser.add_argument("--quantity", metavar="Qij|Cij", help="default: the one that comparison.json names, or that varies most")
     parser.add_argument("--output", type=pathlib.Path, metavar="SVG/PNG", help="default: RUN_DIRECTORY/comparison.svg")
     arguments = parser.parse_args()
-    quantity = arguments.quantity or named_quantity(arguments.directory)
+    run = Run(arguments.directory)
+    quantity = arguments.quantity or named_quantity(run)
     if not re.fullmatch("[QC][123][123]", quantity):
         fail(f"--quantity: expected Q11 to Q33 or C11 to C33, got {quantity}")
-    draw(arguments.directory, quantity, arguments.output or arguments.directory / "comparison.svg")
+    draw(run, quantity, arguments.output or arguments.directory / "comparison.svg")
 
 
 if __name__ == "__main__":

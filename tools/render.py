@@ -1,12 +1,12 @@
 #!/usr/bin/python3
-"""A picture of both bodies of a run at one time, drawn off-screen with VTK.
+"""A picture of the bodies of a run at one time, drawn off-screen with VTK.
 
-Left the elastic ball (continuum), right the pseudo-rigid ball (reduced), coloured by von Mises stress on one scale and
-seen by one camera, with z upwards. A quarter is taken out. Thin lines are the edges of the finite elements and, on the
-right, the same material lines; a dashed circle is the outline of the undeformed ball. The colour bar ends where 98 % of
-the shown surface are within it; what is beyond has its last colour.
+Every model of the run has its body, the richest on the left, coloured by von Mises stress on one scale and seen by one
+camera, with z upwards. A quarter is taken out. Thin lines are the edges of the finite elements and, on the pseudo-rigid
+ball beside them, the same material lines; of a body alone those of its own blocks. A dashed circle is the outline of the
+undeformed ball. The colour bar ends where 98 % of the shown surface are within it; what is beyond has its last colour.
 
-The run must have been made with Output/Graphics = vtu and both models. Needs Debian's python3-vtk9, which draws through
+The run must have been made with Output/Graphics = vtu. Needs Debian's python3-vtk9, which draws through
 an X server; without a screen:
 
     apt-get install python3-vtk9 xvfb xauth libgl1-mesa-dri
@@ -38,13 +38,14 @@ from vtkmodules.vtkRenderingCore import (
     vtkWindowToImageFilter,
 )
 
-from run_directory import entry, existing, fail, read_manifest, read_pvd
+from run_directory import Run, fail
 
 WIDTH, HEIGHT = 1020, 680
 FIELD = "von_mises"
 VIEW_FROM = (0.6, -1.0, 0.4)  # where the camera stands; z is up
 SATURATED = 0.98  # the part of the points within the colour bar: stresses peak where waves meet
 FINE = 12  # intervals along the edge of an element
+BLOCK_OF_ANALYTIC_MODELS = 4  # degree of the blocks that a model without elements is drawn with
 STRIP = 0.21  # part of the height below the bodies, with the colour bar
 
 # Nodes of matplotlib's "viridis": legible with every kind of colour vision, and monotone in grey.
@@ -68,25 +69,23 @@ def read_points(path):
 
 
 class Faces:
-    """The faces of the finite elements that are to be seen, on a grid finer than their nodes: the polynomials that the
-    program computed with are evaluated, so that curved faces look curved."""
+    """The faces of the blocks that are to be seen, on a grid finer than their nodes: the polynomials through the nodes are
+    evaluated, so that curved faces look curved. A block is (degree + 1)^3 points, by their numbers."""
 
-    def __init__(self, reference, degree, radius, cut):
-        n = degree + 1
-        self.shape = (-1, n, n, n)
-        self.to_fine = interpolation(degree)
+    def __init__(self, blocks, reference, nodes, radius, cut):
+        self.to_fine = interpolation(nodes)
+        lattices = reference[blocks]
         self.chosen = [
-            (element, axis, side)
-            for element, lattice in enumerate(reference.reshape(*self.shape, 3))
-            for axis in range(3)
-            for side in (0, -1)
+            np.take(blocks[block], side, axis)
+            for block, lattice in enumerate(lattices)
+            for axis in (range(3) if lattice.shape[0] > 1 else (0,))
+            for side in ((0, -1) if lattice.shape[0] > 1 else (0,))
             if is_seen(np.take(lattice, side, axis), lattice.mean(axis=(0, 1, 2)), radius, cut)
         ]
 
     def of(self, values):
-        """Values at the nodes -> values on the faces, (face, i, j, component)."""
-        lattices = values.reshape(*self.shape, values.shape[1] if values.ndim > 1 else 1)
-        nodes = np.array([np.take(lattices[e], side, axis) for e, axis, side in self.chosen])
+        """Values at the points -> values on the faces, (face, i, j, component)."""
+        nodes = values.reshape(len(values), -1)[np.array(self.chosen)]
         return np.einsum("ai,bj,fijc->fabc", self.to_fine, self.to_fine, nodes)
 
 
@@ -101,12 +100,25 @@ def is_seen(face, centre, radius, cut):
     return cut and bool((on_x and centre[1] < 0) or (on_y and centre[0] > 0))
 
 
-def interpolation(degree):
-    """Lagrange's polynomials on the Gauss-Lobatto nodes at equidistant points."""
-    legendre = np.polynomial.legendre.Legendre.basis(degree)
-    nodes = np.concatenate(([-1], np.sort(legendre.deriv().roots().real), [1]))
-    vandermonde = np.polynomial.legendre.legvander
+def interpolation(nodes):
+    """Lagrange's polynomials on these nodes in [-1, 1] at equidistant points."""
+    degree, vandermonde = len(nodes) - 1, np.polynomial.legendre.legvander
     return vandermonde(np.linspace(-1, 1, FINE + 1), degree) @ np.linalg.inv(vandermonde(nodes, degree))
+
+
+def gauss_lobatto(degree):
+    inner = np.polynomial.legendre.Legendre.basis(degree).deriv().roots().real
+    return np.concatenate(([-1], np.sort(inner), [1]))
+
+
+def blocks_of(hexahedra, degree):
+    """The points of each block, from its degree^3 hexahedra with straight edges, the first direction fastest:
+    (block, k, j, i)."""
+    cells = hexahedra.reshape(-1, degree, degree, degree, 8)
+    blocks = np.empty((len(cells), degree + 1, degree + 1, degree + 1), dtype=hexahedra.dtype)
+    for corner, (i, j, k) in enumerate([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]):
+        blocks[:, k:k + degree, j:j + degree, i:i + degree] = cells[..., corner]
+    return blocks
 
 
 def surface(positions, stress):
@@ -256,16 +268,6 @@ def aim(view, extent):
     view.ResetCameraClippingRange()
 
 
-def frame_paths(directory, frame):
-    remedy = 'run the scene with both models and --set "Output/Graphics=vtu"'
-    frames = [read_pvd(existing(directory, f"{model}.pvd", remedy)) for model in ("continuum", "reduced")]
-    n_frames = min(map(len, frames))
-    if not -n_frames <= frame < n_frames:
-        fail(f"--frame: expected a number from 0 to {n_frames - 1}, got {frame}")
-    (time, continuum), (_, reduced) = (f[:n_frames][frame] for f in frames)
-    return time, continuum, reduced
-
-
 def rounded_up(value):
     """The next 1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8 or 10 times a power of ten: divided by 4 it is short."""
     if value <= 0:
@@ -279,47 +281,93 @@ def caption(largest, table):
     return f"von Mises stress (the scene's unit of pressure{beyond})"
 
 
-def degree_of(directory):
-    """Of the finite elements, as it was asked for or found."""
-    degree = entry(directory, "Continuum/Degree")
-    return int(read_manifest(directory)["models"]["continuum"]["counters"]["degree"] if degree == "auto" else degree)
+def degree_of(run, model):
+    """Of the blocks of a model's pictures; of finite elements their own, as it was asked for or found."""
+    if not run.has_elements(model):
+        return BLOCK_OF_ANALYTIC_MODELS
+    degree = run.entry("Continuum/Degree")
+    return int(run.counter(model, "degree") if degree == "auto" else degree)
 
 
-def read_bodies(directory, frame, cut):
-    """Time, radius, and position and stress on the same material faces of both balls."""
-    time, continuum_path, reduced_path = frame_paths(directory, frame)
-    radius = float(entry(directory, "Body/Radius"))
-    x, displacement, stress = read_points(continuum_path)
-    reference = x - displacement
-    faces = Faces(reference, degree_of(directory), radius, cut)
-    continuum = faces.of(x), faces.of(stress)
+def cells_of(path):
+    """The points of each cell."""
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    cells = reader.GetOutput().GetCells()
+    return vtk_to_numpy(cells.GetConnectivityArray()).reshape(cells.GetNumberOfCells(), -1)
 
-    x, displacement, stress = read_points(reduced_path)
-    q_transposed = np.linalg.lstsq(x - displacement, x, rcond=None)[0]  # x = QX at every point
-    reduced = faces.of(reference @ q_transposed), np.full_like(continuum[1], stress[0])
-    return time, radius, continuum, reduced
+
+def faces_of(run, model, path, reference, radius, cut):
+    """Finite elements have their points one element after the other; other models are drawn with hexahedra, in blocks, or
+    by their surface alone, each cell a face of its own."""
+    degree = degree_of(run, model)
+    if run.has_elements(model):
+        blocks, nodes = np.arange(len(reference)).reshape(-1, degree + 1, degree + 1, degree + 1), gauss_lobatto(degree)
+    else:
+        cells = cells_of(path)
+        if cells.shape[1] == 4:
+            return Faces(cells[:, [0, 1, 3, 2]].reshape(-1, 1, 2, 2), reference, np.array([-1, 1]), radius, cut=False)
+        if cells.shape[1] != 8:
+            fail(f"{path} has curved cells; run the scene with Output/Cells = linear, or use tools/paraview_view.py")
+        blocks, nodes = blocks_of(cells, degree), np.linspace(-1, 1, degree + 1)
+    return Faces(blocks, reference, nodes, radius, cut)
+
+
+def read_bodies(run, frame, cut):
+    """Time, radius, and by the title of each model position and stress on material faces; an affine body has those of the elements that are
+    beside it."""
+    models = [model for model in reversed(run.models) if run.has_frames(model)]
+    if not models:
+        fail(f'{run.directory} holds no pictures; run the scene with --set "Output/Graphics=vtu"')
+    frames = {model: run.frames(model) for model in models}
+    n_frames = min(map(len, frames.values()))
+    if not -n_frames <= frame < n_frames:
+        fail(f"--frame: expected a number from 0 to {n_frames - 1}, got {frame}")
+    radius = float(run.entry("Body/Radius"))
+    bodies, elements = {}, None
+    for model in models:
+        path = frames[model][:n_frames][frame].path
+        x, displacement, stress = read_points(path)
+        reference = x - displacement
+        matrix, residual, *_ = np.linalg.lstsq(reference, x - x.mean(axis=0), rcond=None)
+        if elements and np.max(np.abs(reference @ matrix + x.mean(axis=0) - x)) < 1e-9 * radius:
+            faces, of_elements = elements
+            bodies[run.title(model)] = faces.of(of_elements @ matrix + x.mean(axis=0)), faces.of(np.full(len(of_elements), stress[0]))
+            continue
+        faces = faces_of(run, model, path, reference, radius, cut)
+        bodies[run.title(model)] = faces.of(x), faces.of(stress)
+        if run.has_elements(model):
+            elements = faces, reference
+    return frames[models[0]][:n_frames][frame].time, radius, bodies
 
 
 def common_limits(pictures):
     """For pictures, each as read_bodies gives it, on one scale: end of the colour bar, largest stress, half of the view."""
-    stress = np.concatenate([faces[1].ravel() for _, _, *bodies in pictures for faces in bodies])
-    extent = max(max(radius, *(np.abs(faces[0]).max() for faces in bodies)) for _, radius, *bodies in pictures)
+    stress = np.concatenate([faces[1].ravel() for _, _, bodies in pictures for faces in bodies.values()])
+    extent = max(max(radius, *(np.abs(x - centre_of(x)).max() for x, _ in bodies.values())) for _, radius, bodies in pictures)
     return rounded_up(np.quantile(stress, SATURATED)), stress.max(), extent
 
 
+def centre_of(positions):
+    points = positions.reshape(-1, 3)
+    return (points.max(axis=0) + points.min(axis=0)) / 2
+
+
 def draw(picture, limits, output):
-    time, radius, continuum, reduced = picture
+    time, radius, bodies = picture
     end_of_bar, largest, extent = limits
     table = colours(end_of_bar)
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
     window.SetMultiSamples(8)
-    window.SetSize(WIDTH, HEIGHT)
-    places = (0, STRIP, 0.5, 1), (0.5, STRIP, 1, 1)
-    for place, title, faces in zip(places, ("Elastic ball", "Pseudo-rigid ball"), (continuum, reduced)):
-        view = renderer(window, *place)
-        view.AddActor(body(surface(*faces), table))
-        view.AddActor(lines(edges(faces[0]), (1, 1, 1), 1.5, 0.5))
+    n = len(bodies)
+    window.SetSize(WIDTH * max(n, 2) // 2, HEIGHT)
+    for i, (title, (x, stress)) in enumerate(bodies.items()):
+        view = renderer(window, i / n, STRIP, (i + 1) / n, 1)
+        x = x - centre_of(x)
+        view.AddActor(body(surface(x, stress), table))
+        view.AddActor(lines(edges(x), (1, 1, 1), 1.5, 0.5))
         view.AddActor(lines(dashed_circle(radius, 2 * extent), (0.1, 0.1, 0.1), 2.5))
         view.AddActor2D(text(f"{title}, t = {time:g}", 34, 0.5, 0.91, bold=True))
         aim(view, extent)
@@ -353,10 +401,10 @@ def main():
     parser.add_argument("--whole", action="store_true", help="do not take a quarter out of the balls")
     arguments = parser.parse_args()
     check_screen()
-    picture = read_bodies(arguments.directory, arguments.frame, not arguments.whole)
+    picture = read_bodies(Run(arguments.directory), arguments.frame, not arguments.whole)
     output = arguments.output or arguments.directory / "bodies.png"
     draw(picture, common_limits([picture]), output)
-    print(f"{output}: both bodies at time {picture[0]:g}")
+    print(f"{output}: {' and '.join(title.lower() for title in picture[2])} at time {picture[0]:g}")
 
 
 if __name__ == "__main__":

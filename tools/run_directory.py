@@ -1,10 +1,28 @@
-"""What the tools read from a run directory of pseudorigid."""
+"""The results of a run of pseudorigid, for Python: tables with their units, the comparison, pictures.
+
+    from run_directory import Run
+    run = Run("output/quickstart")
+    run.models                        ['reduced', 'continuum']
+    run.table("reduced")              a pandas table, a row a sample, the time as index
+    run.columns("reduced")            the same as arrays by name, without pandas
+    run.matrices("reduced", "Q")      Q at every sample, of shape (samples, 3, 3)
+    run.unit("double_pendulum", "theta")   the unit of a column in words, of systems and equilibria
+    run.comparison                    comparison.json, None of one model
+    run.entry("Body/Radius")          what an entry was
+    run.frames("continuum")           the pictures: [Frame(time, path)]
+    run.frames("continuum")[-1].read().fields["cauchy_stress"]      of shape (points, 3, 3)
+
+Needs numpy; tables need pandas (Debian: python3-pandas), pictures meshio (python3-meshio). docs/python.md shows it at work.
+"""
 
 import csv
+import dataclasses
 import json
 import pathlib
 import sys
 import xml.etree.ElementTree
+
+import numpy as np
 
 
 def fail(message):
@@ -21,14 +39,14 @@ def existing(directory, name, remedy):
 
 
 def read_csv(path):
-    """Columns by name, as lists of numbers."""
+    """Columns by name, as arrays."""
     with open(path, newline="") as file:
         rows = csv.reader(file)
         names = next(rows, [])
         values = [[float(text) for text in row] for row in rows]
     if not values:
         fail(f"{path} holds no samples")
-    return dict(zip(names, map(list, zip(*values))))
+    return dict(zip(names, np.array(values).T))
 
 
 def read_pvd(path):
@@ -37,13 +55,101 @@ def read_pvd(path):
     return [(float(s.get("timestep")), path.parent / s.get("file")) for s in sets]
 
 
-def read_manifest(directory):
-    return json.loads(existing(directory, "manifest.json", "is this the directory of a run?").read_text())
+@dataclasses.dataclass
+class Picture:
+    """A .vtu file: `points` (n, 3) at their current positions, `cells` as meshio has them, and by name `fields`, with n values,
+    vectors or matrices, and `constants` of the whole body (TimeValue, center_of_mass, rotation)."""
+
+    points: np.ndarray
+    cells: list
+    fields: dict
+    constants: dict
 
 
-def entry(directory, path):
-    """The value that an entry had in the run: entry(directory, "Body/Radius")."""
-    values = read_manifest(directory).get("entries", {})
-    if path not in values:
-        fail(f"{directory}/manifest.json has no value of {path}; run the scene again")
-    return values[path]
+@dataclasses.dataclass
+class Frame:
+    time: float
+    path: pathlib.Path
+
+    def read(self):
+        """The Picture. Needs meshio."""
+        import meshio
+
+        mesh = meshio.read(self.path)
+        as_matrices = lambda values: values.reshape(-1, 3, 3) if values.ndim == 2 and values.shape[1] == 9 else values
+        fields = {name: as_matrices(values) for name, values in mesh.point_data.items()}
+        constants = {name: as_matrices(values)[0] for name, values in mesh.field_data.items()}
+        return Picture(mesh.points, mesh.cells, fields, constants)
+
+
+class Run:
+    """The directory of a run. What is missing ends the program with one sentence, as in pseudorigid itself."""
+
+    def __init__(self, directory):
+        self.directory = pathlib.Path(directory)
+        self.manifest = json.loads(existing(directory, "manifest.json", "is this the directory of a run?").read_text())
+
+    @property
+    def models(self):
+        """The models of the ball that have run, or the one system, by the names of their files."""
+        names = [model["name"] for model in self.manifest.get("ball", [])] or [self.manifest.get("system", "")]
+        return [name for name in names if (self.directory / f"{name}.csv").is_file()]
+
+    def title(self, model):
+        """As the ball of a model is called: 'Elastic ball'."""
+        adjectives = {ball["name"]: ball["adjective"] for ball in self.manifest.get("ball", [])}
+        return f"{adjectives[model].capitalize()} ball" if model in adjectives else model.replace("_", " ").capitalize()
+
+    def has_elements(self, model):
+        return any(ball["name"] == model and ball["discretized"] for ball in self.manifest.get("ball", []))
+
+    def entry(self, path):
+        """The text of an entry as the run had it: entry("Body/Radius")."""
+        values = self.manifest.get("entries", {})
+        if path not in values:
+            fail(f"{self.directory}/manifest.json has no value of {path}; run the scene again")
+        return values[path]
+
+    def counter(self, model, name):
+        """What a model has counted: counter("continuum", "steps")."""
+        return self.manifest["models"][model]["counters"][name]
+
+    @property
+    def comparison(self):
+        path = self.directory / "comparison.json"
+        return json.loads(path.read_text()) if path.is_file() else None
+
+    def columns(self, name):
+        """The columns of <name>.csv as arrays."""
+        return read_csv(existing(self.directory, f"{name}.csv", "run the scene with another list of Models?"))
+
+    def table(self, name):
+        """<name>.csv as a pandas table, the time as index where it has one."""
+        import pandas
+
+        table = pandas.DataFrame(self.columns(name))
+        return table.set_index("time") if "time" in table else table
+
+    def matrices(self, model, letter):
+        """A matrix column, such as Q, Qdot or F, of shape (samples, 3, 3)."""
+        columns = self.columns(model)
+        names = [f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+        missing = [name for name in names if name not in columns]
+        if missing:
+            fail(f"{model}.csv has no column {missing[0]}; run the scene with Output/Quantities = all")
+        return np.stack([columns[name] for name in names], axis=1).reshape(-1, 3, 3)
+
+    def described(self, name):
+        """{column: {'unit', 'meaning'}} of <name>.csv, as far as the manifest has it."""
+        return {column["name"]: column for column in self.manifest.get("columns", {}).get(f"{name}.csv", [])}
+
+    def unit(self, name, column):
+        """The dimension of a column, in words; '' of a pure number."""
+        return "time" if column == "time" else self.described(name).get(column, {}).get("unit", "")
+
+    def has_frames(self, model):
+        return (self.directory / f"{model}.pvd").is_file()
+
+    def frames(self, model):
+        path = existing(self.directory, f"{model}.pvd", 'run the scene with --set "Output/Graphics=vtu"')
+        return [Frame(time, file) for time, file in read_pvd(path)]

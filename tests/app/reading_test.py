@@ -1,0 +1,71 @@
+"""What tools/run_directory.py reads from the directory of a run: tables, matrices, comparison, pictures; its refusals."""
+import sys
+import unittest
+
+import numpy as np
+
+from program_test import ProgramTest, SOURCE
+
+sys.path.insert(0, str(SOURCE / "tools"))
+from run_directory import Run  # noqa: E402
+
+SCENE = {"Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,
+         "Output/Samples": 10, "Initial state/Velocity": "0.1, 0.2, 0; 0, -0.2, 0; 0, 0, 0.1",
+         "Output/Graphics": "vtu", "Output/Frames": 3}
+
+
+class Reading(ProgramTest):
+    def test_a_run_of_two_models(self):
+        self.scene(SCENE)
+        self.run_done("run", "scene.prm")
+        run = Run(self.scratch / "output/scene")
+        self.assertEqual(run.models, ["reduced", "continuum"])
+        self.assertEqual([run.title(model) for model in run.models], ["Pseudo-rigid ball", "Elastic ball"])
+        self.assertEqual([run.has_elements(model) for model in run.models], [False, True])
+        self.assertEqual(run.entry("Time/End"), "0.5")
+        self.assertGreater(run.counter("continuum", "steps"), 0)
+        self.assertIn("pseudo-rigid", run.comparison["summary"])
+        for model in run.models:
+            expected = self.table(f"output/scene/{model}.csv")
+            table = run.table(model)
+            self.assertEqual(list(table.columns), expected.header[1:])
+            self.assertEqual(table.index.name, "time")
+            self.assertEqual(table["energy"].tolist(), expected.column("energy"))
+            Q = run.matrices(model, "Q")
+            self.assertEqual(Q.shape, (11, 3, 3))
+            self.assertEqual(Q[:, 0, 1].tolist(), expected.column("Q12"))
+        for model in run.models:
+            frames = run.frames(model)
+            self.assertEqual([frame.time for frame in frames], [0, 0.25, 0.5])
+            picture = frames[-1].read()
+            # Of both bodies x = Q X in the mean: the least squares over the points are near the last sample.
+            reference = picture.points - picture.fields["displacement"]
+            fitted = np.linalg.lstsq(reference, picture.points, rcond=None)[0].T
+            np.testing.assert_allclose(fitted, run.matrices(model, "Q")[-1], atol=1e-9 if model == "reduced" else 0.05)
+
+    def test_a_run_of_one_model(self):
+        self.scene({"Models": "reduced", "Time/End": 1, "Output/Samples": 5})
+        self.run_done("run", "scene.prm")
+        run = Run(self.scratch / "output/scene")
+        self.assertEqual(run.models, ["reduced"])
+        self.assertIsNone(run.comparison)
+        self.assertFalse(run.has_frames("reduced"))
+        for ask in (lambda: run.frames("reduced"), lambda: run.matrices("reduced", "F"), lambda: run.entry("Body/Raduis"),
+                    lambda: run.columns("continuum"), lambda: Run(self.scratch)):
+            with self.assertRaises(SystemExit) as refusal:
+                ask()
+            self.assertEqual(refusal.exception.code, 2)
+
+    def test_a_system(self):
+        self.scene({"System": "double pendulum", "Double pendulum/Angles": "0.3, 0.1", "Time/End": 1, "Output/Samples": 5})
+        self.run_done("run", "scene.prm")
+        run = Run(self.scratch / "output/scene")
+        self.assertEqual(run.models, ["double_pendulum"])
+        described = run.described("double_pendulum")
+        self.assertLessEqual(set(run.table("double_pendulum").columns), set(described))
+        self.assertEqual(run.unit("double_pendulum", "time"), "time")
+        self.assertEqual(run.unit("double_pendulum", "energy"), described["energy"]["unit"])
+
+
+if __name__ == "__main__":
+    unittest.main()
