@@ -34,7 +34,7 @@ ModelOutcome run_silently(const PolynomialRun& run, const RunContext& context, c
   return run(silent, task);
 }
 
-double work(const ModelOutcome& outcome) {
+double work_of_degree(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;
   const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };
   return count("unknowns") * (count("forces") + count("pilot_forces"));
@@ -76,7 +76,7 @@ class DegreeSearch {
         outcome.message = "polynomial interrupted while looking for the degree";
         return outcome;
       }
-      work_ += work(outcome);
+      work_ += work_of_degree(outcome);
       ++n_runs_;
       const TraceDifference apart = difference(trace, before);
       errors.add(degree_, apart.largest);
