@@ -104,6 +104,11 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
+  /// The same of λ = 1, alone.
+  void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
+    const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
+    materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
+  }
   /// d/dt of the reaction along Q̇ = v:  (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
   void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) {

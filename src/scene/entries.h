@@ -293,6 +293,14 @@ void visit_sweep(S& scene, Visit& visit) {
               "systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
+  visit(scene.sweep_lanes, Boolean{},
+        About{"Sweep/Lanes", "",
+              "Whether eight successive runs move together in the lanes of a SIMD vector. It takes incompressible "
+              "bodies without gravity, loads and dissipation, and the same law, Time and Output/Samples in all eight. "
+              "The method is symmetric-8 (symmetric, not symplectic), or another symmetric one that Time/Method names; "
+              "the step is the one that the worst of the eight needs. Rows differ from those of single runs by at most "
+              "the errors that Time/Tolerance allows, and with a given method and step by round-off. false: each row "
+              "is that of a single run, bit by bit."});
 }
 
 /// The entries of the systems of the catalogue.

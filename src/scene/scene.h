@@ -131,6 +131,7 @@ struct Scene {
   } output;
   Sweep sweep;                       ///< empty: one run
   std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
+  bool sweep_lanes = true;           ///< runs that are alike move together
   /// Values written with expressions, path → text; the members hold what they are worth in the first run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.

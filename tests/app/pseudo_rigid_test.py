@@ -141,6 +141,57 @@ class PseudoRigid(StoppedRunTest):
         self.run_done("run", "scene.prm", "--output", "parts", "--resume")
         self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("whole/sweep.csv"))
 
+    def lanes(self, entries, *options, name="lanes"):
+        """A sweep in lanes and one of single runs, and how many runs of the first went in lanes."""
+        self.scene(entries)
+        for lanes in ("true", "false"):
+            self.run_done("run", "scene.prm", *options, *overrides({"Sweep/Lanes": lanes}), "--output", f"{name}-{lanes}")
+        n_in_lanes = [self.json(f"{name}-{lanes}/manifest.json")["models"]["sweep"]["counters"]["runs_in_lanes"]
+                      for lanes in ("true", "false")]
+        self.assertEqual(n_in_lanes[1], 0)
+        return self.table(f"{name}-true/sweep.csv"), self.table(f"{name}-false/sweep.csv"), n_in_lanes[0]
+
+    #: 19 releases: two groups of eight and three runs alone.
+    RELEASES = {"Models": "reduced", "Sweep/Parameters": "l: 1.02 .. 1.4 in 19", "Time/End": 10, "Output/Samples": 50,
+                "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)",
+                "Initial state/Velocity": "0, $(-0.3*l), 0; $(0.2*l), 0, 0; 0, 0, 0"}
+
+    def test_runs_in_lanes_with_a_given_step(self):
+        """They differ from single runs by round-off."""
+        for law in ("neo-hookean", "mooney-rivlin"):
+            together, alone, n_in_lanes = self.lanes(
+                {**self.RELEASES, "Material/Law": law, "Time/Method": "symmetric-8", "Time/Step": 0.02}, name=law)
+            self.assertEqual(n_in_lanes, 16)
+            self.assertLess(largest_difference(together, alone), 1e-11)  # measured: 4e-13
+
+    def test_runs_in_lanes_within_the_tolerance(self):
+        for tolerance in (1e-5, 1e-9):
+            together, alone, n_in_lanes = self.lanes({**self.RELEASES, "Time/Tolerance": tolerance}, name=str(tolerance))
+            self.assertEqual(n_in_lanes, 16)
+            for column in BODY_COLUMNS[1:10]:
+                for what in ("end", "min", "max"):
+                    for x, y in zip(together.column(f"{column}_{what}"), alone.column(f"{column}_{what}")):
+                        self.assertLess(abs(x - y), 2 * tolerance)
+            self.assertLess(max(together.column("estimated_time_error")), tolerance)
+
+    def test_lanes_are_for_runs_that_are_alike(self):
+        for other in ({"Material/Shear modulus": "$(l)"},  # another unit of time
+                      {"Gravity/Constant": 0.1}, {"Time/Method": "rattle-8"}, {"Body/Incompressible": "false"},
+                      {"Time/Tolerance": "$(1e-6*l)"}):
+            _, _, n_in_lanes = self.lanes({**self.RELEASES, **other}, name=next(iter(other)).replace("/", "-"))
+            self.assertEqual(n_in_lanes, 0, other)
+
+    def test_lanes_do_not_depend_on_threads_or_interruptions(self):
+        sweep = {**self.RELEASES, "Sweep/Parameters": "l: 1.02 .. 1.4 in 4003", "Time/End": 100}
+        self.run_scene(sweep, *overrides({"Sweep/Threads": 1}), "--output", "one")
+        self.run_scene(sweep, *overrides({"Sweep/Threads": 3}), "--output", "three")
+        self.assertEqual(self.bytes("one/sweep.csv"), self.bytes("three/sweep.csv"))
+        self.scene(sweep)
+        self.assertEqual(self.interrupt("sweep", "parts"), STOPPED)
+        self.assertLess(len(self.table("parts/sweep.csv")), 4003)
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
+        self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("one/sweep.csv"))
+
     def test_a_sweep_of_another_system(self):
         self.run_scene({"System": "double pendulum", "Double pendulum/Angles": "$(a), 0.1", "Sweep/Parameters": "a: 0.1, 0.2",
                         "Time/End": 2, "Output/Samples": 20})

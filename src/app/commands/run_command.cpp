@@ -110,7 +110,12 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
                     io::ManifestFile& manifest, bool shows_progress) {
   using enum mechanics::Outcome;
   const RunModel run = context.needs.system ? run_system : executable.models.at(context.needs.models.front()->name);
-  const ModelOutcome sweep = run_sweep(raw, run, context, shows_progress);
+  RunTogether together = nullptr;
+  if (!context.needs.system)
+    if (const auto found = executable.together.find(context.needs.models.front()->name);
+        found != executable.together.end())
+      together = found->second;
+  const ModelOutcome sweep = run_sweep(raw, run, together, context, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
   // A sweep fails where the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);

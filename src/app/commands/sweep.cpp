@@ -55,21 +55,37 @@ struct RunResult {
 
 class SweepRun {
  public:
-  SweepRun(const scene::ReadScene& raw, RunModel run, const RunContext& context)
-      : raw_(raw), run_(run), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
+  SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context)
+      : raw_(raw),
+        run_(run),
+        together_(raw.scene.sweep_lanes ? together : nullptr),
+        context_(context),
+        silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
   RunResult run(int k) const {
     RunResult result;
     const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
-    const RunContext context{
-        .scene = scene,
-        .needs = context_.needs,
-        .directory = context_.directory,
-        .units = units_of(scene),
-        .log = silent_,
-        .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
-    result.outcome = run_(context);
+    result.outcome = run_(context_of(scene, result));
     return result;
+  }
+
+  /// The runs first, …, last − 1 at once; nothing where each has to run by itself.
+  std::optional<std::vector<RunResult>> run_together(int first, int last) const {
+    if (!together_) return {};
+    std::vector<RunResult> results(static_cast<std::size_t>(last - first));
+    std::vector<scene::Scene> scenes;
+    try {
+      for (int k = first; k < last; ++k)
+        scenes.push_back(scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k)));
+    } catch (const UserError&) {  // will be said of the run that it is about
+      return {};
+    }
+    std::vector<RunContext> contexts;
+    for (std::size_t i = 0; i < scenes.size(); ++i) contexts.push_back(context_of(scenes[i], results[i]));
+    auto outcomes = together_(contexts);
+    if (!outcomes) return {};
+    for (std::size_t i = 0; i < scenes.size(); ++i) results[i].outcome = std::move((*outcomes)[i]);
+    return results;
   }
 
   /// The columns of sweep.csv.
@@ -115,17 +131,34 @@ class SweepRun {
   }
 
  private:
+  RunContext context_of(const scene::Scene& scene, RunResult& result) const {
+    return {
+        .scene = scene,
+        .needs = context_.needs,
+        .directory = context_.directory,
+        .units = units_of(scene),
+        .log = silent_,
+        .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
+  }
+
   const scene::ReadScene& raw_;
   RunModel run_;
+  RunTogether together_;
   const RunContext& context_;
   std::shared_ptr<io::Logger> silent_;
 };
 
-/// All runs from `first` on, by several threads that take the next one each.
+/// All runs that have no row yet, by several threads that take the next group each. Groups are the same whatever the
+/// threads are and wherever a sweep was interrupted, and so are the rows.
 class Workers {
  public:
   Workers(const SweepRun& sweep, const scene::Sweep& parameters, const RunContext& context, SweepRows& rows)
-      : sweep_(sweep), parameters_(parameters), context_(context), rows_(rows), next_(rows.n_written()) {}
+      : sweep_(sweep),
+        parameters_(parameters),
+        context_(context),
+        rows_(rows),
+        first_(rows.n_written()),
+        next_(first_ / group * group) {}
 
   void work(int n_threads) {
     {
@@ -137,19 +170,30 @@ class Workers {
   }
 
   int n_failed() const { return n_failed_; }
+  int n_together() const { return n_together_; }
   /// The first run whose input is wrong, and what is wrong with it.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
+  static constexpr int group = 8;
+
   void work_alone() {
     const int n = scene::n_runs(parameters_);
     int k = 0;
     try {
-      for (k = next_++; k < n && !io::interrupt_requested(); k = next_++) {
-        const RunResult result = sweep_.run(k);
-        if (result.outcome.end == mechanics::Outcome::interrupted) return;
-        if (result.outcome.end == mechanics::Outcome::failed) note_failure(k, result.outcome.message);
-        rows_.deliver(k, sweep_.row(k, result));
+      for (int begin = next_.fetch_add(group); begin < n; begin = next_.fetch_add(group)) {
+        const int end = std::min(begin + group, n);
+        k = std::max(begin, first_);
+        if (io::interrupt_requested()) return;
+        if (const auto results = sweep_.run_together(begin, end)) {
+          n_together_ += end - begin;
+          for (; k < end; ++k) deliver(k, (*results)[k - begin]);
+        }
+        for (; k < end && !io::interrupt_requested(); ++k) {
+          const RunResult result = sweep_.run(k);
+          if (result.outcome.end == mechanics::Outcome::interrupted) return;
+          deliver(k, result);
+        }
       }
     } catch (const UserError& error) {
       const std::lock_guard lock(mutex_);
@@ -160,6 +204,11 @@ class Workers {
       if (!error_) error_ = std::current_exception();
       next_ = n;
     }
+  }
+
+  void deliver(int k, const RunResult& result) {
+    if (result.outcome.end == mechanics::Outcome::failed) note_failure(k, result.outcome.message);
+    rows_.deliver(k, sweep_.row(k, result));
   }
 
   void note_failure(int k, const std::string& message) {
@@ -173,11 +222,13 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  std::atomic<int> next_;
+  int first_;              ///< run without a row
+  std::atomic<int> next_;  ///< first run of the next group
   std::mutex mutex_;
   std::exception_ptr error_;
   std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
+  std::atomic<int> n_together_ = 0;
 };
 
 int n_threads_of(const scene::Scene& scene) {
@@ -196,10 +247,11 @@ void check_sweep(const scene::ReadScene& raw) {
     }
 }
 
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context, bool shows_progress) {
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
+                       bool shows_progress) {
   const auto start = std::chrono::steady_clock::now();
   const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
-  const SweepRun sweep(raw, run, context);
+  const SweepRun sweep(raw, run, together, context);
   SweepRows rows(context, sweep.columns(), n, shows_progress);
   Workers workers(sweep, raw.scene.sweep, context, rows);
   workers.work(n_threads);
@@ -217,10 +269,12 @@ ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunConte
   auto& statistics = outcome.statistics;
   statistics.counters["runs"] = rows.n_written();
   statistics.counters["failed_runs"] = workers.n_failed();
+  statistics.counters["runs_in_lanes"] = workers.n_together();
   statistics.counters["threads"] = n_threads;
   statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  context.log->info("sweep: {} runs, {} of them stopped early, {} thread{}, {:.3g} s", rows.n_written(),
-                    workers.n_failed(), n_threads, n_threads == 1 ? "" : "s", statistics.timers["run"]);
+  context.log->info("sweep: {} runs, {} of them stopped early, {} eight at a time, {} thread{}, {:.3g} s",
+                    rows.n_written(), workers.n_failed(), workers.n_together(), n_threads, n_threads == 1 ? "" : "s",
+                    statistics.timers["run"]);
   return outcome;
 }
 

@@ -7,6 +7,9 @@
 ///
 /// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
 /// last row.
+///
+/// Runs 8k + 1 … 8k + 8 move together in SIMD lanes where they can (app/reduced/reduced_in_lanes.h). The others run one
+/// by one, each the whole path of a single run.
 
 #include "app/commands/program.h"
 #include "scene/read_scene.h"
@@ -18,7 +21,8 @@ namespace pseudorigid::app {
 /// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is that of the first run, `run` runs what moves.
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, const RunContext& context, bool shows_progress);
+/// `context` is that of the first run, `run` runs what moves, `together` (null where there is none) several of them.
+ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
+                       bool shows_progress);
 
 }  // namespace pseudorigid::app

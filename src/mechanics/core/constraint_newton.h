@@ -74,8 +74,12 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
                   [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
   if constexpr (single_constraint<S>) {
     if (!w.direction_known) {
-      scale(0.0, w.direction);
-      system.add_reaction(q0, 1.0, w.direction);
+      if constexpr (requires { system.reaction_of_one(q0, w.direction); }) {
+        system.reaction_of_one(q0, w.direction);
+      } else {
+        scale(0.0, w.direction);
+        system.add_reaction(q0, 1.0, w.direction);
+      }
       system.apply_inverse_mass(w.direction, w.direction);
       w.direction_known = true;
     }
@@ -124,10 +128,12 @@ void seek_residual(typename S::Workspace& system_workspace, double enough) {
 }
 
 /// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off.
+/// A residual up to `foregone` is met by one iteration, which is not looked at again.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
-                       ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply, Noise&& noise) {
+                       ConstraintTemporaries<S>& w, Evaluate&& evaluate, Apply&& apply, Noise&& noise,
+                       double foregone = 0) {
   ConvergenceMonitor monitor{tolerance, 1000 * system.constraint_tolerance()};
   for (;;) {
     if (Status status = evaluate(); !status) return status;
@@ -140,6 +146,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
     seek_residual<S>(system_workspace, 0);
     if (!status) return status;
     apply();
+    if (norm <= foregone) return {};
   }
 }
 
@@ -160,10 +167,10 @@ Status meet_velocity_constraint(const S& system, double tolerance, const typenam
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q0, typename S::Workspace& system_workspace,
-                                ConstraintTemporaries<S>& w, Apply&& apply) {
+                                ConstraintTemporaries<S>& w, Apply&& apply, double foregone = 0) {
   return meet_constraint(
       system, "position", tolerance, q, q0, system_workspace, w, [&] { return system.constraint(q, w.residual); },
-      apply, [&] { return noise_of_constraint(system, q); });
+      apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
 /// The same, with what rounding has kept back from q where the system can take account of it.

@@ -115,6 +115,8 @@ struct CompositionStart {
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
+  /// Multipliers that the next is extrapolated from.
+  static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 4 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
       : RattleWorkspace<S>(system), start(system), multiplier(system.make_multiplier()) {
@@ -126,10 +128,11 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, 4> multipliers;  // λ_{n−1}, λ_{n−2}, …
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps
   double h = 0;
-  int newest = 0;   // slot of the state's d
-  int n_known = 0;  // steps in the history
+  int newest = 0;             // slot of the state's d
+  int n_known = 0;            // steps in the history
+  int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
 
   /// Hands out what belongs to the state of the computation and must survive a checkpoint.
@@ -144,6 +147,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
     visit(h);
     visit(newest);
     visit(n_known);
+    visit(newest_multiplier);
     visit(n_multipliers);
     visit(this->acceleration_known);
   }
@@ -262,7 +266,7 @@ struct SymmetricMultistep {
         ++w.counters.n_position_iterations;
       };
       Status status = detail::meet_position_constraint(system, w.constraint_tolerance, state.q, w.q_start, w.system,
-                                                       w.constraint, apply);
+                                                       w.constraint, apply, foregone(system, w));
       w.counters.n_gram_iterations += std::exchange(w.constraint.n_gram_iterations, 0);
       if (!status) return status;
       record_multiplier<S>(w);
@@ -275,19 +279,30 @@ struct SymmetricMultistep {
     return {};
   }
 
+  /// Newton's iteration squares the residual of a few constraints, whose Gram matrix is exact, by the curvature of g,
+  /// which is left a factor of 10⁴.
+  template <class S>
+  static double foregone(const S&, const Workspace<S>& w) {
+    return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
+  }
+
   /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}; sum may be the oldest d.
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {
-      sum = w.d[w.newest];
-      scale(formula.difference[0], sum);
-      axpy(w.h * w.h * formula.acceleration[0], w.a[w.newest], sum);
-      for (int i = 1; i < w.n_slots; ++i) {
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // the newest last, which may not be there yet
+      sum = w.d[slot(w.n_slots - 1)];
+      scale(formula.difference[w.n_slots - 1], sum);
+      axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);
+      for (int i = w.n_slots - 2; i >= 0; --i) {
         const double of_d = formula.difference[i], of_a = w.h * w.h * formula.acceleration[i];
-        const double* d = w.d[slot(i)].data();
-        const double* a = w.a[slot(i)].data();
-        for (Eigen::Index k = 0; k < sum.size(); ++k) sum.data()[k] += of_d * d[k] + of_a * a[k];
+        if constexpr (requires { VectorSpace<typename S::Vector>::add_both(of_d, sum, of_a, sum, sum); }) {
+          VectorSpace<typename S::Vector>::add_both(of_d, w.d[slot(i)], of_a, w.a[slot(i)], sum);
+        } else {
+          const double* d = w.d[slot(i)].data();
+          const double* a = w.a[slot(i)].data();
+          for (Eigen::Index k = 0; k < sum.size(); ++k) sum.data()[k] += of_d * d[k] + of_a * a[k];
+        }
       }
     } else {  // in one pass over the memory
       std::array<const double*, Workspace<S>::n_slots> d, a;
@@ -311,17 +326,31 @@ struct SymmetricMultistep {
   /// w.multiplier ← λ_n by the polynomial through the last ones.
   template <class S>
   static void extrapolate_multiplier(Workspace<S>& w) {
-    constexpr double weights[5][4]{{}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}};
-    w.multiplier = w.multipliers[0];
-    if (w.n_multipliers == 0) return;
-    scale(weights[w.n_multipliers][0], w.multiplier);
-    for (int i = 1; i < w.n_multipliers; ++i) axpy(weights[w.n_multipliers][i], w.multipliers[i], w.multiplier);
+    constexpr double weights[7][6]{
+        {}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}, {6, -15, 20, -15, 6, -1}};
+    constexpr int n = Workspace<S>::n_extrapolated;
+    if (w.n_multipliers == n)  // the usual case, with a number of terms that the compiler knows
+      sum_multipliers<S>(w, weights[n], n);
+    else
+      sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);
+  }
+  template <class S>
+  [[gnu::always_inline]] static void sum_multipliers(Workspace<S>& w, const double* weights, int n) {
+    const auto before = [&w](int i) -> const typename S::Multiplier& {
+      const int slot = w.newest_multiplier - i;
+      return w.multipliers[slot >= 0 ? slot : slot + Workspace<S>::n_extrapolated];
+    };
+    w.multiplier = before(0);
+    if (n == 0) return;
+    scale(weights[0], w.multiplier);
+    for (int i = 1; i < n; ++i) axpy(weights[i], before(i), w.multiplier);
   }
   template <class S>
   static void record_multiplier(Workspace<S>& w) {
-    for (int i = 3; i > 0; --i) w.multipliers[i] = w.multipliers[i - 1];
-    w.multipliers[0] = w.multiplier;
-    w.n_multipliers = std::min(w.n_multipliers + 1, 4);
+    constexpr int n = Workspace<S>::n_extrapolated;
+    w.newest_multiplier = w.newest_multiplier + 1 < n ? w.newest_multiplier + 1 : 0;
+    w.multipliers[w.newest_multiplier] = w.multiplier;
+    w.n_multipliers = std::min(w.n_multipliers + 1, n);
   }
 };
 
