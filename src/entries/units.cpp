@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <string_view>
+#include <unordered_map>
 #include <utility>
 
 namespace pseudorigid::io {
@@ -16,7 +18,7 @@ struct Powers {
   int length = 0, mass = 0, time = 0, stress = 0;
 };
 
-Powers powers_of(scene::Unit unit) {
+Powers read_powers(scene::Unit unit) {
   Powers powers;
   unit.visit([&](std::string_view word, int power) {
     if (word == "length") powers.length += power;
@@ -25,6 +27,15 @@ Powers powers_of(scene::Unit unit) {
     if (word == "pressure") powers.stress += power;
   });
   return powers;
+}
+
+/// The words of a unit are a literal of the program, known by its place. To read them takes longer than the rest of a
+/// row does.
+const Powers& powers_of(scene::Unit unit) {
+  thread_local std::unordered_map<const char*, Powers> known;
+  const auto [found, is_new] = known.try_emplace(std::string_view(unit).data());
+  if (is_new) found->second = read_powers(unit);
+  return found->second;
 }
 
 }  // namespace

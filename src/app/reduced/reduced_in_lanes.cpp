@@ -149,7 +149,9 @@ class RunInLanes {
   }
 
   static mechanics::detail::PilotRun pilot(const reduced::MotionsInLanes& motions) {
-    mechanics::detail::PilotRun run{.status = {}, .t = motions.t, .n_force = motions.counters.n_force};
+    mechanics::detail::PilotRun run;
+    run.t = motions.t;
+    run.n_force = motions.counters.n_force;
     if (!motions.failure.empty()) run.status = mechanics::Status::failure(motions.failure);
     for (const auto& q : motions.q) run.q.emplace_back(Eigen::Map<const Eigen::VectorXd>(q.data(), std::ssize(q)));
     for (const auto& v : motions.v)
