@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -114,7 +114,8 @@ void expect_twins(const Eight& eight, mechanics::MethodId method) {
     for (std::size_t k = 0; k < alone.size(); ++k) {
       EXPECT_LT((Eight::matrix(i, together.q[k]) - alone[k].q).cwiseAbs().maxCoeff(), round_off(method)) << i;
       EXPECT_LT((Eight::matrix(i, together.v[k]) - alone[k].v).cwiseAbs().maxCoeff(), round_off(method)) << i;
-      EXPECT_NEAR(Eight::matrix(i, together.q[k]).determinant(), 1, 1e-14);
+      // Round-off of det Q goes with |Q|³, and a free fluid stretches without end. Measured: a third of this.
+      EXPECT_NEAR(Eight::matrix(i, together.q[k]).determinant(), 1, 4e-16 * std::pow(alone[k].q.norm(), 3));
     }
   }
 }
