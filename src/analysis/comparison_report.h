@@ -17,7 +17,7 @@ io::Table comparison_table(const Comparison& comparison);
 /// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, what is missing.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
-/// Writes both into `folder`, as <name>.csv and <name>.json.
+/// Writes both into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
 /// Of comparisons with one reference, a line each for the terminal, and the same as JSON.

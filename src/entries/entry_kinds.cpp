@@ -1,7 +1,5 @@
 #include "entries/entry_kinds.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -27,6 +25,10 @@ std::optional<T> whole_text_as(std::string_view text) {
   return value;
 }
 
+std::string counted(std::size_t n, const char* one, const char* several) {
+  return std::to_string(n) + " " + (n == 1 ? one : several);
+}
+
 }  // namespace
 
 std::string got(std::string_view text) { return text.empty() ? "got nothing" : "got " + quote(text); }
@@ -42,7 +44,7 @@ std::string joined(const std::vector<std::string_view>& words) {
 }
 
 std::string one_of(const std::vector<std::string_view>& words) {
-  if (words.size() == 2) return fmt::format("{} or {}", words[0], words[1]);
+  if (words.size() == 2) return std::string(words[0]).append(" or ").append(words[1]);
   return (words.size() > 2 ? "one of " : "") + joined(words);
 }
 
@@ -89,8 +91,8 @@ Problem Number::read(std::string_view text, double& value) const {
 
 std::string Number::expected() const {
   if (std::isinf(low)) return "a finite number";
-  if (std::isinf(high)) return fmt::format("a number {} {}", low_excluded ? ">" : ">=", print_number(low));
-  return fmt::format("a number from {} to {}", print_number(low), print_number(high));
+  if (std::isinf(high)) return (low_excluded ? "a number > " : "a number >= ") + print_number(low);
+  return "a number from " + print_number(low) + " to " + print_number(high);
 }
 
 namespace {
@@ -127,8 +129,8 @@ Problem Integer::read(std::string_view text, int& value) const {
 }
 
 std::string Integer::expected() const {
-  if (high == std::numeric_limits<int>::max()) return fmt::format("a whole number >= {}", low);
-  return fmt::format("a whole number from {} to {}", low, high);
+  if (high == std::numeric_limits<int>::max()) return "a whole number >= " + std::to_string(low);
+  return "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
 }
 
 Problem AutoOrIntegers::read(std::string_view text, std::vector<int>& value) const {
@@ -202,11 +204,11 @@ std::string Words::print(const std::vector<std::string>& value) const {
 Problem Numbers::read(std::string_view text, std::vector<double>& value) const {
   const auto entries = parts_of(text, ',');
   if (entries.empty() || (n > 0 && entries.size() != n))
-    return fmt::format("{}, which has {} entr{}", got(text), entries.size(), entries.size() == 1 ? "y" : "ies");
+    return got(text) + ", which has " + counted(entries.size(), "entry", "entries");
   std::vector<double> numbers(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i)
     if (const Problem problem = number.read(entries[i], numbers[i]))
-      return fmt::format("{} as entry {}", *problem, i + 1);
+      return *problem + " as entry " + std::to_string(i + 1);
   value = std::move(numbers);
   return std::nullopt;
 }
@@ -214,8 +216,8 @@ Problem Numbers::read(std::string_view text, std::vector<double>& value) const {
 std::string Numbers::print(const std::vector<double>& value) const { return print_row(value); }
 
 std::string Numbers::expected() const {
-  if (n == 0) return fmt::format("one or more numbers separated by \",\", each {}", number.expected());
-  return fmt::format("{} numbers separated by \",\", each {}", n, number.expected());
+  if (n == 0) return "one or more numbers separated by \",\", each " + number.expected();
+  return std::to_string(n) + " numbers separated by \",\", each " + number.expected();
 }
 
 Problem Rows::read(std::string_view text, std::vector<double>& value) const {
@@ -225,11 +227,10 @@ Problem Rows::read(std::string_view text, std::vector<double>& value) const {
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto entries = parts_of(rows[i], ',');
     if (entries.size() != n_columns)
-      return fmt::format("{}, where row {} has {} entr{}", got(text), i + 1, entries.size(),
-                         entries.size() == 1 ? "y" : "ies");
+      return got(text) + ", where row " + std::to_string(i + 1) + " has " + counted(entries.size(), "entry", "entries");
     for (std::size_t j = 0; j < n_columns; ++j) {
       const auto number = finite_number(entries[j]);
-      if (!number) return fmt::format("{} as entry ({},{})", got(entries[j]), i + 1, j + 1);
+      if (!number) return got(entries[j]) + " as entry (" + std::to_string(i + 1) + "," + std::to_string(j + 1) + ")";
       numbers.push_back(*number);
     }
   }
@@ -245,14 +246,14 @@ std::string Rows::print(const std::vector<double>& value) const {
 }
 
 std::string Rows::expected() const {
-  return fmt::format("rows of {} finite numbers, rows separated by \";\" and entries by \",\"{}", n_columns,
-                     may_be_empty ? ", or nothing" : "");
+  return "rows of " + std::to_string(n_columns) + " finite numbers, rows separated by \";\" and entries by \",\"" +
+         (may_be_empty ? ", or nothing" : "");
 }
 
 Problem Matrix::read(std::string_view text, Matrix3& value) const {
   std::vector<double> numbers;
   const auto n_rows = parts_of(text, ';').size();
-  if (n_rows != 3) return fmt::format("{}, which has {} row{}", got(text), n_rows, n_rows == 1 ? "" : "s");
+  if (n_rows != 3) return got(text) + ", which has " + counted(n_rows, "row", "rows");
   if (Problem problem = Rows{3}.read(text, numbers)) return problem;
   for (std::size_t k = 0; k < 9; ++k) value[k / 3][k % 3] = numbers[k];
   return std::nullopt;

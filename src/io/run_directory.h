@@ -24,9 +24,9 @@ class RunDirectory {
                const std::optional<std::filesystem::path>& output_option);
 
   /// Creates the folder and removes the results of an earlier run: files that bear one of our names, those of the
-  /// `movers` included (names of models and systems: <name>.csv, pictures, comparison-<name>.csv, modes-<name>.csv …), nothing else.
-  /// UserError with path and reason if the folder cannot be created or written, or if another run is at work in it. It
-  /// is the caller's as long as he keeps the lock.
+  /// `movers` included (names of models and systems: `<name>.csv`, pictures, `comparison-<name>.csv`,
+  /// `modes-<name>.csv` …), nothing else. UserError with path and reason if the folder cannot be created or written, or
+  /// if another run is at work in it. It is the caller's as long as he keeps the lock.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Likewise; UserError also if the folder holds no checkpoint.
   RunLock prepare_resume() const;
@@ -41,7 +41,7 @@ class RunDirectory {
   std::filesystem::path csv(std::string_view name) const;
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;
-  /// graphics/<model>-000012.vtu; the folder graphics is created by prepare_graphics, only for runs that want it.
+  /// `graphics/<model>-000012.vtu`; the folder graphics is created by prepare_graphics, only for runs that want it.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
 

@@ -2,7 +2,7 @@
 /// A follower pressure −p n per current area. Its energy is p V, so a body that keeps its volume carries it by its
 /// constraint: λ_h, the pressure inside, is p more everywhere, the multiplier per m̄ is p Vol/m̄ more, and nothing moves.
 
-#include <fmt/format.h>
+#include <cstdio>
 
 #include "loads/load.h"
 
@@ -26,10 +26,13 @@ struct Pressure {
   static constexpr std::string_view skipped = "follower pressure: Loads/Pressure is 0";
   std::string needed(const BodyFacts& body) const {
     if (!body.incompressible) return "follower pressure on the surface";
-    return fmt::format(
-        "follower pressure, as a constant: the body keeps its volume, so there is no force; beyond their columns the "
-        "pressure inside is {:.9g} and the multiplier {:.9g} higher",
-        pressure, pressure * body.volume_by_inertia);
+    char higher[96];
+    std::snprintf(higher, sizeof higher, "pressure inside is %.9g and the multiplier %.9g higher", pressure,
+                  pressure * body.volume_by_inertia);
+    return std::string(
+               "follower pressure, as a constant: the body keeps its volume, so there is no force; beyond their "
+               "columns the ") +
+           higher;
   }
 
   Forcing forcing() const { return {.pressure = pressure}; }

@@ -2,8 +2,9 @@
 /// What a law may declare of its limits, beside energy, stress and tangent.
 ///
 /// Deformations that it does not admit (beside those with J ≤ 0, which no law admits):
-///   template <class T> T reserve(const Tensor<T>& F) const;   positive where F is admitted
-///   static constexpr std::string_view limit;                  what has happened where it is not: one clause
+///
+///     template <class T> T reserve(const Tensor<T>& F) const;   positive where F is admitted
+///     static constexpr std::string_view limit;                  what has happened where it is not: one clause
 ///
 /// The surface of an incompressible body that wrinkles (continuum/output/surface_stretch.h):
 ///   static constexpr double surface_limit;   the ratio λ₁/λ_n of stretches at which a half-space loses its smooth

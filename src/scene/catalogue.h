@@ -85,7 +85,7 @@ struct SystemDescription {
 
 /// A model of the ball, one word of the entry Models.
 struct ModelDescription {
-  std::string_view name;           ///< the word; its files are <name>.csv, <name>.pvd and checkpoint-<name>.bin
+  std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
   std::string_view adjective;      ///< of the ball that it computes, in sentences: "elastic"
   std::string_view documentation;  ///< a sentence for people
   bool by_default = true;          ///< chosen where the scene does not say

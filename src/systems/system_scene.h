@@ -2,16 +2,16 @@
 /// What a system brings into a parameter file: its subsection with entries, the columns of its CSV file, its units, and
 /// the model that moves. A system is one header with such a struct, and one line in systems/table.cpp.
 ///
-///   struct PendulumScene {
-///     static constexpr std::string_view name, file, section, documentation;
-///     static constexpr bool has_equilibria;
-///     double length = 1; …                                              // entries with their defaults
-///     template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // one call an entry
-///     Scales scales() const;                                            // units in which everything is of order 1
-///     std::optional<Refusal> refuses() const;                           // in the user's units
-///     std::vector<Column> columns() const;                              // after `time`
-///     template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
-///   };
+///     struct PendulumScene {
+///       static constexpr std::string_view name, file, section, documentation;
+///       static constexpr bool has_equilibria;
+///       double length = 1; …                                              // entries with their defaults
+///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // one call an entry
+///       Scales scales() const;                                            // units in which everything is of order 1
+///       std::optional<Refusal> refuses() const;                           // in the user's units
+///       std::vector<Column> columns() const;                              // after `time`
+///       template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
+///     };
 ///
 /// Units are words ("mass*length^2/time", scene/unit.h). Entries are divided by theirs before a model is made, and
 /// columns multiplied by theirs on the way to the file, so a system never sees the user's units.

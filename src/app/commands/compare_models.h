@@ -1,7 +1,7 @@
 #pragma once
 /// The comparison of the models of a run: each with the last of them, the richest in motions. Of two models the files
-/// are comparison.csv and comparison.json; of more, comparison-<model>.csv and .json for each, and comparison.json has
-/// an overview of them.
+/// are comparison.csv and comparison.json; of more, `comparison-<model>.csv` and .json for each, and comparison.json
+/// has an overview of them.
 
 #include <string>
 

@@ -2,7 +2,7 @@
 /// Several degrees of one polynomial scene.
 ///
 /// Degrees that the scene lists are run one after the other. The last writes polynomial.csv and is the model of the
-/// scene; the others write polynomial-<degree>.csv and are compared with the reference as models of their own.
+/// scene; the others write `polynomial-<degree>.csv` and are compared with the reference as models of their own.
 ///
 /// Where the degree is left open (auto) the scene is run with N = 1, 3, 5, … for its trace alone. Even degrees add
 /// nothing to motions with the symmetry of an octant, which go in steps of two. The differences of Q between successive

@@ -2,19 +2,24 @@
 /// The methods, for code that chooses among them at run time. A new method is its header and one line of the table.
 ///
 /// A method is an empty struct:
-///   name, documentation                  as in parameter files
-///   order, n_stages, symplectic, symmetric, adaptive, stability_limit
-///   chosen_by_auto                       whether Method = auto may take it
-///   Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
-///   fits<S>                              whether it can be compiled for a system of type S
-///   takes_any_vector                     where true: it asks no more of vectors than VectorSpace offers
-///   accepts(system) → Status             whether its promises hold for this system; if not, why
+///
+///     name, documentation                  as in parameter files
+///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
+///     chosen_by_auto                       whether Method = auto may take it
+///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
+///     fits<S>                              whether it can be compiled for a system of type S
+///     takes_any_vector                     where true: it asks no more of vectors than VectorSpace offers
+///     accepts(system) → Status             whether its promises hold for this system; if not, why
+///
 /// and, with fixed steps (adaptive = false),
-///   advance(system, h, state, workspace) → Status            one step, the velocity left for
-///   project_velocity(system, state, workspace) → Status      where a state is looked at;
+///
+///     advance(system, h, state, workspace) → Status            one step, the velocity left for
+///     project_velocity(system, state, workspace) → Status      where a state is looked at;
+///
 /// or, with steps of its own choice (adaptive = true),
-///   step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
-///   interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
+///
+///     step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
+///     interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
 
 #include <array>
 #include <concepts>
