@@ -1,8 +1,9 @@
 # Precompiled headers: what many files include and nobody here edits, parsed once. Every source still includes what it
 # uses, and is compiled without them where the option is off.
 #
-# Off with a compiler launcher: ccache keeps nothing of what is compiled with them.
-if(CMAKE_CXX_COMPILER_LAUNCHER)
+# Off with a compiler launcher: ccache keeps nothing of what is compiled with them. Off in the library alone, which has
+# few sources.
+if(CMAKE_CXX_COMPILER_LAUNCHER OR NOT PSEUDORIGID_PROGRAM)
   set(precompile OFF)
 else()
   set(precompile ON)
@@ -16,18 +17,19 @@ function(pseudorigid_precompiled_headers name)
   if(NOT PSEUDORIGID_PRECOMPILE)
     return()
   endif()
-  set(source ${CMAKE_BINARY_DIR}/precompiled/${name}.cpp)
+  set(source ${PROJECT_BINARY_DIR}/precompiled/${name}.cpp)
   file(CONFIGURE OUTPUT ${source} CONTENT "")
-  add_library(precompiled_${name} OBJECT EXCLUDE_FROM_ALL ${source})
-  target_link_libraries(precompiled_${name} PRIVATE pseudorigid_options ${SET_LIBS})
-  target_precompile_headers(precompiled_${name} PRIVATE ${SET_HEADERS})
+  add_library(pseudorigid_precompiled_${name} OBJECT EXCLUDE_FROM_ALL ${source})
+  target_link_libraries(pseudorigid_precompiled_${name} PRIVATE pseudorigid_options ${SET_LIBS})
+  target_precompile_headers(pseudorigid_precompiled_${name} PRIVATE ${SET_HEADERS})
 endfunction()
 
-# pseudorigid_precompiled(TARGET NAME): compiles the target with that set, and with the definitions of its libraries.
+# pseudorigid_precompiled(TARGET NAME): compiles the target, or the layer, with that set, and with the definitions of its libraries.
 function(pseudorigid_precompiled target name)
   if(PSEUDORIGID_PRECOMPILE)
-    target_precompile_headers(${target} REUSE_FROM precompiled_${name})
-    target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:precompiled_${name},COMPILE_DEFINITIONS>)
+    pseudorigid_target(target ${target})
+    target_precompile_headers(${target} REUSE_FROM pseudorigid_precompiled_${name})
+    target_compile_definitions(${target} PRIVATE $<TARGET_PROPERTY:pseudorigid_precompiled_${name},COMPILE_DEFINITIONS>)
   endif()
 endfunction()
 

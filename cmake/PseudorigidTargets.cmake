@@ -1,7 +1,9 @@
-# Compile options shared by every target, and the helpers that declare a layer or a test.
+# Compile options of this project's own sources, and the helpers that declare a layer or a test. Targets begin with
+# "pseudorigid", so that a project which adds this one may have a target of its own called io or scene.
 
+# For our own sources only: nothing of this reaches who links a layer.
 add_library(pseudorigid_options INTERFACE)
-target_include_directories(pseudorigid_options INTERFACE ${CMAKE_SOURCE_DIR}/src)
+target_include_directories(pseudorigid_options INTERFACE ${PROJECT_SOURCE_DIR}/src)
 target_compile_features(pseudorigid_options INTERFACE cxx_std_20)
 # -Wno-restrict: g++ 12 warns of overlaps that cannot be in "literal" + std::string (GCC bug 105651).
 target_compile_options(pseudorigid_options INTERFACE -Wall -Wextra -Wno-restrict
@@ -17,32 +19,63 @@ endif()
 # reads each header once. To work on the sources, switch it off (-DPSEUDORIGID_UNITY=OFF).
 option(PSEUDORIGID_UNITY "Compile several sources of a layer at once" ON)
 
-# pseudorigid_layer(NAME [SOURCES file…] [LIBS target…]): the library of one folder of src/; header-only without SOURCES.
-function(pseudorigid_layer name)
-  cmake_parse_arguments(LAYER "" "" "SOURCES;LIBS" ${ARGN})
-  if(LAYER_SOURCES)
-    add_library(${name} STATIC ${LAYER_SOURCES})
-    target_link_libraries(${name} PUBLIC pseudorigid_options ${LAYER_LIBS})
-    set_target_properties(${name} PROPERTIES UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 12)
-  else()
-    add_library(${name} INTERFACE)
-    target_link_libraries(${name} INTERFACE pseudorigid_options ${LAYER_LIBS})
+# pseudorigid_target(VARIABLE NAME): the target of a layer, or the target that is called so.
+function(pseudorigid_target variable name)
+  if(TARGET pseudorigid_${name})
+    set(name pseudorigid_${name})
   endif()
-  add_library(pseudorigid::${name} ALIAS ${name})
+  set(${variable} ${name} PARENT_SCOPE)
 endfunction()
 
-# pseudorigid_native(FILE…): sources compiled for this machine's own instructions. They are few, and no Eigen type crosses
-# their interface, so nothing else has to agree on an alignment. -Wno-psabi: wide vectors are passed between inlined
-# functions only.
-function(pseudorigid_native)
-  set(options -Wno-psabi)
-  if(PSEUDORIGID_NATIVE)
-    list(APPEND options -march=native)
+# pseudorigid_layer(NAME [INSTALL] [SOURCES file…] [LIBS layer or target…]): the library of one folder of src/.
+#
+# It has two targets: pseudorigid::NAME_headers are the headers and what they include, pseudorigid::NAME has the compiled
+# sources too, where there are any. Who only uses templates links the first and compiles nothing. Names without "::" in
+# LIBS are layers. INSTALL: the layer is part of the installed library, and so is what it links.
+function(pseudorigid_layer name)
+  cmake_parse_arguments(LAYER "INSTALL" "" "SOURCES;LIBS" ${ARGN})
+  set(headers pseudorigid_${name}_headers)
+  set(library pseudorigid_${name})
+  add_library(${headers} INTERFACE)
+  target_compile_features(${headers} INTERFACE cxx_std_20)
+  target_include_directories(${headers} INTERFACE
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src;${PROJECT_BINARY_DIR}/include>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pseudorigid;${CMAKE_INSTALL_INCLUDEDIR}>")
+  if(LAYER_SOURCES)
+    add_library(${library} STATIC ${LAYER_SOURCES})
+    set_target_properties(${library} PROPERTIES UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 12)
+    target_link_libraries(${library} PUBLIC ${headers} PRIVATE $<BUILD_INTERFACE:pseudorigid_options>)
+    set(scope PUBLIC)
+  else()
+    add_library(${library} INTERFACE)
+    target_link_libraries(${library} INTERFACE ${headers})
+    set(scope INTERFACE)
   endif()
-  if(PSEUDORIGID_SANITIZE)  # at -O1 their small functions are calls, and tests of the ball take hours
-    list(APPEND options -O2)
+  foreach(lib ${LAYER_LIBS})
+    if(lib MATCHES "::")
+      target_link_libraries(${headers} INTERFACE ${lib})
+      target_link_libraries(${library} ${scope} ${lib})
+    else()
+      target_link_libraries(${headers} INTERFACE pseudorigid::${lib}_headers)
+      target_link_libraries(${library} ${scope} pseudorigid::${lib})
+    endif()
+  endforeach()
+  foreach(target ${headers} ${library})
+    string(REPLACE "pseudorigid_" "" exported ${target})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported})
+    add_library(pseudorigid::${exported} ALIAS ${target})
+  endforeach()
+  if(LAYER_INSTALL AND PSEUDORIGID_INSTALL)
+    install(TARGETS ${headers} ${library} EXPORT pseudorigid COMPONENT development)
+    install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pseudorigid/${name}
+      COMPONENT development FILES_MATCHING PATTERN "*.h")
   endif()
-  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS "${options}" SKIP_PRECOMPILE_HEADERS ON)
+endfunction()
+
+# pseudorigid_link(TARGET layer or target…): links layers to an executable of this project.
+function(pseudorigid_link target)
+  list(TRANSFORM ARGN PREPEND pseudorigid:: REGEX "^[^:]+$")
+  target_link_libraries(${target} PRIVATE pseudorigid_options ${ARGN})
 endfunction()
 
 # pseudorigid_use_dealii(TARGET): links deal.II. Its own macro deal_ii_setup_target would put -g -O2 on the target after
@@ -59,6 +92,7 @@ function(pseudorigid_use_dealii target)
     target_compile_definitions(pseudorigid_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS} ${DEAL_II_USER_DEFINITIONS_${flavour}})
     target_link_libraries(pseudorigid_dealii INTERFACE ${DEAL_II_TARGET_${flavour}})
   endif()
+  pseudorigid_target(target ${target})
   target_link_libraries(${target} PUBLIC pseudorigid_dealii)
 endfunction()
 
@@ -69,12 +103,13 @@ if(PSEUDORIGID_SANITIZE)
 endif()
 math(EXPR pseudorigid_test_timeout "300 * ${pseudorigid_test_patience}")
 
-# pseudorigid_test(NAME LABEL label SOURCES file… [LIBS target…]): one GoogleTest executable, one ctest entry per test case.
+# pseudorigid_test(NAME LABEL label SOURCES file… [LIBS layer or target…]): one GoogleTest executable, one ctest entry per
+# test case.
 function(pseudorigid_test name)
   cmake_parse_arguments(TEST "" "LABEL" "SOURCES;LIBS" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
-  target_link_libraries(${name} PRIVATE pseudorigid_options ${TEST_LIBS} GTest::gtest_main)
-  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  pseudorigid_link(${name} ${TEST_LIBS} GTest::gtest_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
   if("continuum" IN_LIST TEST_LIBS)
     pseudorigid_precompiled(${name} dealii)
   else()

@@ -1,4 +1,6 @@
+#ifdef PSEUDORIGID_CHOLMOD
 #include <cholmod.h>
+#endif
 #include <deal.II/base/config.h>
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -17,6 +19,7 @@
 #include "app/ranks/on_all_ranks.h"
 #include "app/reduced/reduced_in_lanes.h"
 #include "app/run/run_models.h"
+#include "continuum/kernels/kernel_table.h"
 #include "io/manifest.h"
 #include "io/run_lock.h"
 #include "io/standard_streams.h"
@@ -73,7 +76,9 @@ int main(int argc, char** argv) {
   dealii::MultithreadInfo::set_thread_limit(1);
   auto libraries = common_libraries();
   libraries["deal.II"] = DEAL_II_PACKAGE_VERSION;
+#ifdef PSEUDORIGID_CHOLMOD
   libraries["CHOLMOD"] = fmt::format("{}.{}.{}", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+#endif
   // One process starts MPI only if something needs it, which takes 0.3 s; so does one that may be one of several.
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   const MpiRanks several;
@@ -83,6 +88,7 @@ int main(int argc, char** argv) {
       {.models = {{"reduced", run_reduced}, {"polynomial", run_polynomial}, {"continuum", run_on_all_ranks}},
        .together = {{"reduced", run_reduced_in_lanes}},
        .libraries = std::move(libraries),
+       .instructions = [] { return pseudorigid::continuum::chosen_kernels().instructions; },
        .runs_discretized = true,
        .ranks = mpi ? &several : &one_rank()});
 }

@@ -1,8 +1,11 @@
+/// The sums over pairs, compiled for several sets of instructions (mechanics/core/kernel_builds.h).
+
+#include "gravity/pair_kernels.h"
+
 #include <algorithm>
 #include <functional>
 #include <utility>
 
-#include "gravity/surface_gravity.h"
 #include "mechanics/core/lanes.h"
 
 namespace pseudorigid::gravity {
@@ -229,9 +232,7 @@ PairSums sum_own_pairs(const SurfacePoints& points) {
   return sums;
 }
 
-}  // namespace
-
-PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources) {
+PairSums sum_two_sets(const SurfacePoints& targets, const SurfacePoints& sources) {
   PairSums sums = no_sums(targets.size());
   for (std::size_t first = 0; first < targets.size(); first += n_lanes) {
     Block<L> block = block_at(targets, first);
@@ -243,7 +244,7 @@ PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources) {
   return sums;
 }
 
-PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors) {
+PairSums sum_pairs_with_images(const SurfacePoints& points, const std::array<bool, 3>& mirrors) {
   const unsigned set = (mirrors[0] ? 1u : 0u) | (mirrors[1] ? 2u : 0u) | (mirrors[2] ? 4u : 0u);
   return [&]<unsigned... sets>(std::integer_sequence<unsigned, sets...>) {
     PairSums sums;
@@ -253,7 +254,7 @@ PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& m
   (std::make_integer_sequence<unsigned, 8>());
 }
 
-Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources) {
+Moving<PairSums> sum_moving_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources) {
   Moving<PairSums> sums{no_sums(targets.at.size()), no_sums(targets.at.size())};
   for (std::size_t first = 0; first < targets.at.size(); first += n_lanes) {
     Block<Rated> block{};
@@ -277,4 +278,10 @@ Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<Su
   return sums;
 }
 
+}  // namespace
 }  // namespace pseudorigid::gravity
+
+extern const pseudorigid::gravity::PairKernels PSEUDORIGID_KERNEL_TABLE{
+    .sum = pseudorigid::gravity::sum_two_sets,
+    .sum_own = pseudorigid::gravity::sum_pairs_with_images,
+    .sum_moving = pseudorigid::gravity::sum_moving_pairs};

@@ -5,6 +5,8 @@
 #include <functional>
 #include <numeric>
 
+#include "gravity/pair_kernels.h"
+
 namespace pseudorigid::gravity {
 namespace {
 
@@ -30,6 +32,25 @@ PairSums add(const PairSums& more, PairSums sums) {
     add_to(sums.h[c], more.h[c]);
   }
   return sums;
+}
+
+namespace {
+const PairKernels& pair_kernels() {
+  static const PairKernels& kernels = *mechanics::choose_build(builds_of_pair_kernels()).table;
+  return kernels;
+}
+}  // namespace
+
+PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources) {
+  return pair_kernels().sum(targets, sources);
+}
+
+PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors) {
+  return pair_kernels().sum_own(points, mirrors);
+}
+
+Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources) {
+  return pair_kernels().sum_moving(targets, sources);
 }
 
 double enclosed_volume(const SurfacePoints& points) {

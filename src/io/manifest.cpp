@@ -56,6 +56,7 @@ Json to_json(const Manifest& content) {
   json["build_type"] = content.build.build_type;
   json["libraries"] = content.libraries;
   json["cpu"] = cpu_model();
+  if (!content.instructions.empty()) json["instructions"] = content.instructions;
   json["command"] = content.command;
   json["title"] = content.title;
   json["scene"] = content.scene;

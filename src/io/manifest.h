@@ -28,6 +28,7 @@ struct Manifest {
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< of files that no other page describes, by file
   std::map<std::string, std::string> libraries;               ///< name → version
+  std::string instructions;                                   ///< that the kernels are compiled for; empty without any
   std::vector<const scene::ModelDescription*> ball;           ///< the models of the ball that are to run
   std::map<std::string, Model> models;                        ///< what has run, by name
 };

@@ -15,7 +15,7 @@ void gradient(const PolynomialSpace& space, const Eigen::VectorXd& u, double* F)
 void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, double* A) {
   ScratchArray F(space.gradients().size(3));
   gradient(space, q, F);
-  inverse_transposed(space.n_points(), F, A);
+  dense().inverse_transposed(space.n_points(), F, A);
 }
 /// r_b = Σ ψ_b y; y is changed.
 void test_with_pressures(const PolynomialSpace& space, double* y, Eigen::VectorXd& r) {
@@ -34,7 +34,7 @@ void clear(const PolynomialSpace& space, double* T) { std::fill_n(T, space.gradi
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g) {
   ScratchArray F(space.gradients().size(3)), y(space.n_points());
   gradient(space, q, F);
-  const double least = log_jacobian(space.n_points(), space.weights().data(), F, y);
+  const double least = dense().log_jacobian(space.n_points(), space.weights().data(), F, y);
   test_with_pressures(space, y, g);
   return least;
 }
@@ -44,7 +44,7 @@ void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, con
   ScratchArray A(space.gradients().size(3)), B(space.gradients().size(3)), y(space.n_points());
   inverse_gradient(space, q, A);
   gradient(space, v, B);
-  weighted_product(space.n_points(), space.weights().data(), A, B, y);
+  dense().weighted_product(space.n_points(), space.weights().data(), A, B, y);
   test_with_pressures(space, y, r);
 }
 
@@ -53,7 +53,7 @@ void constraint_curvature(const PolynomialSpace& space, const Eigen::VectorXd& q
   ScratchArray A(space.gradients().size(3)), B(space.gradients().size(3)), y(space.n_points());
   inverse_gradient(space, q, A);
   gradient(space, v, B);
-  weighted_curvature(space.n_points(), space.weights().data(), A, B, y);
+  dense().weighted_curvature(space.n_points(), space.weights().data(), A, B, y);
   test_with_pressures(space, y, r);
 }
 
@@ -63,7 +63,7 @@ void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const 
   inverse_gradient(space, q, A);
   weighted_pressure(space, lambda, s);
   clear(space, T);
-  add_multiple(space.n_points(), s, A, T);
+  dense().add_multiple(space.n_points(), s, A, T);
   space.gradients().add_transposed(space.blocks(), 3, T, f.data());
 }
 
@@ -75,7 +75,7 @@ void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, c
   gradient(space, v, B);
   weighted_pressure(space, lambda, s);
   clear(space, T);
-  add_rate_of_inverse(space.n_points(), s, A, B, T);
+  dense().add_rate_of_inverse(space.n_points(), s, A, B, T);
   space.gradients().add_transposed(space.blocks(), 3, T, f.data());
 }
 
@@ -90,11 +90,11 @@ void ReactionsBetween::multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& 
   ScratchArray T(space_.gradients().size(3)), y(space_.n_points()), f(space_.n_unknowns());
   weighted_pressure(space_, lambda, y);
   clear(space_, T);
-  add_multiple(space_.n_points(), y, A0, T);
+  dense().add_multiple(space_.n_points(), y, A0, T);
   std::fill_n(static_cast<double*>(f), space_.n_unknowns(), 0.0);
   space_.gradients().add_transposed(space_.blocks(), 3, T, f);
   space_.gradients().evaluate(space_.blocks(), 3, f, T);
-  weighted_product(space_.n_points(), space_.weights().data(), A1_.data(), T, y);
+  dense().weighted_product(space_.n_points(), space_.weights().data(), A1_.data(), T, y);
   test_with_pressures(space_, y, product);
 }
 

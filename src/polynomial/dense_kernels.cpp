@@ -120,8 +120,6 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
              L(0.5 * kappa) * (J - 1.0 / J) * materials::cofactor_derivative(F, H));
 }
 
-}  // namespace
-
 void combine(const double* table, int n, int length, const double* c, double* y) {
   constexpr int n_vectors = 4;
   int first = 0;
@@ -266,4 +264,23 @@ void transform_images(double* slots, int n_images, int length) {
       }
 }
 
+}  // namespace
 }  // namespace pseudorigid::polynomial
+
+namespace polynomial = pseudorigid::polynomial;
+extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine = polynomial::combine,
+                                                               .contract = polynomial::contract,
+                                                               .multiply = polynomial::multiply,
+                                                               .combine_at_points = polynomial::combine_at_points,
+                                                               .stress = polynomial::stress,
+                                                               .stress_rate = polynomial::stress_rate,
+                                                               .energy = polynomial::energy,
+                                                               .log_jacobian = polynomial::log_jacobian,
+                                                               .jacobian = polynomial::jacobian,
+                                                               .inverse_transposed = polynomial::inverse_transposed,
+                                                               .add_multiple = polynomial::add_multiple,
+                                                               .weighted_product = polynomial::weighted_product,
+                                                               .weighted_curvature = polynomial::weighted_curvature,
+                                                               .add_rate_of_inverse = polynomial::add_rate_of_inverse,
+                                                               .add_viscous_stress = polynomial::add_viscous_stress,
+                                                               .transform_images = polynomial::transform_images};

@@ -1,62 +1,71 @@
 #pragma once
-/// The inner loops of polynomial bodies, compiled for this machine's own instructions: sums over functions at the
-/// points of a table, the reverse, and what happens at the points. Plain arrays only.
+/// The inner loops of polynomial bodies, compiled for several sets of instructions (mechanics/core/kernel_builds.h):
+/// sums over functions at the points of a table, the reverse, and what happens at the points. Plain arrays only.
 ///
 /// A table holds n rows of `length` numbers, one row a function. Lengths are whole numbers of `point_block`.
 
 #include "materials/law_table.h"
+#include "mechanics/core/kernel_builds.h"
 
 namespace pseudorigid::polynomial {
 
 /// Points come in blocks of so many, filled up with points of weight 0.
 inline constexpr int point_block = 8;
 
-/// y_e = Σ_a c_a T_ae
-void combine(const double* table, int n, int length, const double* c, double* y);
-/// c_a ← c_a + Σ_e T_ae y_e
-void contract(const double* table, int n, int length, const double* y, double* c);
-/// C ← C + A R, of row-major A (m × n_points), R (n_points × width), C (m × width). The width is a whole number of
-/// blocks.
-void multiply(const double* A, int m, const double* R, int n_points, int width, double* C);
-/// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
-/// and A_k at n_points.
-void combine_at_points(const double* A0, const double* A1, const double* A2, const double* T, int n_points, int width,
-                       double* R);
-
-/// A 3×3 tensor at n points: entry (i, j) of point p is at (3i + j) n + p.
-
-/// T ← w P(F) + w ∂U/∂F, with U = (κ/4)(J² − 1 − ln J²), entry by entry; returns the least of det F and of the law's
-/// reserve (materials/law_limits.h).
-double stress(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
-/// T ← w DP(F)[H] + w D²U(F)[H]
-void stress_rate(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, const double* H,
-                 double* T);
 struct EnergySums {
   double elastic, volumetric;
 };
-/// Σ w W(F) and Σ w U(J).
-EnergySums energy(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-/// y ← w ln det F; returns the least det F. Where that is not positive, y means nothing.
-double log_jacobian(int n, const double* w, const double* F, double* y);
-/// J ← det F; returns the least.
-double jacobian(int n, const double* F, double* J);
-/// A ← F⁻ᵀ
-void inverse_transposed(int n, const double* F, double* A);
-/// T ← T + s A at every point.
-void add_multiple(int n, const double* s, const double* A, double* T);
-/// y ← w A : B
-void weighted_product(int n, const double* w, const double* A, const double* B, double* y);
-/// y ← −w tr((AᵀB)²), A = F⁻ᵀ: the second variation of ln det F along B
-void weighted_curvature(int n, const double* w, const double* A, const double* B, double* y);
-/// T ← T − s A Bᵀ A, with A = F⁻ᵀ: the rate of s A along B
-void add_rate_of_inverse(int n, const double* s, const double* A, const double* B, double* T);
-/// T ← T + w 2η J d A, d = sym(B Aᵀ), A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
-double add_viscous_stress(int n, const double* w, double eta, const double* F, const double* A, const double* B,
-                          double* T);
+struct DenseKernels {
+  /// y_e = Σ_a c_a T_ae
+  void (*combine)(const double* table, int n, int length, const double* c, double* y);
+  /// c_a ← c_a + Σ_e T_ae y_e
+  void (*contract)(const double* table, int n, int length, const double* y, double* c);
+  /// C ← C + A R, of row-major A (m × n_points), R (n_points × width), C (m × width). The width is a whole number of
+  /// blocks.
+  void (*multiply)(const double* A, int m, const double* R, int n_points, int width, double* C);
+  /// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
+  /// and A_k at n_points.
+  void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
+                            int width, double* R);
 
-/// For all mirror images of a point at once: slots of `length` numbers, one for each subset of reflections, are
-/// replaced by their sums with signs, y_m = Σ_c (−1)^{|m & c|} x_c (Walsh and Hadamard).
-void transform_images(double* slots, int n_images, int length);
+  /// A 3×3 tensor at n points: entry (i, j) of point p is at (3i + j) n + p.
+
+  /// T ← w P(F) + w ∂U/∂F, with U = (κ/4)(J² − 1 − ln J²), entry by entry; returns the least of det F and of the law's
+  /// reserve (materials/law_limits.h).
+  double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
+  /// T ← w DP(F)[H] + w D²U(F)[H]
+  void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
+                      const double* H, double* T);
+  /// Σ w W(F) and Σ w U(J).
+  EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
+
+  /// y ← w ln det F; returns the least det F. Where that is not positive, y means nothing.
+  double (*log_jacobian)(int n, const double* w, const double* F, double* y);
+  /// J ← det F; returns the least.
+  double (*jacobian)(int n, const double* F, double* J);
+  /// A ← F⁻ᵀ
+  void (*inverse_transposed)(int n, const double* F, double* A);
+  /// T ← T + s A at every point.
+  void (*add_multiple)(int n, const double* s, const double* A, double* T);
+  /// y ← w A : B
+  void (*weighted_product)(int n, const double* w, const double* A, const double* B, double* y);
+  /// y ← −w tr((AᵀB)²), A = F⁻ᵀ: the second variation of ln det F along B
+  void (*weighted_curvature)(int n, const double* w, const double* A, const double* B, double* y);
+  /// T ← T − s A Bᵀ A, with A = F⁻ᵀ: the rate of s A along B
+  void (*add_rate_of_inverse)(int n, const double* s, const double* A, const double* B, double* T);
+  /// T ← T + w 2η J d A, d = sym(B Aᵀ), A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
+  double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
+                               double* T);
+
+  /// For all mirror images of a point at once: slots of `length` numbers, one for each subset of reflections, are
+  /// replaced by their sums with signs, y_m = Σ_c (−1)^{|m & c|} x_c (Walsh and Hadamard).
+  void (*transform_images)(double* slots, int n_images, int length);
+};
+
+/// Defined by the build, the best first.
+std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
+/// Those of this process. Throws mechanics::NoKernels.
+const DenseKernels& dense();
 
 }  // namespace pseudorigid::polynomial

@@ -59,8 +59,8 @@ void reactions_at_points(const PolynomialSpace& space, const Block& block, const
       for (int p = 0; p < stride; ++p) signed_A[k * stride + p] = s * A_ik[p];
     }
     const double* rows = signed_A;
-    combine_at_points(rows, rows + stride, rows + 2 * stride, gradients.data(), stride, width,
-                      R + static_cast<std::size_t>(image) * stride * width);
+    dense().combine_at_points(rows, rows + stride, rows + 2 * stride, gradients.data(), stride, width,
+                              R + static_cast<std::size_t>(image) * stride * width);
   }
 }
 
@@ -80,13 +80,13 @@ void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) cons
   const int n_points = space_->n_points(), n_pressures = space_->n_pressures();
   ScratchArray F(space_->gradients().size(3)), A(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
-  inverse_transposed(n_points, F, A);
+  dense().inverse_transposed(n_points, F, A);
   for (const Block& block : space_->blocks()) {
     const int width = filled_up(block.n());
     ScratchArray R(static_cast<std::size_t>(n_points) * width);
     reactions_at_points(*space_, block, gradients_[block.parity], A, R);
     RowMajor columns = RowMajor::Zero(n_pressures, width);
-    multiply(weighted_pressures_.data(), n_pressures, R, n_points, width, columns.data());
+    dense().multiply(weighted_pressures_.data(), n_pressures, R, n_points, width, columns.data());
     visitor(block, columns);
   }
 }

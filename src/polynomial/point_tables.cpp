@@ -14,7 +14,7 @@ PointTables::PointTables(int stride, int n_images, std::vector<int> shift)
 void PointTables::transform(int n_components, double* y) const {
   if (n_images_ == 1) return;
   for (int k = 0; k < n_components * n_fields(); ++k)
-    transform_images(y + static_cast<std::size_t>(k) * n_points(), n_images_, stride_);
+    dense().transform_images(y + static_cast<std::size_t>(k) * n_points(), n_images_, stride_);
 }
 
 void PointTables::evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const {
@@ -23,10 +23,10 @@ void PointTables::evaluate(const std::vector<Block>& blocks, int n_components, c
   for (const Block& block : blocks) {
     const double* rows = tables_[block.parity].data();
     if (n_images_ == 1) {
-      combine(rows, block.n(), length, c + block.offset, y + place(block, 0));
+      dense().combine(rows, block.n(), length, c + block.offset, y + place(block, 0));
       continue;
     }
-    combine(rows, block.n(), length, c + block.offset, octant);
+    dense().combine(rows, block.n(), length, c + block.offset, octant);
     for (int field = 0; field < n_fields(); ++field)
       std::copy_n(octant + static_cast<std::size_t>(field) * stride_, stride_, y + place(block, field));
   }
@@ -40,12 +40,12 @@ void PointTables::add_transposed(const std::vector<Block>& blocks, int n_compone
   for (const Block& block : blocks) {
     const double* rows = tables_[block.parity].data();
     if (n_images_ == 1) {
-      contract(rows, block.n(), length, y + place(block, 0), c + block.offset);
+      dense().contract(rows, block.n(), length, y + place(block, 0), c + block.offset);
       continue;
     }
     for (int field = 0; field < n_fields(); ++field)
       std::copy_n(y + place(block, field), stride_, octant + static_cast<std::size_t>(field) * stride_);
-    contract(rows, block.n(), length, octant, c + block.offset);
+    dense().contract(rows, block.n(), length, octant, c + block.offset);
   }
 }
 

@@ -62,15 +62,15 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
-  const double least = stress(law_, volumetric_stiffness_, n, space_->weights().data(), F, T);
+  const double least = dense().stress(law_, volumetric_stiffness_, n, space_->weights().data(), F, T);
   if (!(least > 0 && std::isfinite(least))) return inadmissible(q);
   const loads::Forcing now = driven_ ? loads::driving(loads_, t) : loads::Forcing{};
   if (const double p = constant_.pressure + now.pressure; p != 0) {
     ScratchArray A(space_->gradients().size(3)), wJ(n);
-    inverse_transposed(n, F, A);
-    jacobian(n, F, wJ);
+    dense().inverse_transposed(n, F, A);
+    dense().jacobian(n, F, wJ);
     for (int i = 0; i < n; ++i) wJ[i] *= p * space_->weights()[i];
-    add_multiple(n, wJ, A, T);
+    dense().add_multiple(n, wJ, A, T);
   }
   const double taken = constant_.viscosity != 0 ? add_dissipation(v, F, T) : 0;
   const double given = driven_ ? external_energy(loads::driving_rate(loads_, t), q, F) : 0;
@@ -117,23 +117,23 @@ double PolynomialBody::external_energy(const loads::Forcing& forcing, const Vect
                   space.volume() * forcing.acceleration.dot(space.mean(x)) - of_traction.dot(x);
   if (forcing.pressure == 0) return energy;
   ScratchArray J(space.n_points());
-  jacobian(space.n_points(), F, J);
+  dense().jacobian(space.n_points(), F, J);
   return energy + forcing.pressure * sum_of_products(space.weights(), J, space.n_points());
 }
 
 double PolynomialBody::add_dissipation(const Vector& v, const double* F, double* T) const {
   const int n = space_->n_points();
   ScratchArray A(space_->gradients().size(3)), B(space_->gradients().size(3));
-  inverse_transposed(n, F, A);
+  dense().inverse_transposed(n, F, A);
   space_->gradients().evaluate(space_->blocks(), 3, v.data(), B);
-  return add_viscous_stress(n, space_->weights().data(), constant_.viscosity, F, A, B, T);
+  return dense().add_viscous_stress(n, space_->weights().data(), constant_.viscosity, F, A, B, T);
 }
 
 PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
-  const EnergySums stored = energy(law_, volumetric_stiffness_, n, space_->weights().data(), F);
+  const EnergySums stored = dense().energy(law_, volumetric_stiffness_, n, space_->weights().data(), F);
   PotentialEnergies V{.elastic = stored.elastic + stored.volumetric, .volumetric = stored.volumetric};
   if (gravity_) V.gravitational = gravity_->energy(q);
   V.external = external_energy(constant_, q, F);
@@ -152,15 +152,15 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
   ScratchArray F(size), H(size), T(size);
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
   space_->gradients().evaluate(space_->blocks(), 3, u.data(), H);
-  stress_rate(law_, volumetric_stiffness_, n, space_->weights().data(), F, H, T);
+  dense().stress_rate(law_, volumetric_stiffness_, n, space_->weights().data(), F, H, T);
   if (const double p = constant_.pressure; p != 0) {  // D(J F⁻ᵀ)[H] = J (F⁻ᵀ:H) F⁻ᵀ − J F⁻ᵀHᵀF⁻ᵀ
     ScratchArray A(size), wJ(n), y(n);
-    inverse_transposed(n, F, A);
-    jacobian(n, F, wJ);
+    dense().inverse_transposed(n, F, A);
+    dense().jacobian(n, F, wJ);
     for (int i = 0; i < n; ++i) wJ[i] *= p * space_->weights()[i];
-    weighted_product(n, wJ, A, H, y);
-    add_multiple(n, y, A, T);
-    add_rate_of_inverse(n, wJ, A, H, T);
+    dense().weighted_product(n, wJ, A, H, y);
+    dense().add_multiple(n, y, A, T);
+    dense().add_rate_of_inverse(n, wJ, A, H, T);
   }
   Vector rate = Vector::Zero(f.size());
   space_->gradients().add_transposed(space_->blocks(), 3, T, rate.data());
@@ -189,7 +189,7 @@ mechanics::Status PolynomialBody::admissible(const Vector& q) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
-  const double least = stress(law_, 0, n, space_->weights().data(), F, T);
+  const double least = dense().stress(law_, 0, n, space_->weights().data(), F, T);
   return least > 0 && std::isfinite(least) ? mechanics::Status() : inadmissible(q);
 }
 
@@ -204,7 +204,7 @@ std::string PolynomialBody::least_jacobian_in_words(const Vector& q) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3)), J(n);
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
-  jacobian(n, F, J);
+  dense().jacobian(n, F, J);
   int place = 0;
   for (int p = 1; p < n; ++p)
     if (J[p] < J[place] || std::isnan(J[p])) place = p;

@@ -1,77 +1,23 @@
 #include "reduced/motions_in_lanes.h"
 
-#include <algorithm>
-#include <concepts>
-#include <span>
-
-#include "reduced/eight_bodies.h"
+#include "reduced/motion_kernels.h"
 
 namespace pseudorigid::reduced {
 namespace {
 
-using mechanics::Status;
-
-template <class Method>
-concept Multistep = requires {
-  Method::formula;
-};
-
-struct KeepSamples {
-  MotionsInLanes& motions;
-  long n_steps;
-
-  template <class W>
-  Status sample(long, const mechanics::State<EightBodies>& state, const W&) {
-    keep(state.q, motions.q);
-    keep(state.v, motions.v);
-    return {};
-  }
-  template <class W>
-  long steps_per_interval(long, const mechanics::State<EightBodies>&, const W&) const {
-    return n_steps;
-  }
-  template <class W>
-  bool step_done(mechanics::Cursor, const mechanics::State<EightBodies>&, const W&) const {
-    return true;
-  }
-
-  static void keep(const EightMatrices& x, std::vector<MatricesInLanes>& samples) {
-    std::copy_n(x.data(), EightMatrices::size(), samples.emplace_back().data());
-  }
-};
-
-EightMatrices matrices(const MatricesInLanes& values) {
-  EightMatrices x;
-  std::ranges::copy(values, x.data());
-  return x;
+const MotionKernels& motion_kernels() {
+  static const MotionKernels& kernels = *mechanics::choose_build(builds_of_motion_kernels()).table;
+  return kernels;
 }
 
 }  // namespace
 
-bool moves_in_lanes(mechanics::MethodId method) {
-  return mechanics::with_method(method, []<class Method>(Method) { return Multistep<Method>; });
-}
+bool moves_in_lanes(mechanics::MethodId method) { return motion_kernels().moves(method); }
 
 MotionsInLanes motions_in_lanes(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,
                                 const MatricesInLanes& v, mechanics::MethodId method,
                                 const mechanics::SampleTimes& times, long n_steps) {
-  MotionsInLanes motions;
-  mechanics::with_method(method, [&]<class Method>(Method) {
-    if constexpr (Multistep<Method>) {
-      const EightBodies bodies(law, inertia);
-      typename Method::template Workspace<EightBodies> workspace(bodies);
-      mechanics::State<EightBodies> state{0, matrices(q), matrices(v)};
-      mechanics::Cursor cursor;
-      KeepSamples hooks{motions, n_steps};
-      motions.q.reserve(static_cast<std::size_t>(times.n_samples + 1));
-      motions.v.reserve(static_cast<std::size_t>(times.n_samples + 1));
-      auto result = mechanics::run_time_loop<Method>(bodies, times, state, cursor, workspace, hooks);
-      motions.failure = std::move(result.reason);
-      motions.t = result.t;
-      motions.counters = workspace.counters;
-    }
-  });
-  return motions;
+  return motion_kernels().motions(law, inertia, q, v, method, times, n_steps);
 }
 
 }  // namespace pseudorigid::reduced

@@ -1,6 +1,6 @@
 #pragma once
-/// Motions of eight pseudo-rigid bodies at a time (eight_bodies.h), compiled for this machine's own instructions. What
-/// crosses this interface are plain numbers.
+/// Motions of eight pseudo-rigid bodies at a time (eight_bodies.h), compiled for several sets of instructions
+/// (motion_kernels.h). What crosses this interface are plain numbers.
 
 #include <array>
 #include <string>

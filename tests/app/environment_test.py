@@ -11,7 +11,7 @@ import subprocess
 import termios
 import unittest
 
-from program_test import CONTINUUM_COLUMNS, DONE, STOPPED, WRONG_INPUT, overrides
+from program_test import CONTINUUM_COLUMNS, DONE, STOPPED, WRONG_INPUT, largest_difference, overrides
 from stopped_run import StoppedRunTest
 
 SHORT = {"Models": "reduced", "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6", "Time/End": 1}
@@ -258,6 +258,32 @@ class Environment(StoppedRunTest):
         manifest = self.json("out/manifest.json")
         self.assertEqual((manifest["state"], manifest["exit_code"]), ("failed", STOPPED))
         self.assertFalse(self.lock().exists())
+
+    # The processor.
+
+    def test_kernels_of_every_build_compute_the_same(self):
+        """Whatever PSEUDORIGID_NATIVE says: "native" alone, or each level of x86-64 that this processor has."""
+        self.scene(BOTH)
+        env = {**os.environ, "PSEUDORIGID_INSTRUCTIONS": "abacus"}
+        refused = self.run_program("run", "scene.prm", env=env)
+        self.assert_one_sentence(refused, 'PSEUDORIGID_INSTRUCTIONS is "abacus"; pseudorigid was built for ')
+        self.assertEqual(self.files(), ["scene.prm"])
+        names = refused.stderr.strip().split(" was built for ")[1].split(", ")
+        ran = []
+        for name in names:
+            run = self.run_program("run", "scene.prm", "--output", name, env={**env, "PSEUDORIGID_INSTRUCTIONS": name})
+            if run.returncode == WRONG_INPUT:
+                self.assert_one_sentence(run, f"this processor does not have the instructions {name} ")
+                continue
+            self.assert_exit(run, DONE)
+            self.assertEqual(self.json(name, "manifest.json")["instructions"], name)
+            ran.append(self.table(name, "continuum.csv"))
+        self.assertGreater(len(ran), 0)
+        for table in ran[1:]:
+            self.assertLess(largest_difference(table, ran[0]), 1e-10, "round-off of 50 steps, constraints to 1e-13")
+        self.run_done("run", "scene.prm", "--output", "chosen")
+        chosen = self.json("chosen", "manifest.json")["instructions"]
+        self.assertEqual(self.bytes("chosen", "continuum.csv"), self.bytes(chosen, "continuum.csv"))
 
 
 if __name__ == "__main__":

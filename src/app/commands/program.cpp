@@ -77,7 +77,10 @@ int run(const Options& options, int argc, char** argv, const Executable& executa
   const Ranks& ranks = *executable.ranks;
   if (executable.runs_discretized) require_mpi_of(launch, ranks);
   Input input;
-  on_all_ranks(ranks, [&] { input = read_and_validate(options, executable, n_ranks_known(executable, launch)); });
+  on_all_ranks(ranks, [&] {
+    executable.instructions();
+    input = read_and_validate(options, executable, n_ranks_known(executable, launch));
+  });
   const scene::ReadScene& read = input.read;
   if (!scene::is_discretized(read.scene))
     return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);

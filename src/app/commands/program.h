@@ -23,7 +23,9 @@ struct Executable {
   std::map<std::string_view, RunModel> models;       ///< those that it can run, by their names in the catalogue
   std::map<std::string_view, RunTogether> together;  ///< those of them that can run several times at once
   std::map<std::string, std::string> libraries;      ///< name → version, for the manifest
-  bool runs_discretized = false;                     ///< it is pseudorigid-continuum
+  /// Those that its kernels are compiled for, "" without kernels. Throws mechanics::NoKernels.
+  std::string_view (*instructions)() = [] { return std::string_view(); };
+  bool runs_discretized = false;  ///< it is pseudorigid-continuum
   const Ranks* ranks = &one_rank();
   const scene::Catalogue* catalogue = &program_catalogue();
 };

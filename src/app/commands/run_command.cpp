@@ -136,6 +136,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .system = needs.system ? std::string(needs.system->file) : "",
                        .columns = {},
                        .libraries = executable.libraries,
+                       .instructions = std::string(executable.instructions()),
                        .ball = needs.models,
                        .models = {}};
   if (needs.system)

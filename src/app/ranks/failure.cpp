@@ -6,6 +6,7 @@
 
 #include "app/ranks/on_all_ranks.h"
 #include "io/files.h"
+#include "mechanics/core/kernel_builds.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -20,7 +21,7 @@ bool is(const std::exception& error) {
 
 Failure failure_of(const std::exception& error) {
   if (const auto* agreed = dynamic_cast<const FailureOnAllRanks*>(&error)) return agreed->failure();
-  if (is<UserError>(error)) return {exit_wrong_input, error.what()};
+  if (is<UserError>(error) || is<mechanics::NoKernels>(error)) return {exit_wrong_input, error.what()};
   if (is<io::WriteError>(error)) return {exit_stopped, error.what()};
   // A vector that is asked for more than could ever be had says length_error.
   if (is<std::bad_alloc>(error) || is<std::length_error>(error))

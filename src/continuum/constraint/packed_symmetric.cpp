@@ -2,34 +2,9 @@
 
 #include <algorithm>
 
+#include "continuum/kernels/kernel_table.h"
+
 namespace pseudorigid::continuum {
-namespace {
-
-/// y[0 … n) += Σ_r row_r x_r and the dot products of the rows with x[0 … n).
-template <int n_rows>
-void add_rows(const float* const* rows, std::size_t n, const float* x, const float* x_of_rows, float* y, float* dots) {
-  for (int r = 0; r < n_rows; ++r) dots[r] = 0;
-  float sum[n_rows][16] = {};
-  std::size_t j = 0;
-  for (; j + 16 <= n; j += 16)
-    for (int l = 0; l < 16; ++l) {
-      float s = y[j + l];
-      for (int r = 0; r < n_rows; ++r) {
-        s += rows[r][j + l] * x_of_rows[r];
-        sum[r][l] += rows[r][j + l] * x[j + l];
-      }
-      y[j + l] = s;
-    }
-  for (; j < n; ++j)
-    for (int r = 0; r < n_rows; ++r) {
-      y[j] += rows[r][j] * x_of_rows[r];
-      dots[r] += rows[r][j] * x[j];
-    }
-  for (int r = 0; r < n_rows; ++r)
-    for (const float s : sum[r]) dots[r] += s;
-}
-
-}  // namespace
 
 PackedSymmetric::PackedSymmetric(const double* matrix, std::size_t n) : n_(n), x_(n), y_(n) {
   entries_.reserve(n * (n + 1) / 2);
@@ -39,28 +14,7 @@ PackedSymmetric::PackedSymmetric(const double* matrix, std::size_t n) : n_(n), x
 
 void PackedSymmetric::multiply(const double* x, double* y) const {
   std::copy(x, x + n_, x_.begin());
-  std::fill(y_.begin(), y_.end(), 0.0f);
-  const float* row = entries_.data();
-  std::size_t i = 0;
-  constexpr int n_rows = 4;
-  for (; i + n_rows <= n_; i += n_rows) {
-    const float* rows[n_rows];
-    for (int r = 0; r < n_rows; ++r, row += i + r) rows[r] = row;
-    float dots[n_rows];
-    add_rows<n_rows>(rows, i, x_.data(), &x_[i], y_.data(), dots);
-    for (int r = 0; r < n_rows; ++r) {
-      y_[i + r] += dots[r] + rows[r][i + r] * x_[i + r];
-      for (int c = 0; c < r; ++c) {
-        y_[i + c] += rows[r][i + c] * x_[i + r];
-        y_[i + r] += rows[r][i + c] * x_[i + c];
-      }
-    }
-  }
-  for (; i < n_; ++i, row += i) {
-    float dot;
-    add_rows<1>(&row, i, x_.data(), &x_[i], y_.data(), &dot);
-    y_[i] += dot + row[i] * x_[i];
-  }
+  chosen_kernels().table->multiply_packed(entries_.data(), n_, x_.data(), y_.data());
   std::copy(y_.begin(), y_.end(), y);
 }
 

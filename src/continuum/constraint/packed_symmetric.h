@@ -1,6 +1,6 @@
 #pragma once
 /// A symmetric matrix in single precision, lower triangle by rows, and its product with a vector: half the bytes of a
-/// full matrix, and they are what the product waits for. Compiled for the widest vectors of the machine.
+/// full matrix, and they are what the product waits for.
 
 #include <cstddef>
 #include <vector>

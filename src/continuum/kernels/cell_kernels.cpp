@@ -1,37 +1,17 @@
 #include "continuum/kernels/cell_kernels.h"
 
 #include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "continuum/kernels/kernel_table.h"
 #include "continuum/parallel/ghost_values.h"
 
 namespace pseudorigid::continuum {
-namespace {
 
-std::unique_ptr<LocalKernels> make_local_kernels(int degree, const LocalCells& cells, const StoredEnergy& stored) {
-  switch (degree) {
-    case 1:
-      return make_local_kernels<1>(cells, stored);
-    case 2:
-      return make_local_kernels<2>(cells, stored);
-    case 3:
-      return make_local_kernels<3>(cells, stored);
-    case 4:
-      return make_local_kernels<4>(cells, stored);
-    case 5:
-      return make_local_kernels<5>(cells, stored);
-    case 6:
-      return make_local_kernels<6>(cells, stored);
-    case 7:
-      return make_local_kernels<7>(cells, stored);
-    case 8:
-      return make_local_kernels<8>(cells, stored);
-  }
-  throw std::invalid_argument("no kernels for degree " + std::to_string(degree));
+const mechanics::KernelBuild<KernelTable>& chosen_kernels() {
+  static const auto& build = mechanics::choose_build(builds_of_kernels());
+  return build;
 }
-
-}  // namespace
 
 CellKernels::CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local)
     : local_(std::move(local)), degree_(space.degree()) {}
@@ -137,7 +117,8 @@ LocalCells local_cells(const BallSpace& space) {
 }
 
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored) {
-  return std::make_unique<CellKernels>(space, make_local_kernels(space.degree(), local_cells(space), stored));
+  return std::make_unique<CellKernels>(
+      space, chosen_kernels().table->make_local_kernels(space.degree(), local_cells(space), stored));
 }
 
 }  // namespace pseudorigid::continuum

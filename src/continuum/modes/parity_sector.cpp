@@ -1,8 +1,12 @@
 #include "continuum/modes/parity_sector.h"
 
-#include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
+#ifdef PSEUDORIGID_CHOLMOD
+#include <Eigen/CholmodSupport>
+#else
+#include <Eigen/SparseCholesky>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +23,12 @@ constexpr double tolerance_with_gravity = 1e-9;
 constexpr int n_iterations_with_gravity = 100;
 /// Up to this size the interface is solved densely.
 constexpr Eigen::Index n_dense = 1500;
+
+#ifdef PSEUDORIGID_CHOLMOD
+using SparseCholesky = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>>;
+#else
+using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+#endif
 
 }  // namespace
 
@@ -90,7 +100,7 @@ struct ParitySector::Cell {
 
 struct ParitySector::Interface {
   Eigen::LLT<Eigen::MatrixXd> dense;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>> sparse;
+  SparseCholesky sparse;
 };
 
 ParitySector::ParitySector(const RestProblem& problem, const Parity& parity)

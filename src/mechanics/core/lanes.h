@@ -2,8 +2,11 @@
 /// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
 /// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
 
+#if defined(__x86_64__)
 #include <immintrin.h>
+#endif
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -180,7 +183,10 @@ struct Lanes {
 #if defined(__AVX__)
     if constexpr (n_lanes == 4) return _mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps(x)));
 #endif
+#if defined(__x86_64__)
     if constexpr (n_lanes == 2) return _mm_cvtps_pd(_mm_rsqrt_ps(_mm_cvtpd_ps(x)));
+#endif
+    return Lanes::of([&](int lane) { return 1 / std::sqrt(x[lane]); }).v;
   }
 
   double least(int n_active) const {

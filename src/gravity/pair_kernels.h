@@ -1,0 +1,18 @@
+#pragma once
+/// The sums over pairs of surface_gravity.h as they are compiled for one set of instructions (pair_sums.cpp).
+
+#include "gravity/surface_gravity.h"
+#include "mechanics/core/kernel_builds.h"
+
+namespace pseudorigid::gravity {
+
+struct PairKernels {
+  PairSums (*sum)(const SurfacePoints& targets, const SurfacePoints& sources);
+  PairSums (*sum_own)(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
+  Moving<PairSums> (*sum_moving)(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
+};
+
+/// Defined by the build, the best first.
+std::span<const mechanics::KernelBuild<PairKernels>> builds_of_pair_kernels();
+
+}  // namespace pseudorigid::gravity

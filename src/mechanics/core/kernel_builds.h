@@ -1,0 +1,47 @@
+#pragma once
+/// Kernels that are compiled several times, each for other instructions of the processor (cmake/Kernels.cmake). A build
+/// of them is a table of functions. Which one runs is chosen once for the process: the first that the processor can
+/// run, or the one that the environment variable PSEUDORIGID_INSTRUCTIONS names.
+
+#include <cstddef>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+template <class Table>
+struct KernelBuild {
+  std::string_view instructions;  ///< "x86-64-v3"; "native": those of the machine that compiled it
+  bool (*runs_here)();
+  const Table* table;
+};
+
+/// No build can be chosen; what() is one sentence for the user.
+struct NoKernels : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// A build by what it says of itself.
+struct KernelChoice {
+  std::string_view instructions;
+  bool runs_here;
+};
+
+/// Index of the first build that runs here or, where `wanted` is not empty, of the one that it names. Throws NoKernels.
+std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
+
+/// The value of the environment variable; empty where it is not set.
+std::string_view wanted_instructions();
+
+/// The build that this process uses.
+template <class Table>
+const KernelBuild<Table>& choose_build(std::span<const KernelBuild<Table>> builds) {
+  std::vector<KernelChoice> choices;
+  for (const auto& build : builds) choices.push_back({build.instructions, build.runs_here()});
+  return builds[choose_build(choices, wanted_instructions())];
+}
+
+}  // namespace pseudorigid::mechanics
