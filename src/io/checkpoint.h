@@ -4,7 +4,7 @@
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
-/// Sizes and checksum are verified before anything is believed: a truncated, altered or foreign file is a UserError.
+/// Sizes and the checksum are verified before anything is used: a truncated, altered or foreign file is a UserError.
 
 #include <concepts>
 #include <cstdint>

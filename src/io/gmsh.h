@@ -5,8 +5,8 @@
 ///   $Nodes       count, then a line each: number x y z         $EndNodes
 ///   $Elements    count, then: number type n_tags tags nodes    $EndElements
 ///
-/// Points, lines and quadrangles, which Gmsh adds on boundaries, are passed over, other sections as well; any other
-/// type of element, and whatever is missing, is a UserError "FILE:line: …" or "FILE: …".
+/// Points, lines and quadrangles, which Gmsh adds on boundaries, and other sections are ignored. Any other type of
+/// element and anything missing is a UserError "FILE:line: …" or "FILE: …".
 
 #include <filesystem>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// report.html: one page that holds files of a run and draws them in the browser (src/io/report/). Nothing outside it
-/// is asked for, and the files can be taken out of it again.
+/// report.html: one page that holds files of a run and draws them in the browser (src/io/report/). It loads nothing
+/// from elsewhere, and the files can be saved from it.
 ///
 /// The page has an element `<script type="…" data-file="NAME"></script>` for every file that it can show; in a report
 /// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there.

@@ -1,9 +1,9 @@
 #pragma once
-/// A results directory belongs to one run at a time. The file `run.lock` in it says to whom: host, process and when
-/// that began. It is there while the run is at work and is removed at its end, however it ends. A killed run leaves it
-/// behind; the next run on that host sees that the process is gone, or that its number has passed to another, and takes
-/// the lock over. What runs on another host cannot be seen from here: the refusal names the file, for the user to
-/// judge.
+/// A results directory belongs to one run at a time. The file `run.lock` in it names the owner: host, process and the
+/// start of the process. It exists while the run is at work and is removed at its end, however it ends. A killed run
+/// leaves it behind; the next run on that host sees that the process is gone, or that its number belongs to another
+/// process, and takes over the lock. Processes on another host cannot be seen: the refusal names the file, and the user
+/// decides.
 
 #include <filesystem>
 #include <string>

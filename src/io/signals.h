@@ -1,6 +1,6 @@
 #pragma once
-/// What asks a run to stop, as a flag that the time loop polls after each step: Ctrl-C and SIGTERM, of which a second
-/// one kills at once, a terminal or connection that is gone (SIGHUP), and a limit of processor time (SIGXCPU).
+/// Requests to stop a run, as a flag that the time loop polls after each step: Ctrl-C and SIGTERM (a second one kills
+/// at once), a lost terminal or connection (SIGHUP), and a limit of processor time (SIGXCPU).
 
 namespace pseudorigid::io {
 

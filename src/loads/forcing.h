@@ -8,7 +8,7 @@
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
 ///
-/// In the user's units or in internal ones, by who holds it.
+/// The holder decides whether it is in the user's units or in internal ones.
 
 #include <Eigen/Core>
 

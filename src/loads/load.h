@@ -3,19 +3,18 @@
 ///
 /// A load is a struct of parameters, absent by default, in the user's units as in internal ones, with
 ///
-///   visit_entries(self, visit)    its entries: visit(member, kind, About), as in scene/entries.h. From the kinds
-///   follows
+///   visit_entries(self, visit)    its entries: visit(member, kind, About), as in scene/entries.h. The kinds say
 ///                                 which reflections it admits: a matrix without entries off the diagonal in the rows
-///                                 and columns of the normal, a vector without the component along it. From the units
-///                                 follow its values in internal units.
+///                                 and columns of the normal, a vector without the component along it. The units give
+///                                 its values in internal units.
 ///   forcing()                     what it does (forcing.h); zero where it is absent
 ///   no_equilibria                 why no relative equilibrium is known under it, a sentence for the first of its
 ///                                 entries; empty if the families of equilibria know it
 ///   needed(body), skipped         the lines of `pseudorigid check` where it is present and where not; empty: none
 ///
 /// or, where the force depends on time, in place of forcing() both  forcing(t)  and  forcing_rate(t), its derivative,
-/// with  largest_forcing()  of all times. What follows from the forcing is asked of nobody: whether it dissipates, what
-/// it does to the centre of mass, its energy and that of a change in time, and the scale of time that belongs to it.
+/// with  largest_forcing()  of all times. What follows from the forcing is not declared again: whether it dissipates,
+/// what it does to the centre of mass, its energy and that of a change in time, and its scale of time.
 
 #include <concepts>
 #include <string>

@@ -10,7 +10,7 @@
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///
 /// It is an observable, not the law that is integrated: where two axes coincide Ω* and Λ* are not defined. Axes are
-/// followed along the path and never sorted, for sorted ones have corners where they cross. Through a crossing the
+/// followed along the path and never sorted, because sorted axes have corners where they cross. Through a crossing the
 /// decomposition is continued by the frames nearest to those before, which is the smooth one wherever a smooth one
 /// exists; it does along analytic paths (Kato, Perturbation Theory for Linear Operators, II.6.1), while a path that is
 /// only smooth may have none (Montaldi), and states far apart may be joined wrongly.

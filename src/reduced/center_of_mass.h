@@ -3,8 +3,8 @@
 ///
 ///   ẍ = b − T x − c ẋ.
 ///
-/// Where no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Else it is integrated to
-/// round-off, and beside it the energy per mass that such loads have given,
+/// Where no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Otherwise it is integrated
+/// to round-off, together with the energy per mass that such loads have given,
 ///
 ///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The pseudo-rigid body whose energy is not constant: M q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ with dissipation and with loads
-/// V_t(Q, t) that depend on time, and beside it the energy D that dissipation has taken and W that such loads have
-/// given,
+/// V_t(Q, t) that depend on time, together with the energy D that dissipation has taken and the energy W that such
+/// loads have given,
 ///
 ///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t,
 ///

@@ -1,5 +1,5 @@
 #pragma once
-/// All that is said of one steady motion: its momenta and energies (physical, in internal units),
+/// All that is reported of one steady motion: its momenta and energies (physical, in internal units),
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///

@@ -5,7 +5,7 @@
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
 ///
-/// What the forcing has not costs nothing but a branch.
+/// Parts that the forcing lacks cost only a branch.
 
 #include <Eigen/Dense>
 #include <optional>

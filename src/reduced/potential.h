@@ -5,7 +5,7 @@
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
 /// with a_i the semi-axes of the ellipsoid Q B, the singular values of Q S, and k = (3/5) G M². Parts that the scene
-/// does not name cost nothing but a branch. A body asks for V per reference volume, as it asks a material law for W:
+/// does not name cost only a branch. A body evaluates V per reference volume, as it does W of a material law:
 ///
 ///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
 

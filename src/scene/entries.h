@@ -43,11 +43,12 @@ void visit_problem(S& scene, Visit& visit) {
   visit(scene.analysis, analysis_kind,
         About{"Analysis", "",
               "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
-              "lowest frequencies of small motions of the continuum about rest, see Modes/Number. equilibrium "
-              "(equilibria.csv): of the reduced model a family of relative equilibria with their stability, see "
-              "Equilibrium/Family; of the other systems the critical points of the potential with their Morse "
-              "indices, the rates of small motions, and the dimensions of the stable and unstable manifolds under "
-              "the system's own dissipation or, where it has none, under a unit friction."});
+              "lowest frequencies of small motions about rest, of the continuum or a polynomial body, see "
+              "Modes/Number. equilibrium (equilibria.csv): of the reduced model a family of relative equilibria "
+              "with their stability, see Equilibrium/Family; of the other systems the critical points of the "
+              "potential with their Morse indices, the rates of small motions, and the dimensions of the stable "
+              "and unstable manifolds under the system's own dissipation or, where it has none, under a unit "
+              "friction."});
 }
 
 template <SceneOrConst S, class Visit>

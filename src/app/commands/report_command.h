@@ -1,5 +1,6 @@
 #pragma once
-/// `pseudorigid report DIR`: report.html of a run that was made without it, that is still at work, or that was killed.
+/// `pseudorigid report DIR`: makes report.html for a run without one, whether it has finished, is at work or was
+/// killed.
 
 #include "app/commands/command_line.h"
 

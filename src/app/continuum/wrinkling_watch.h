@@ -1,8 +1,8 @@
 #pragma once
 /// Reports the first sample at which the surface of an incompressible ball has reached the limit that its law declares
 /// (continuum/output/surface_stretch.h), Biot's for neo-Hookean and Mooney–Rivlin bodies: from there on the exact
-/// motion has waves of every length that grow on the surface, and the finite elements show those that the mesh can
-/// carry. Looked at samples only. A resumed run looks from its resume on; what was reported before is in the log.
+/// motion has growing surface waves of every length, of which the finite elements show those that the mesh can resolve.
+/// It is checked at samples only. A resumed run checks from its resume on; earlier reports are in the log.
 
 #include <algorithm>
 #include <optional>

@@ -1,10 +1,10 @@
 #pragma once
-/// What fails on one rank fails on all. The others wait for a rank that has gone, so an exception must not leave what
-/// all ranks do together unless all of them have it. There are two ways:
-///  - what one rank can do alone and what may fail there (files) is done by on_all_ranks, which lets all of them know;
-///  - whatever else is thrown can reach the others no more, as they are within a collective operation that this rank
-///    will not enter. together_or_not_at_all ends them.
-/// Of a single process exceptions pass as they are.
+/// A failure on one rank must end all ranks: the others would wait for a rank that is gone. So an exception may leave
+/// collective work only if every rank has it. There are two ways:
+///  - what one rank does alone and what may fail there (files) is done by on_all_ranks, which tells all of them;
+///  - any other exception cannot reach the others, which wait in a collective operation that this rank will not enter:
+///    together_or_not_at_all ends them.
+/// In a single process exceptions pass unchanged.
 
 #include <exception>
 #include <optional>

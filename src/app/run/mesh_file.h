@@ -1,6 +1,6 @@
 #pragma once
-/// The file of Continuum/Mesh: a body in the unit of Body/Radius, which becomes one in internal units (X/r) with its
-/// centre of mass at the origin.
+/// The file of Continuum/Mesh: reads a body in the unit of Body/Radius and converts it to internal units (X/r), with
+/// its centre of mass at the origin.
 
 #include <string>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Where the run of one model puts its results. This class keeps nothing: it is for runs of which only the trace is
-/// wanted (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps; `ModelFiles` writes the files of a run's
+/// Where the run of one model puts its results. This class keeps nothing; it serves runs whose trace alone is needed
+/// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps; `ModelFiles` writes the files of a run's
 /// directory.
 ///
 /// All ranks call the same functions in the same order.

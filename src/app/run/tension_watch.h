@@ -1,8 +1,8 @@
 #pragma once
-/// Reports the first time that a fluid comes under tension: with W = 0 the multiplier λ = 2p_c/(ρr²) of an affine
-/// motion is the pressure at the centre, of finite elements 5/(ρr²) times the mean pressure, which is the same of an
-/// affine motion, and where it falls below zero the continuum's problem is ill-posed (PHYSICS section 2, 13). Looked at
-/// samples; the time is interpolated between two of them.
+/// Reports the first time that a fluid (W = 0) comes under tension. The multiplier λ of an affine motion is 2p_c/(ρr²)
+/// with the pressure p_c at the centre; that of finite elements is 5/(ρr²) times the mean pressure, which agrees on
+/// affine motions. Where λ falls below zero the problem of the continuum is ill-posed (PHYSICS section 2, 13). It is
+/// checked at samples, and the time is interpolated between two of them.
 
 #include <optional>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
-/// What a run of the continuum takes, estimated before anything is built, in words for people and as a guard: unknowns,
-/// memory, and the largest stable step of small motions about rest,
+/// The effort of a run of the continuum, estimated before anything is built, as text and as a guard: unknowns, memory,
+/// and the largest stable step of small motions about rest,
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (RATTLE, μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///

@@ -2,8 +2,8 @@
 /// Analysis = equilibrium: the critical points of a system's potential (mechanics/equilibria/critical_points.h) as
 /// equilibria.csv.
 ///
-/// One row a point, by rising potential, with the rates of the system as it is. For the counts n_unstable and n_stable
-/// a system without dissipation of its own gets the force −M v / (unit of time), so that 5.8.3 speaks of it.
+/// One row per point, in the order of rising potential, with the rates of the system as it is. For the counts
+/// n_unstable and n_stable a system without dissipation gets the force −M v / (unit of time), so that 5.8.3 applies.
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// The integrals of cell_kernels.h over the cells of one process, for the entries of its vectors as they lie in memory:
-/// its own, then those of ghost nodes, which are up to date. What is added to a ghost node is its owner's to collect.
-/// Nothing of deal.II is known here, so that the kernels compile in a few seconds a degree.
+/// its own, then those of ghost nodes, which are up to date. The owner of a ghost node collects what is added to it.
+/// Nothing here depends on deal.II, so the kernels compile in a few seconds per degree.
 
 #include <array>
 #include <functional>

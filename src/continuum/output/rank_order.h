@@ -1,6 +1,7 @@
 #pragma once
 /// An order of the entries of distributed vectors that does not depend on the ranks: nodes by the first cell that has
-/// them, cells by their place in the hierarchy of the mesh. What is saved in it is read by any number of ranks.
+/// them, cells by their place in the hierarchy of the mesh. Data saved in it can be read by any number of
+/// ranks.
 
 #include <cstddef>
 #include <span>

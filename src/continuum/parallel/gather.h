@@ -1,6 +1,6 @@
 #pragma once
-/// Vectors of every rank to and from the first one. MPI itself, as the packing of deal.II brings boost's serialization
-/// and compression into every file that gathers.
+/// Gathers vectors of every rank on the first one, and back. It uses MPI directly, because the packing of deal.II
+/// brings Boost's serialization and compression into every file that gathers.
 
 #include <type_traits>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// PETSc and SLEPc, and with them MPI, are started by the first who needs them: a run without them starts 0.3 s sooner.
+/// PETSc and SLEPc, and with them MPI, are started when first needed: a run without them starts 0.3 s sooner.
 
 namespace pseudorigid::continuum {
 

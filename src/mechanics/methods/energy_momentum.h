@@ -14,8 +14,8 @@
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
-/// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. With g = γ = 0 at both ends ΔH = 0. (K is quadratic and adds none to
-/// C.)
+/// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. With g = γ = 0 at both ends ΔH = 0. (K is quadratic and
+///   adds nothing to C.)
 /// - A momentum J is bilinear in (q, p): ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m), and 𝒥∇J(X_m) is tangent to the orbit, on
 ///   which the invariants H, g, γ are constant and to which C is orthogonal: ΔJ = 0.
 /// - The step is symmetric, and of order 2: C = O(h²), μ = O(h²).
