@@ -75,7 +75,9 @@ std::vector<std::string> wrapped(std::string_view text) {
   return lines;
 }
 
-std::string in_unit(const About& about) { return about.unit.empty() ? "" : fmt::format(" [{}]", about.unit); }
+std::string in_unit(const About& about) {
+  return about.unit.empty() ? "" : fmt::format(" [{}]", std::string_view(about.unit));
+}
 
 std::string as_prm(const Scene& scene) {
   PrmWriter writer;
