@@ -4,7 +4,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libcli11-dev
-  libmuparser-dev)
+  libmuparser-dev zlib1g-dev)
 continuum_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial)
 test_packages=(libgtest-dev libgmock-dev libboost-dev python3-markdown-it python3-meshio python3-pandas
   python3-vtk9)

@@ -1,10 +1,13 @@
 #include "io/vtu.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <iterator>
+#include <span>
 #include <stdexcept>
 
 #include "io/files.h"
@@ -13,7 +16,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-constexpr std::string_view base64_digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 template <class T>
 constexpr const char* vtk_type = nullptr;
@@ -24,20 +27,54 @@ constexpr const char* vtk_type<std::int64_t> = "Int64";
 template <>
 constexpr const char* vtk_type<std::uint8_t> = "UInt8";
 
-/// <DataArray> with one base64 stream: the number of bytes as UInt64, then the bytes.
-template <class T>
-void append_array(std::string& out, std::string_view name, int n_components, const std::vector<T>& values) {
-  const std::uint64_t n_bytes = values.size() * sizeof(T);
-  std::string bytes(sizeof n_bytes + n_bytes, '\0');
-  std::copy_n(reinterpret_cast<const char*>(&n_bytes), sizeof n_bytes, bytes.begin());
-  std::copy_n(reinterpret_cast<const char*>(values.data()), n_bytes, bytes.begin() + sizeof n_bytes);
-  out += fmt::format(R"(<DataArray type="{}" Name="{}")", vtk_type<T>, name);
-  // Left out for scalars, its default: given a 1, meshio makes columns of them.
-  if (n_components != 1) out += fmt::format(R"( NumberOfComponents="{}")", n_components);
-  out += R"( format="binary">)";
-  out += base64(bytes);
-  out += "</DataArray>\n";
+std::string bytes_of(std::span<const std::uint64_t> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
+
+/// An array as VTK compresses it: number of blocks, size of a block, size of the last one if it is shorter or else 0,
+/// compressed size of each, and the blocks.
+std::string compressed(std::string_view bytes) {
+  constexpr std::size_t block_size = std::size_t{1} << 18;  // beyond the 32 KiB that zlib looks back, so little is lost
+  // Numbers of a motion have few digits to spare: higher levels take twice the time for a hundredth of the size.
+  constexpr int level = 1;
+  std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
+                                    bytes.size() % block_size};
+  std::string blocks, block(compressBound(block_size), '\0');
+  for (std::size_t begin = 0; begin < bytes.size(); begin += block_size) {
+    const std::string_view source = bytes.substr(begin, block_size);
+    uLongf size = block.size();
+    if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(source.data()),
+                  source.size(), level) != Z_OK)
+      throw std::bad_alloc();  // the one way to fail, given a buffer that is large enough
+    blocks.append(block, 0, size);
+    header.push_back(size);
+  }
+  return bytes_of(header) + blocks;
+}
+
+/// The XML of a file and the bytes behind it, to which it refers by offsets.
+class Document {
+ public:
+  std::string xml, data;
+
+  template <class T>
+  void add_array(std::string_view name, int n_components, const std::vector<T>& values) {
+    xml += fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset="{}"/>)"
+                       "\n",
+                       vtk_type<T>, name, components(n_components), data.size());
+    data += compressed({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  }
+  /// A value of the whole grid, to be read by the eye as well.
+  void add_constant(const UnstructuredGrid::Field& constant) {
+    xml += fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
+                       "\n",
+                       constant.name, components(constant.n_components), fmt::join(constant.values, " "));
+  }
+
+ private:
+  /// Left out for scalars, whose default it is: given a 1, meshio makes columns of them.
+  static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
+};
 
 void require(bool condition, const std::string& complaint) {
   if (!condition) throw std::logic_error("VTU grid: " + complaint);
@@ -52,54 +89,51 @@ void validate(const UnstructuredGrid& grid) {
   require(grid.nodes_per_cell > 0 && grid.connectivity.size() % grid.nodes_per_cell == 0, "a cell is incomplete");
   require(std::ranges::all_of(grid.connectivity, [&](std::int64_t i) { return 0 <= i && i < n_points; }),
           "a cell has a point that does not exist");
-  for (const auto& field : grid.fields) {
-    require(field.values.size() == grid.n_points() * field.n_components, field.name + " has the wrong size");
-    require(all_finite(field.values), field.name + " is not finite");
-  }
+  const auto validate_fields = [&](const std::vector<UnstructuredGrid::Field>& fields, std::size_t n_tuples) {
+    for (const auto& field : fields) {
+      require(field.values.size() == n_tuples * field.n_components, field.name + " has the wrong size");
+      require(all_finite(field.values), field.name + " is not finite");
+    }
+  };
+  validate_fields(grid.fields, grid.n_points());
+  validate_fields(grid.constants, 1);
 }
 
-constexpr const char* byte_order = std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
-
-void append_cells(std::string& out, const UnstructuredGrid& grid) {
+void add_cells(Document& document, const UnstructuredGrid& grid) {
   std::vector<std::int64_t> offsets(grid.n_cells());
   for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
   const std::vector<std::uint8_t> types(grid.n_cells(), static_cast<std::uint8_t>(grid.cell_type));
-  out += "<Cells>\n";
-  append_array(out, "connectivity", 1, grid.connectivity);
-  append_array(out, "offsets", 1, offsets);
-  append_array(out, "types", 1, types);
-  out += "</Cells>\n";
+  document.xml += "<Cells>\n";
+  document.add_array("connectivity", 1, grid.connectivity);
+  document.add_array("offsets", 1, offsets);
+  document.add_array("types", 1, types);
+  document.xml += "</Cells>\n";
 }
 
 }  // namespace
 
-std::string base64(std::string_view bytes) {
-  std::string text((bytes.size() + 2) / 3 * 4, '=');
-  auto out = text.begin();
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t n = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t triple = 0;
-    for (std::size_t j = 0; j < 3; ++j) triple = triple << 8 | (j < n ? static_cast<unsigned char>(bytes[i + j]) : 0u);
-    for (std::size_t j = 0; j <= n; ++j) out[j] = base64_digits[triple >> (18 - 6 * j) & 63];
-    out += 4;
-  }
-  return text;
-}
-
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid) {
   validate(grid);
-  std::string out = fmt::format(
+  Document document;
+  document.xml = fmt::format(
       "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\">\n"
-      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
-      byte_order, grid.n_points(), grid.n_cells());
-  append_array(out, "Points", 3, grid.points);
-  out += "</Points>\n";
-  append_cells(out, grid);
-  out += "<PointData>\n";
-  for (const auto& field : grid.fields) append_array(out, field.name, field.n_components, field.values);
-  out += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-  write_file_atomically(path, {out});
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\" "
+      "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n",
+      byte_order);
+  if (!grid.constants.empty()) {
+    document.xml += "<FieldData>\n";
+    for (const auto& constant : grid.constants) document.add_constant(constant);
+    document.xml += "</FieldData>\n";
+  }
+  document.xml +=
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", grid.n_points(), grid.n_cells());
+  document.add_array("Points", 3, grid.points);
+  document.xml += "</Points>\n";
+  add_cells(document, grid);
+  document.xml += "<PointData>\n";
+  for (const auto& field : grid.fields) document.add_array(field.name, field.n_components, field.values);
+  document.xml += "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  write_file_atomically(path, {document.xml, document.data, "\n</AppendedData>\n</VTKFile>\n"});
 }
 
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,

@@ -1,17 +1,16 @@
 #pragma once
-/// VTK unstructured grids for ParaView: file version 1.0, one piece, Float64, inline base64, nothing that changes from
-/// run to run. Read alike by VTK and meshio (tests/support/check_vtu.py).
+/// VTK unstructured grids for ParaView: file version 1.0, one piece, Float64, appended arrays compressed by zlib,
+/// nothing that changes from run to run. Read alike by VTK and meshio (tests/support/check_vtu.py).
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace pseudorigid::io {
 
 /// VTK's numbers.
-enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12 };
+enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, lagrange_hexahedron = 72 };
 
 /// A grid of cells of one type with values at its points.
 struct UnstructuredGrid {
@@ -20,11 +19,12 @@ struct UnstructuredGrid {
     int n_components;  ///< 1 scalar, 3 vector, 9 tensor (row-major)
     std::vector<double> values;
   };
-  std::vector<double> points;  ///< x, y, z of each point
+  std::vector<double> points{};  ///< x, y, z of each point
   CellType cell_type = CellType::hexahedron;
   int nodes_per_cell = 8;
-  std::vector<std::int64_t> connectivity;  ///< nodes_per_cell point numbers per cell, in VTK's order
-  std::vector<Field> fields;
+  std::vector<std::int64_t> connectivity{};  ///< nodes_per_cell point numbers per cell, in VTK's order
+  std::vector<Field> fields{};
+  std::vector<Field> constants{};  ///< of the whole grid, one value each; ParaView takes TimeValue for the time
 
   std::size_t n_points() const { return points.size() / 3; }
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
@@ -37,7 +37,5 @@ void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 /// The file of a parallel run that names the pieces which `piece`'s like were written to, beside it. WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
-
-std::string base64(std::string_view bytes);
 
 }  // namespace pseudorigid::io

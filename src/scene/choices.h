@@ -46,6 +46,7 @@ inline constexpr Choice<Family, 9> family_kind = [] {
 inline constexpr Choice<ErrorEstimate, 2> error_estimate_kind{
     {{{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}}}};
 inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
+inline constexpr Choice<Cells, 2> cells_kind{{{{"linear", Cells::linear}, {"lagrange", Cells::lagrange}}}};
 inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
     {"auto", Symmetry::automatic},
     {"none", Symmetry::none},
@@ -69,6 +70,15 @@ inline constexpr Switches<Quantities, 9> quantities_kind{{{
                                                              {"stretches", &Quantities::stretches},
                                                          }},
                                                          6};
+
+inline constexpr Switches<Fields, 5> fields_kind{{{
+                                                     {"displacement", &Fields::displacement},
+                                                     {"velocity", &Fields::velocity},
+                                                     {"stress", &Fields::stress},
+                                                     {"deformation", &Fields::deformation},
+                                                     {"energy", &Fields::energy},
+                                                 }},
+                                                 5};
 
 /// The systems by name, the ball first.
 inline Word system_kind(const Catalogue& catalogue) {

@@ -255,7 +255,7 @@ void visit_continuum(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_output(S& scene, Visit& visit) {
-  auto& [directory, samples, quantities, graphics, frames, report] = scene.output;
+  auto& [directory, samples, quantities, graphics, frames, fields, cells, report] = scene.output;
   visit(directory, Text{.may_be_empty = false},
         About{"Output/Directory", "", "The directory in which the results get a folder with the name of the scene."});
   visit(samples, Integer{1, 10'000'000},
@@ -277,6 +277,18 @@ void visit_output(S& scene, Visit& visit) {
         About{"Output/Graphics", "", "Pictures of the motion: none, or vtu files for ParaView."});
   visit(frames, Integer{1},
         About{"Output/Frames", "", "Number of pictures of the motion, at most Samples. Ignored without Graphics."});
+  visit(
+      fields, fields_kind,
+      About{"Output/Fields", "",
+            "Groups of fields that a picture holds. displacement: with and without the rigid motion, and the reference "
+            "coordinates; velocity; stress: Cauchy stress, pressure, von Mises stress; deformation: deformation "
+            "gradient, its determinant, principal stretches; energy: energy density, potential of self-gravity; all: "
+            "these five. Fewer fields make smaller files. Ignored without Graphics."});
+  visit(cells, cells_kind,
+        About{"Output/Cells", "",
+              "Cells of a picture. linear: an element of degree k is cut into k^3 hexahedra with straight edges, which "
+              "every program shows; lagrange: it is one hexahedron of degree k, curved, for programs that know VTK's "
+              "Lagrange cells, as ParaView does (Nonlinear Subdivision Level). Ignored without Graphics."});
   visit(
       report, Boolean{},
       About{"Output/Report", "",
@@ -345,7 +357,8 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   for (const std::string_view of_ball :
        {"Models", "Body", "Material", "Gravity", "Loads", "Initial state", "Equilibrium", "Modes", "Continuum"})
     if (section == of_ball) return ball;
-  for (const std::string_view of_ball : {"Output/Quantities", "Output/Graphics", "Output/Frames"})
+  for (const std::string_view of_ball :
+       {"Output/Quantities", "Output/Graphics", "Output/Frames", "Output/Fields", "Output/Cells"})
     if (path == of_ball) return ball;
   return "";
 }

@@ -39,6 +39,8 @@ enum class Family {
   riemann_planar_dual
 };
 enum class Graphics { none, vtu };
+/// What the points of a picture are joined to: io/block_cells.h.
+enum class Cells { linear, lagrange };
 /// How the continuum's discretisation error becomes known.
 enum class ErrorEstimate { none, automatic };
 
@@ -59,6 +61,15 @@ struct Quantities {
   bool stretches = false;  ///< principal stretches
   /// Continuum only, not asked for by name: with the energies, where the volumetric stabilisation is on.
   bool volumetric = false;
+};
+
+/// Groups of fields of a picture (io/body_picture.h).
+struct Fields {
+  bool displacement = true;  ///< with and without the rotation, reference coordinates
+  bool velocity = true;
+  bool stress = true;       ///< Cauchy stress, pressure, von Mises
+  bool deformation = true;  ///< deformation gradient, Jacobian, principal stretches
+  bool energy = true;       ///< energy density, potential of self-gravity
 };
 
 struct Catalogue;
@@ -127,6 +138,8 @@ struct Scene {
     Quantities quantities;
     Graphics graphics = Graphics::none;
     int frames = 20;
+    Fields fields;
+    Cells cells = Cells::linear;
     bool report = false;
   } output;
   Sweep sweep;                       ///< empty: one run

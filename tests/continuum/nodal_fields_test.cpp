@@ -1,11 +1,10 @@
-/// Graphics fields: the grid fills the ball, affine states have their exact displacement and stress, a known pressure
-/// is found, sectors show the same ball, failures are values.
+/// Fields of pictures: the blocks fill the ball, affine states have their exact fields, a known pressure is found,
+/// equidistant points are on the same polynomials, sectors show the same ball, failures are values.
 
 #include "continuum/output/nodal_fields.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <numbers>
 #include <tuple>
@@ -16,70 +15,101 @@
 namespace pseudorigid::testing {
 namespace {
 
-using continuum::NodalFields;
-using continuum::NodalGrid;
+using mechanics::BodyFields;
+using mechanics::PointBlocks;
 
-Vector3d point(const std::vector<double>& values, std::size_t i) { return Eigen::Map<const Vector3d>(&values[3 * i]); }
+Vector3d point(const std::vector<double>& values, std::size_t i) { return Vector3d::Map(&values[3 * i]); }
+Matrix3d matrix(const std::vector<double>& values, std::size_t i) {
+  return Eigen::Matrix<double, 3, 3, Eigen::RowMajor>::Map(&values[9 * i]);
+}
 
-NodalFields fields_of(const ElasticBall& ball, const State<ElasticBall>& state, const CiarletGeymonat& law) {
+BodyFields fields_of(const ElasticBall& ball, const State<ElasticBall>& state, const CiarletGeymonat& law) {
   auto workspace = ball.make_workspace();
-  NodalFields fields;
+  BodyFields fields;
   const auto status = nodal_fields(ball, law, state, workspace, fields);
   EXPECT_TRUE(status) << status.reason();
   return fields;
 }
 
-/// Volume of a hexahedron in VTK's order from the Jacobian at its centre: exact up to second order in its size.
-double volume(const NodalGrid& grid, std::size_t hexahedron) {
-  constexpr int signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                               {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+/// Volume of the cube of neighbours whose first point has this place in a block, from the Jacobian at its centre: exact
+/// up to second order in its size.
+double volume(const PointBlocks& blocks, const std::vector<double>& points, std::size_t first_place) {
+  const std::size_t n = blocks.degree + 1;
   Matrix3d jacobian = Matrix3d::Zero();
-  for (int v = 0; v < 8; ++v)
-    for (int d = 0; d < 3; ++d)
-      jacobian.col(d) += signs[v][d] / 4.0 * point(grid.points, grid.connectivity[8 * hexahedron + v]);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const std::size_t i = corner & 1, j = corner >> 1 & 1, k = corner >> 2;
+    const Vector3d X = point(points, blocks.points[first_place + (k * n + j) * n + i]);
+    jacobian += X * Vector3d(i ? 1 : -1, j ? 1 : -1, k ? 1 : -1).transpose() / 4;
+  }
   return jacobian.determinant();
 }
 
-TEST(NodalGrid, FillsTheBallFromEverySector) {
+TEST(NodalBlocks, FillTheBallFromEverySector) {
+  constexpr std::size_t n = 5;
   for (const Sector& sector : all_sectors) {
-    const ElasticBall ball(sector, 4, 0, neo_hookean);
-    const NodalGrid grid = continuum::nodal_grid(ball.space());
-    EXPECT_EQ(grid.points.size(), 3u * 8 * 4 * 125);
-    ASSERT_EQ(grid.connectivity.size(), 8u * 8 * 4 * 64);
+    const ElasticBall ball(sector, n - 1, 0, neo_hookean);
+    const PointBlocks blocks = continuum::nodal_blocks(ball.space());
+    const std::vector<double> points = continuum::nodal_positions(ball.space());
+    EXPECT_EQ(points.size(), 3u * 8 * 4 * 125);
+    ASSERT_EQ(blocks.n_blocks(), 8u * 4);
     double sum = 0;
-    for (std::size_t h = 0; h < grid.connectivity.size() / 8; ++h) {
-      EXPECT_GT(volume(grid, h), 0) << "hexahedron " << h;
-      sum += volume(grid, h);
+    for (std::size_t place = 0; place < blocks.points.size(); ++place) {
+      const std::size_t i = place % n, j = place / n % n, k = place / (n * n) % n;
+      if (i + 1 == n || j + 1 == n || k + 1 == n) continue;
+      EXPECT_GT(volume(blocks, points, place), 0) << "place " << place;
+      sum += volume(blocks, points, place);
     }
-    EXPECT_NEAR(sum, 4 * std::numbers::pi / 3, 0.1) << "linear hexahedra inscribed in the ball";
+    EXPECT_NEAR(sum, 4 * std::numbers::pi / 3, 0.1) << "hexahedra with straight edges, inscribed in the ball";
     Vector3d lowest = Vector3d::Zero(), highest = lowest;
-    for (std::size_t i = 0; i < grid.points.size() / 3; ++i) {
-      lowest = lowest.cwiseMin(point(grid.points, i));
-      highest = highest.cwiseMax(point(grid.points, i));
+    for (std::size_t i = 0; i < points.size() / 3; ++i) {
+      lowest = lowest.cwiseMin(point(points, i));
+      highest = highest.cwiseMax(point(points, i));
     }
     EXPECT_LT((highest - Vector3d::Ones()).norm() + (lowest + Vector3d::Ones()).norm(), 1e-14);
   }
 }
 
+/// x = QX and ẋ = HX have their polynomials' exact values, at the nodes and at equidistant points.
 TEST(NodalFields, AffineStateIsExactInEverySector) {
   std::mt19937 generator(3);
   for (const Sector& sector : all_sectors)
     for (const int degree : {2, 5}) {
       const ElasticBall ball(sector, degree, 0, ciarlet_geymonat);
       const Matrix3d Q = admissible(sector, Matrix3d::Identity() + 0.3 * random_matrix(generator));
-      const NodalGrid grid = continuum::nodal_grid(ball.space());
-      const NodalFields fields = fields_of(ball, affine_state(ball, Q, Matrix3d::Zero()), ciarlet_geymonat);
+      const Matrix3d H = admissible(sector, random_matrix(generator));
+      BodyFields fields = fields_of(ball, affine_state(ball, Q, H), ciarlet_geymonat);
+      const BodyFields rest = fields_of(ball, affine_state(ball, Q, Matrix3d::Zero()), ciarlet_geymonat);
       const reduced::PseudoRigidBody<CiarletGeymonat, true> body(ciarlet_geymonat, {ball.E0(), ball.volume()});
-      const Matrix3d sigma = body.cauchy_stress(Q, 0);
-      const double von_mises = std::sqrt(1.5) * (sigma - sigma.trace() / 3 * Matrix3d::Identity()).norm();
-      ASSERT_EQ(fields.displacement.size(), grid.points.size());
-      for (std::size_t i = 0; i < grid.points.size() / 3; ++i) {
-        const Vector3d X = point(grid.points, i), u = Q * X - X;
-        ASSERT_LT((point(fields.displacement, i) - u).norm(), 1e-14);
-        ASSERT_NEAR(fields.jacobian[i], Q.determinant(), 1e-12);
-        ASSERT_NEAR(fields.von_mises[i], von_mises, 1e-11);
+      EXPECT_LT((fields.moment - Q * ball.E0()).norm(), 1e-13);
+      for (const bool equidistant : {false, true}) {
+        if (equidistant) continuum::make_equidistant(ball.space(), fields);
+        for (std::size_t i = 0; i < fields.n_points(); ++i) {
+          const Vector3d X = point(fields.X, i);
+          if (!equidistant) ASSERT_EQ(X, point(continuum::nodal_positions(ball.space()), i));
+          ASSERT_LT((point(fields.x, i) - Q * X).norm(), 1e-14);
+          ASSERT_LT((point(fields.v, i) - H * X).norm(), 1e-13);
+          ASSERT_LT((matrix(fields.F, i) - Q).norm(), 1e-12);
+          ASSERT_NEAR(fields.energy[i], ciarlet_geymonat.energy(materials::to_tensor(Q)), 1e-11);
+        }
       }
+      for (std::size_t i = 0; i < rest.n_points(); ++i)
+        ASSERT_LT((matrix(rest.stress, i) - body.cauchy_stress(Q, 0)).norm(), 1e-11);
     }
+}
+
+/// Between the nodes the equidistant points of a surface stay on the sphere as near as its polynomials do.
+TEST(NodalFields, EquidistantPointsAreOnTheSameCurvedElements) {
+  const ElasticBall ball(octant, 4, 0, neo_hookean);
+  std::vector<double> points = continuum::nodal_positions(ball.space());
+  continuum::make_equidistant(ball.space(), points);
+  const int n = 5;
+  int n_on_surface = 0;
+  for (std::size_t i = 0; i < points.size() / 3; ++i) {
+    const double radius = point(points, i).norm();
+    EXPECT_LT(radius, 1 + 1e-4);
+    n_on_surface += std::abs(radius - 1) < 1e-4;
+  }
+  EXPECT_EQ(n_on_surface, 8 * 3 * n * n) << "three of the four cells of an octant have a face on the sphere";
 }
 
 /// At x = X with ẋ = HX, tr H = 0, nothing is stressed and the pressure stops the spreading of the mass alone:
@@ -89,12 +119,12 @@ TEST(NodalFields, PressureOfAffineVelocityIsParabolic) {
   H << 0.4, 0.3, -0.2, -0.5, -0.6, 0.1, 0.7, 0.2, 0.2;
   const double central = (H * H).trace() / 6;
   const ElasticBall ball(whole, 4, 0, neo_hookean);
-  const NodalGrid grid = continuum::nodal_grid(ball.space());
-  const NodalFields fields = fields_of(ball, affine_state(ball, Matrix3d::Identity(), H), neo_hookean);
-  for (std::size_t i = 0; i < fields.pressure.size(); ++i) {
-    const double exact = central * (1 - point(grid.points, i).squaredNorm());
-    ASSERT_NEAR(fields.pressure[i], exact, 2e-3 * std::abs(central));
-    ASSERT_LT(fields.von_mises[i], 1e-12);
+  const BodyFields fields = fields_of(ball, affine_state(ball, Matrix3d::Identity(), H), neo_hookean);
+  for (std::size_t i = 0; i < fields.n_points(); ++i) {
+    const double exact = central * (1 - point(fields.X, i).squaredNorm());
+    const Matrix3d stress = matrix(fields.stress, i);
+    ASSERT_NEAR(-stress.trace() / 3, exact, 2e-3 * std::abs(central));
+    ASSERT_LT((stress - stress.trace() / 3 * Matrix3d::Identity()).norm(), 1e-12);
   }
 }
 
@@ -106,28 +136,36 @@ TEST(NodalFields, SectorsShowTheSameBall) {
     return r.last();
   };
   const ElasticBall reference_ball(whole, 2, 0, neo_hookean);
-  const NodalGrid reference_grid = continuum::nodal_grid(reference_ball.space());
-  const NodalFields reference = fields_of(reference_ball, state_after(reference_ball), neo_hookean);
+  const BodyFields reference = fields_of(reference_ball, state_after(reference_ball), neo_hookean);
   using Key = std::tuple<long, long, long>;
   const auto key = [](const Vector3d& X) {
     return Key{std::lround(1e6 * X[0]), std::lround(1e6 * X[1]), std::lround(1e6 * X[2])};
   };
-  std::map<Key, Vector3d> displacement;
-  for (std::size_t i = 0; i < reference_grid.points.size() / 3; ++i)
-    displacement[key(point(reference_grid.points, i))] = point(reference.displacement, i);
-
+  // Neighbours share the place of a node, and have stresses of their own there: the sum is the same in every sector.
+  struct Seen {
+    Vector3d x, v;
+    Matrix3d stress = Matrix3d::Zero();
+  };
+  const auto by_place = [&](const BodyFields& fields) {
+    std::map<Key, Seen> seen;
+    for (std::size_t i = 0; i < fields.n_points(); ++i) {
+      Seen& here = seen[key(point(fields.X, i))];
+      here.x = point(fields.x, i);
+      here.v = point(fields.v, i);
+      here.stress += matrix(fields.stress, i);
+    }
+    return seen;
+  };
+  const auto expected = by_place(reference);
   for (const Sector& sector : {half, quarter, octant}) {
     const ElasticBall ball(sector, 2, 0, neo_hookean);
-    const NodalGrid grid = continuum::nodal_grid(ball.space());
-    NodalFields fields = fields_of(ball, state_after(ball), neo_hookean);
-    for (std::size_t i = 0; i < grid.points.size() / 3; ++i)
-      ASSERT_LT((displacement.at(key(point(grid.points, i))) - point(fields.displacement, i)).norm(), 1e-10);
-    for (auto field : {&NodalFields::pressure, &NodalFields::jacobian, &NodalFields::von_mises}) {
-      std::vector<double> expected = reference.*field;
-      std::sort(expected.begin(), expected.end());
-      std::sort((fields.*field).begin(), (fields.*field).end());
-      ASSERT_EQ(expected.size(), (fields.*field).size());
-      for (std::size_t i = 0; i < expected.size(); ++i) ASSERT_NEAR(expected[i], (fields.*field)[i], 1e-9);
+    const auto seen = by_place(fields_of(ball, state_after(ball), neo_hookean));
+    ASSERT_EQ(seen.size(), expected.size());
+    for (const auto& [place, here] : seen) {
+      const Seen& there = expected.at(place);
+      ASSERT_LT((there.x - here.x).norm(), 1e-10);
+      ASSERT_LT((there.v - here.v).norm(), 1e-9);
+      ASSERT_LT((there.stress - here.stress).norm(), 1e-8);
     }
   }
 }
@@ -142,7 +180,7 @@ TEST(NodalFields, InvertedNodeIsAStatusWithItsPlace) {
   for (unsigned int i = 0; i < X.size(); i += 3)
     if (X[i + 2] > 1 - 1e-12) pole = i;
   ASSERT_GT(X[pole + 2], 0.99);
-  NodalFields fields;
+  BodyFields fields;
   mechanics::Status status;
   while (status.ok() && state.q[pole + 2] > 0) {
     state.q[pole + 2] -= 0.01;

@@ -8,7 +8,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/ellipsoid_surface.h"
+#include "io/ball_blocks.h"
+#include "io/block_cells.h"
+#include "io/body_picture.h"
 #include "io/files.h"
 #include "io/pvd.h"
 #include "scratch.h"
@@ -21,27 +23,8 @@ UnstructuredGrid triangle() {
           .cell_type = CellType::triangle,
           .nodes_per_cell = 3,
           .connectivity = {0, 1, 2},
-          .fields = {{"height", 1, {1, 2, 3}}}};
-}
-
-/// Volume inside a closed surface of quads, as the sum of two signed tetrahedra each; positive if they look outward.
-double enclosed_volume(const std::vector<Eigen::Vector3d>& x, const std::vector<std::int64_t>& cells) {
-  double volume = 0;
-  for (std::size_t c = 0; c < cells.size(); c += 4)
-    for (const auto& [i, j] : {std::pair{1, 2}, std::pair{2, 3}})
-      volume += x[cells[c]].dot(x[cells[c + i]].cross(x[cells[c + j]])) / 6;
-  return volume;
-}
-
-TEST(Base64, AgreesWithTheVectorsOfRfc4648) {
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foo"), "Zm9v");
-  EXPECT_EQ(base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(base64(std::string("\x00\xff\xfe\xfb", 4)), "AP/++w==");
+          .fields = {{"height", 1, {1, 2, 3}}},
+          .constants = {{"TimeValue", 1, {0.1}}}};
 }
 
 TEST(Vtu, SameGridSameBytesAndNothingOfTheMachine) {
@@ -50,8 +33,13 @@ TEST(Vtu, SameGridSameBytesAndNothingOfTheMachine) {
   write_vtu(scratch / "b.vtu", triangle());
   const std::string text = contents(scratch / "a.vtu");
   EXPECT_EQ(text, contents(scratch / "b.vtu"));
-  EXPECT_NE(text.find("version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\""), text.npos);
-  EXPECT_NE(text.find("Name=\"height\" format=\"binary\">GAAAAAAAAAAAAAAAAADwPw"), text.npos);
+  EXPECT_NE(text.find("version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\" "
+                      "compressor=\"vtkZLibDataCompressor\""),
+            text.npos);
+  EXPECT_NE(text.find("Name=\"height\" format=\"appended\" offset="), text.npos);
+  EXPECT_NE(text.find("<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">"
+                      "0.10000000000000001</DataArray>"),
+            text.npos);
 }
 
 TEST(Vtu, GridsThatDoNotFitTogetherAreDefects) {
@@ -70,6 +58,8 @@ TEST(Vtu, GridsThatDoNotFitTogetherAreDefects) {
   refused([](auto& grid) { grid.fields[0].values.push_back(0); });
   refused([](auto& grid) { grid.fields[0].n_components = 3; });
   refused([](auto& grid) { grid.fields[0].values[1] = INFINITY; });
+  refused([](auto& grid) { grid.constants[0].values[0] = NAN; });
+  refused([](auto& grid) { grid.constants[0].values.push_back(0); });
   EXPECT_THROW(write_vtu(scratch / "none/a.vtu", triangle()), WriteError);
 }
 
@@ -88,46 +78,100 @@ TEST(Pvd, ListsFramesRelativeToItself) {
   EXPECT_EQ(contents(scratch / "again.pvd"), text);
 }
 
-TEST(CubedSphere, IsClosedOutwardAndOnTheSphere) {
-  for (const int n : {1, 2, 5, 8}) {
-    const CubedSphere sphere(n);
-    EXPECT_EQ(sphere.points.size(), std::size_t(6 * n * n + 2));
-    EXPECT_EQ(sphere.connectivity.size(), std::size_t(4 * 6 * n * n));
-    for (const auto& X : sphere.points) EXPECT_NEAR(X.norm(), 1, 1e-15);
-    std::vector<int> n_cells_at(sphere.points.size());
-    for (const auto i : sphere.connectivity) ++n_cells_at[i];
-    EXPECT_EQ(std::ranges::count(n_cells_at, 3), 8);  // the corners of the cube; elsewhere four cells meet
-    EXPECT_EQ(std::ranges::count(n_cells_at, 4), 6 * n * n - 6);
-    for (std::size_t c = 0; c < sphere.connectivity.size(); c += 4) {
-      const auto X = [&](int i) { return sphere.points[sphere.connectivity[c + i]]; };
-      EXPECT_GT((X(2) - X(0)).cross(X(3) - X(1)).dot(X(0) + X(2)), 0);
-    }
+/// Sum over the linear hexahedra of their volumes, each from the Jacobian at its centre; all must be positive.
+double volume(const UnstructuredGrid& grid) {
+  constexpr int signs[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                               {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  double sum = 0;
+  for (std::size_t cell = 0; cell < grid.n_cells(); ++cell) {
+    Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
+    for (int corner = 0; corner < 8; ++corner)
+      jacobian += Eigen::Vector3d::Map(&grid.points[3 * grid.connectivity[8 * cell + corner]]) *
+                  Eigen::RowVector3d(signs[corner][0], signs[corner][1], signs[corner][2]) / 4;
+    EXPECT_GT(jacobian.determinant(), 0) << "cell " << cell;
+    sum += jacobian.determinant();
   }
-  const CubedSphere fine(64);
-  EXPECT_NEAR(enclosed_volume(fine.points, fine.connectivity), 4 * std::numbers::pi / 3, 2e-3);
+  return sum;
 }
 
-TEST(EllipsoidSurface, IsTheImageOfTheSphereWithHomogeneousFields) {
-  const CubedSphere sphere(6);
-  HomogeneousState state;
-  state.Q << 1.5, 0.2, 0, 0, 0.8, 0.1, 0.3, 0, 0.9;
-  state.cauchy_stress << 3, 0, 0, 0, 1, 0, 0, 0, -1;  // deviator (2, 0, -2)
-  state.center << 10, 20, 30;
-  state.radius = 2;
-  const UnstructuredGrid grid = ellipsoid_surface(sphere, state);
-  ASSERT_EQ(grid.n_points(), sphere.points.size());
-  ASSERT_EQ(grid.n_cells(), 6u * 36);
-  const auto field = [&](const std::string& name) {
-    return std::ranges::find(grid.fields, name, &UnstructuredGrid::Field::name)->values;
-  };
-  for (std::size_t i = 0; i < sphere.points.size(); ++i) {
-    const Eigen::Vector3d x(&grid.points[3 * i]), u(&field("displacement")[3 * i]);
-    EXPECT_NEAR((state.Q.inverse() * (x - state.center)).norm(), 2, 1e-13);  // on the ellipsoid
-    EXPECT_NEAR((x - u - 2 * sphere.points[i]).norm(), 0, 1e-13);
-    EXPECT_DOUBLE_EQ(field("pressure")[i], -1);
-    EXPECT_DOUBLE_EQ(field("jacobian")[i], state.Q.determinant());
-    EXPECT_DOUBLE_EQ(field("von_mises")[i], std::sqrt(12.));
+/// The unit ball at x = x_c + QX with ẋ = HX, all of it under one stress.
+mechanics::BodyFields affine_fields(const BallBlocks& ball, const Eigen::Matrix3d& Q, const Eigen::Matrix3d& H,
+                                    const Eigen::Matrix3d& stress, const Eigen::Vector3d& center) {
+  mechanics::BodyFields fields;
+  for (const Eigen::Vector3d& X : ball.points) fields.add(X, center + Q * X, H * X, Q, stress, 0.25);
+  fields.center = center;
+  fields.moment = 4 * std::numbers::pi / 15 * Q;
+  return fields;
+}
+
+TEST(BallBlocks, FillTheBallAndShareTheirPoints) {
+  for (const auto& [degree, n] : {std::pair{1, 1}, std::pair{1, 12}, std::pair{4, 2}, std::pair{3, 1}}) {
+    const BallBlocks ball = ball_blocks(degree, n);
+    const auto m = static_cast<std::size_t>(degree * n), layers = static_cast<std::size_t>(degree);
+    EXPECT_EQ(ball.points.size(), (m + 1) * (m + 1) * (m + 1) + layers * (6 * m * m + 2));
+    EXPECT_EQ(ball.blocks.n_blocks(), std::size_t(n * n * n + 6 * n * n));
+    EXPECT_EQ(std::ranges::count_if(ball.points, [](const auto& X) { return std::abs(X.norm() - 1) < 1e-15; }),
+              6 * m * m + 2);
+    UnstructuredGrid grid;
+    for (const auto& X : ball.points) grid.points.insert(grid.points.end(), X.begin(), X.end());
+    set_cells(grid, ball.blocks, scene::Cells::linear);
+    EXPECT_EQ(grid.n_cells(), m * m * m + 6 * m * m * layers);
+    const double inside = volume(grid);
+    // Hexahedra with straight edges are inscribed in the ball.
+    EXPECT_NEAR(inside, 4 * std::numbers::pi / 3, 4.0 / static_cast<double>(m * m));
   }
+}
+
+TEST(BodyPicture, ShowsWhatTheFieldsOfAnAffineMotionAre) {
+  const BallBlocks ball = ball_blocks(2, 1);
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(2.5, Eigen::Vector3d(1, 2, -2) / 3).toRotationMatrix();
+  const Eigen::Matrix3d U = Eigen::Vector3d(1.5, 0.8, 0.6).asDiagonal(), Q = R * U;
+  Eigen::Matrix3d H, stress;
+  H << 0, 1, 2, 3, 4, 5, 6, 7, 8;
+  stress << 3, 0, 0, 0, 1, 0, 0, 0, -1;  // deviator (2, 0, -2)
+  const Eigen::Vector3d center(10, 20, 30);
+  const Units units{.length = 2, .mass = 3, .time = 5};
+  const UnstructuredGrid grid =
+      body_picture(ball.blocks, affine_fields(ball, Q, H, stress, center), 0.7, units, {}, scene::Cells::linear);
+  const auto values = [&](const std::vector<UnstructuredGrid::Field>& fields, const std::string& name) {
+    return std::ranges::find(fields, name, &UnstructuredGrid::Field::name)->values;
+  };
+  const auto vector = [&](const std::string& name, std::size_t i) {
+    return Eigen::Vector3d(&values(grid.fields, name)[3 * i]);
+  };
+  ASSERT_EQ(grid.n_points(), ball.points.size());
+  for (std::size_t i = 0; i < ball.points.size(); ++i) {
+    const Eigen::Vector3d X = 2 * ball.points[i], x(&grid.points[3 * i]);
+    EXPECT_LT((x - 2 * center - Q * X).norm(), 1e-13);
+    EXPECT_LT((vector("displacement", i) - (x - X)).norm(), 1e-13);
+    EXPECT_LT((vector("displacement_without_rotation", i) - R * (U * X - X)).norm(), 1e-13);
+    EXPECT_LT((vector("reference_coordinates", i) - X).norm(), 1e-15);
+    EXPECT_LT((vector("velocity", i) - H * X / 5).norm(), 1e-13);
+    EXPECT_LT((vector("principal_stretches", i) - Eigen::Vector3d(1.5, 0.8, 0.6)).norm(), 1e-14);
+    EXPECT_NEAR(values(grid.fields, "jacobian")[i], 0.72, 1e-14);
+    const double pressure_unit = units.stress();
+    EXPECT_NEAR(values(grid.fields, "pressure")[i], -pressure_unit, 1e-15);
+    EXPECT_NEAR(values(grid.fields, "von_mises")[i], std::sqrt(12.) * pressure_unit, 1e-14);
+    EXPECT_NEAR(values(grid.fields, "energy_density")[i], 0.25 * pressure_unit, 1e-15);
+    for (int j = 0; j < 9; ++j) {
+      EXPECT_DOUBLE_EQ(values(grid.fields, "deformation_gradient")[9 * i + j], Q(j / 3, j % 3));
+      EXPECT_DOUBLE_EQ(values(grid.fields, "cauchy_stress")[9 * i + j], pressure_unit * stress(j / 3, j % 3));
+    }
+  }
+  EXPECT_EQ(values(grid.constants, "TimeValue"), std::vector{0.7});
+  EXPECT_EQ(values(grid.constants, "center_of_mass"), (std::vector<double>{20, 40, 60}));
+  for (int j = 0; j < 9; ++j) EXPECT_NEAR(values(grid.constants, "rotation")[j], R(j / 3, j % 3), 1e-14);
+}
+
+TEST(BodyPicture, HoldsTheGroupsOfFieldsThatAreAskedFor) {
+  const BallBlocks ball = ball_blocks(1, 1);
+  const Eigen::Matrix3d Id = Eigen::Matrix3d::Identity();
+  const scene::Fields wanted{
+      .displacement = false, .velocity = true, .stress = false, .deformation = false, .energy = false};
+  const UnstructuredGrid grid = body_picture(ball.blocks, affine_fields(ball, Id, Id, Id, Eigen::Vector3d::Zero()), 0,
+                                             {}, wanted, scene::Cells::linear);
+  ASSERT_EQ(grid.fields.size(), 1u);
+  EXPECT_EQ(grid.fields[0].name, "velocity");
 }
 
 }  // namespace

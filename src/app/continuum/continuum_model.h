@@ -9,6 +9,7 @@
 #include "app/run/mesh_file.h"
 #include "app/run/model_run.h"
 #include "app/run/nonaffine_watch.h"
+#include "app/run/picture.h"
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
 #include "app/search/continuum_run.h"
@@ -17,7 +18,6 @@
 #include "continuum/output/observe.h"
 #include "continuum/output/rank_order.h"
 #include "io/trajectory.h"
-#include "io/vtu.h"
 
 namespace pseudorigid::app {
 
@@ -92,25 +92,15 @@ class ContinuumModel {
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
 
-  mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
-    if (reference_.points.empty()) reference_ = continuum::nodal_grid(ball_.space());
-    continuum::NodalFields fields;
+  mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
+                                Workspace& workspace) {
+    if (blocks_.points.empty()) blocks_ = continuum::nodal_blocks(ball_.space());
+    mechanics::BodyFields fields;
     mechanics::Status status = continuum::nodal_fields(ball_, law_, state, workspace, fields);
     if (context_.ranks->any(!status))
       return status ? mechanics::Status::failure("there is no stress to draw on another rank") : status;
-    const io::Units& units = context_.units;
-    io::UnstructuredGrid grid{.points = reference_.points,
-                              .connectivity = reference_.connectivity,
-                              .fields = {{"displacement", 3, scaled(fields.displacement, units.length)},
-                                         {"pressure", 1, scaled(fields.pressure, units.stress())},
-                                         {"jacobian", 1, std::move(fields.jacobian)},
-                                         {"von_mises", 1, scaled(fields.von_mises, units.stress())}}};
-    if (ball_.gravity())
-      grid.fields.push_back({"gravity_potential", 1, scaled(fields.potential, units.velocity() * units.velocity())});
-    // The points are the current positions, as for the reduced body: a viewer shows the deformed ball as it is.
-    for (std::size_t i = 0; i < grid.points.size(); ++i)
-      grid.points[i] = units.length * grid.points[i] + grid.fields[0].values[i];
-    on_all_ranks(*context_.ranks, [&] { write_pieces(path, grid); });
+    if (context_.scene.output.cells == scene::Cells::lagrange) continuum::make_equidistant(ball_.space(), fields);
+    write_picture(context_, path, time, blocks_, fields);
     return {};
   }
 
@@ -172,23 +162,9 @@ class ContinuumModel {
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
   }
-  /// One file, or of several ranks a piece each and beside them the file that names the pieces.
-  void write_pieces(std::filesystem::path path, const io::UnstructuredGrid& grid) const {
-    const int n_ranks = context_.ranks->size();
-    if (n_ranks == 1) return io::write_vtu(path, grid);
-    std::vector<std::filesystem::path> pieces;
-    for (int rank = 0; rank < n_ranks; ++rank)
-      pieces.push_back(path.parent_path() / fmt::format("{}-{:04}.vtu", path.stem().string(), rank));
-    io::write_vtu(pieces[context_.ranks->rank()], grid);
-    if (context_.ranks->is_first()) io::write_pvtu(path.replace_extension("pvtu"), grid, pieces);
-  }
   const continuum::MaterialFaces& faces() const {
     if (!faces_) faces_.emplace(ball_.space());
     return *faces_;
-  }
-  static std::vector<double> scaled(std::vector<double> values, double unit) {
-    for (double& value : values) value *= unit;
-    return values;
   }
 
   const RunContext& context_;
@@ -202,7 +178,7 @@ class ContinuumModel {
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
   WrinklingWatch wrinkling_;
-  continuum::NodalGrid reference_;                         ///< empty until the first frame
+  mechanics::PointBlocks blocks_;                          ///< empty until the first frame
   mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape
 };
 

@@ -10,8 +10,8 @@
 #include "app/run/mode_table.h"
 #include "continuum/modes/modes.h"
 #include "continuum/output/nodal_fields.h"
+#include "io/block_cells.h"
 #include "io/pvd.h"
-#include "io/vtu.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -39,21 +39,23 @@ void write_table(const std::vector<BallFrequency>& frequencies, const continuum:
 /// One shape for each frequency, on the ball at rest, its largest displacement one radius.
 void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum::BallSpace& space,
                   const RunContext& context) {
-  const continuum::NodalGrid reference = continuum::nodal_grid(space);
-  const double length = context.units.length;
-  const auto scaled = [&](std::vector<double> values) {
-    for (double& value : values) value *= length;
+  const scene::Cells cells = context.scene.output.cells;
+  const auto in_picture = [&](std::vector<double> values) {
+    if (cells == scene::Cells::lagrange) continuum::make_equidistant(space, values);
+    for (double& value : values) value *= context.units.length;
     return values;
   };
+  io::UnstructuredGrid grid;
+  grid.points = in_picture(continuum::nodal_positions(space));
+  io::set_cells(grid, continuum::nodal_blocks(space), cells);
   io::PvdCollection list(context.directory.pvd("modes"));
   const std::size_t n_shapes =
       std::min<std::size_t>(frequencies.size(), static_cast<std::size_t>(context.scene.output.frames));
   for (std::size_t i = 0; i < n_shapes; ++i) {
     const BallFrequency& f = frequencies[i];
     const auto file = context.directory.frame("modes", static_cast<int>(i));
-    io::write_vtu(file, {.points = scaled(reference.points),
-                         .connectivity = reference.connectivity,
-                         .fields = {{"displacement", 3, scaled(mode_displacement(space, f.parity, f.shape))}}});
+    grid.fields = {{"displacement", 3, in_picture(mode_displacement(space, f.parity, f.shape))}};
+    io::write_vtu(file, grid);
     list.add(static_cast<double>(i + 1), file);
   }
 }

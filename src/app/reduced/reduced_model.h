@@ -7,9 +7,10 @@
 #include <limits>
 
 #include "app/reduced/reduced_scene.h"
+#include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/tension_watch.h"
-#include "io/ellipsoid_surface.h"
+#include "io/ball_blocks.h"
 #include "io/trajectory.h"
 #include "mechanics/core/principal_axes.h"
 #include "mechanics/steps/step_size.h"
@@ -34,6 +35,7 @@ class ReducedModel {
         center_(scene.center),
         drag_on_center_(scene.dissipation.drag != 0),
         center_is_driven_(loads::depend_on_time(scene.loads)),
+        law_(scene.law),
         start_(start_of<System>(scene)),
         context_(context),
         request_(context.request()),
@@ -105,20 +107,13 @@ class ReducedModel {
       tension_.take_up(rows.column("time"), rows.column("multiplier"));
   }
 
-  mechanics::Status write_frame(const std::filesystem::path& path, const State& state, Workspace& workspace) {
+  mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
+                                Workspace& workspace) {
     double Lambda = 0;
     if constexpr (!mechanics::unconstrained<System>)
       if (auto status = mechanics::multiplier_of_motion(system_, state, workspace, Lambda); !status) return status;
-    const auto& body = system_.body();
-    const Eigen::Matrix3d Q = system_.motion(state).q;
-    const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar()) * context_.units.stress();
-    if (!sphere_) sphere_.emplace(12);
-    io::write_ellipsoid_vtu(path, *sphere_,
-                            {.Q = Q,
-                             .shape = body.reference().shape,
-                             .cauchy_stress = stress,
-                             .center = center_.at(state.t).x * context_.units.length,
-                             .radius = context_.units.length});
+    if (!ball_) ball_ = io::ball_blocks(4, 2);  // cut into cells, a quarter of a circle is 8 straight edges
+    write_picture(context_, path, time, ball_->blocks, fields(state, Lambda));
     return {};
   }
 
@@ -129,6 +124,24 @@ class ReducedModel {
   }
 
  private:
+  /// Homogeneous but for positions and velocities.
+  mechanics::BodyFields fields(const State& state, double Lambda) {
+    const auto& body = system_.body();
+    const auto motion = system_.motion(state);
+    const Eigen::Matrix3d &Q = motion.q, &Qdot = motion.v;
+    const auto center = center_.at(state.t);
+    const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar());
+    const double energy = std::visit([&](const auto& law) { return law.energy(materials::to_tensor(Q)); }, law_);
+    mechanics::BodyFields fields;
+    fields.center = center.x;
+    fields.moment = Q * body.E0();
+    for (const Eigen::Vector3d& direction : ball_->points) {
+      const Eigen::Vector3d X = body.reference().shape * direction;
+      fields.add(X, center.x + Q * X, center.v + Qdot * X, Q, stress, energy);
+    }
+    return fields;
+  }
+
   void note_motion(const Eigen::Matrix3d& Q) {
     motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
@@ -181,6 +194,7 @@ class ReducedModel {
   System system_;
   reduced::CenterPath center_;
   bool drag_on_center_, center_is_driven_;
+  materials::AnyLaw law_;
   State start_;
   const RunContext& context_;
   mechanics::ObservableRequest request_;
@@ -190,7 +204,7 @@ class ReducedModel {
   bool knows_motion_ = true;      ///< false where a resumed run has rows without Q
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
-  std::optional<io::CubedSphere> sphere_;
+  std::optional<io::BallBlocks> ball_;       ///< of pictures, from the first one on
 };
 
 }  // namespace pseudorigid::app

@@ -72,9 +72,9 @@ class ModelRun {
       return Status::failure("the motion has grown beyond what numbers can hold");
     measure_constraint(state);
     sink_->append(row_);
-    if constexpr (requires { model_.write_frame(std::filesystem::path(), state, system_workspace); })
+    if constexpr (requires { model_.write_frame(std::filesystem::path(), time, state, system_workspace); })
       if (sink_->wants_frame(k))
-        sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, state, system_workspace); });
+        sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, time, state, system_workspace); });
     if constexpr (has_shapes)
       if (sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
     position_.cursor = {k, 0};

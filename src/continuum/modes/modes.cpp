@@ -202,7 +202,7 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape) {
   std::vector<double> values;
   values.reserve(8 * 3 * static_cast<std::size_t>(space.n_cells()) * space.nodes_per_cell());
-  for (int bits = 0; bits < 8; ++bits) {  // in the order of nodal_grid: the bits are the mirrored coordinates
+  for (int bits = 0; bits < 8; ++bits) {  // in the order of nodal_blocks: the bits are the mirrored coordinates
     double sign = 1;
     for (int j = 0; j < 3; ++j)
       if (bits >> j & 1) sign *= parity.sign[j];

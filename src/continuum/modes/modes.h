@@ -41,7 +41,7 @@ struct ModesReport {
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 
-/// Displacements of the whole ball at the points of nodal_grid(space), three a point.
+/// Displacements of the whole ball at the points of nodal_blocks(space), three a point.
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape);
 
 }  // namespace pseudorigid::continuum

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <variant>
 
 #include "continuum/kernels/node_gradients.h"
@@ -12,6 +13,8 @@
 
 namespace pseudorigid::continuum {
 namespace {
+
+using BallState = mechanics::VectorState<Vector>;
 
 /// Signs of the coordinates in each reflection of the sector, the sector itself first.
 std::vector<std::array<double, 3>> images(const Sector& sector) {
@@ -29,13 +32,17 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
   return result;
 }
 
-/// Repeats values of the sector, n_components per point, for all its images; vectors change sign with the coordinates.
+/// Repeats values of the sector, n_components per point, for all its images: entries of vectors and matrices change
+/// sign with the coordinates.
 void reflect(std::vector<double>& values, int n_components, const Sector& sector) {
   const std::vector<double> of_sector = std::move(values);
   values.clear();
+  values.reserve(of_sector.size() * sector.n_images());
   for (const auto& signs : images(sector))
-    for (std::size_t i = 0; i < of_sector.size(); ++i)
-      values.push_back(n_components == 3 ? signs[i % 3] * of_sector[i] : of_sector[i]);
+    for (std::size_t i = 0; i < of_sector.size(); ++i) {
+      const double sign = n_components == 3 ? signs[i % 3] : n_components == 9 ? signs[i / 3 % 3] * signs[i % 3] : 1;
+      values.push_back(sign * of_sector[i]);
+    }
 }
 
 mechanics::Status inverted(double J, const Eigen::Vector3d& X) {
@@ -45,16 +52,10 @@ mechanics::Status inverted(double J, const Eigen::Vector3d& X) {
   return mechanics::Status::failure(text);
 }
 
-/// Appends pressure, det F and von Mises stress at a node.
-void add_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double lambda, NodalFields& fields) {
-  const double J = F.determinant();
+Eigen::Matrix3d cauchy_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double lambda) {
   const Eigen::Matrix3d P =
       std::visit([&](const auto& l) { return materials::to_matrix(l.stress(materials::to_tensor(F))); }, law);
-  const Eigen::Matrix3d sigma = (P * F.transpose() - lambda * Eigen::Matrix3d::Identity()) / J;
-  const double mean = sigma.trace() / 3;
-  fields.pressure.push_back(-mean);
-  fields.jacobian.push_back(J);
-  fields.von_mises.push_back(std::sqrt(1.5) * (sigma - mean * Eigen::Matrix3d::Identity()).norm());
+  return (P * F.transpose() - lambda * Eigen::Matrix3d::Identity()) / F.determinant();
 }
 
 /// φ at the nodes of all cells; empty without self-gravity. Collective.
@@ -78,12 +79,13 @@ double mean_potential(const BallBody& ball, const Vector& position) {
 }
 
 /// Appends the fields at the nodes of a cell; no multiplier counts as 0.
-mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
-                           const Vector* multiplier, double mean_potential, unsigned int cell, NodalFields& fields) {
+mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
+                           const Vector* multiplier, double mean_potential, unsigned int cell,
+                           mechanics::BodyFields& fields) {
   const BallSpace& space = ball.space();
   const int n_nodes = static_cast<int>(space.nodes_per_cell());
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell),
-                         x = nodal_values(space, position, cell);
+                         x = nodal_values(space, state.q, cell), v = nodal_values(space, state.v, cell);
   std::vector<double> lambda(n_nodes, 0.0);
   if (multiplier) ball.kernels().multiplier_at_nodes(*multiplier, cell, lambda);
   if (ball.gravity())
@@ -93,70 +95,110 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
     if (const double J = F.determinant(); !(J > 0 && std::isfinite(J))) return inverted(J, X.col(i));
-    for (int c = 0; c < 3; ++c) fields.displacement.push_back(x(c, i) - X(c, i));
-    add_stress(law, F, lambda[i], fields);
+    const double energy = std::visit([&](const auto& l) { return l.energy(materials::to_tensor(F)); }, law);
+    fields.add(X.col(i), x.col(i), v.col(i), F, cauchy_stress(law, F, lambda[i]), energy);
   }
   return {};
 }
 
-/// All fields at all points, from positions and a multiplier, if there is one.
-mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const Vector& position,
-                             const Vector* multiplier, NodalFields& fields) {
+/// All fields at all points, from a state and a multiplier, if there is one.
+mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
+                             const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};
-  fields.potential = potential_at_nodes(ball, position);
-  const double mean = ball.gravity() ? mean_potential(ball, position) : 0;
-  const GhostValues ghosts(position);
+  fields.potential = potential_at_nodes(ball, state.q);
+  const double mean = ball.gravity() ? mean_potential(ball, state.q) : 0;
+  fields.center = ball.mean(state.q);
+  Vector relative = state.q;
+  relative.add(-1.0, ball.affine_field(Eigen::Matrix3d::Zero(), fields.center));
+  fields.moment = ball.mass_moment(relative) * ball.E0();
+  const GhostValues ghosts(state.q), ghosts_of_velocity(state.v);
   for (unsigned int cell = 0; cell < ball.space().n_cells(); ++cell)
-    if (auto status = add_cell(ball, law, position, multiplier, mean, cell, fields); !status) return status;
+    if (auto status = add_cell(ball, law, state, multiplier, mean, cell, fields); !status) return status;
   const Sector& sector = ball.space().mesh().sector();
-  reflect(fields.displacement, 3, sector);
-  for (auto* scalar : {&fields.pressure, &fields.jacobian, &fields.von_mises, &fields.potential})
-    reflect(*scalar, 1, sector);
+  for (auto* vectors : {&fields.X, &fields.x, &fields.v}) reflect(*vectors, 3, sector);
+  for (auto* matrices : {&fields.F, &fields.stress}) reflect(*matrices, 9, sector);
+  for (auto* scalars : {&fields.energy, &fields.potential}) reflect(*scalars, 1, sector);
   return {};
 }
 
-/// The k³ hexahedra between the nodes of a cell, in VTK's order: the lower face against the clock, then the upper one.
-/// A mirror image takes the upper face first.
-void add_hexahedra(int n, std::int64_t first_node, bool mirrored, std::vector<std::int64_t>& connectivity) {
-  const std::array<int, 4> face{0, 1, n + 1, n};
-  const std::array<int, 2> levels = mirrored ? std::array{n * n, 0} : std::array{0, n * n};
-  for (int k = 0; k + 1 < n; ++k)
-    for (int j = 0; j + 1 < n; ++j)
-      for (int i = 0; i + 1 < n; ++i)
-        for (const int level : levels)
-          for (const int corner : face) connectivity.push_back(first_node + (k * n + j) * n + i + level + corner);
+/// The points of a cell; those of a mirror image from the upper ones down, so that they are right-handed again.
+void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
+  for (int k = 0; k < n; ++k)
+    for (int ij = 0; ij < n * n; ++ij) points.push_back(first_point + (mirrored ? n - 1 - k : k) * n * n + ij);
+}
+
+/// A factor of the tensor product that carries values at the nodes of a cell to equidistant points: in the direction
+/// whose neighbours are `stride` points apart.
+void interpolate_along(const std::vector<double>& to_equidistant, int n, std::size_t stride, int n_components,
+                       std::span<double> cell) {
+  std::vector<double> line(n);
+  const std::size_t n_points = cell.size() / n_components;
+  for (std::size_t point = 0; point < n_points; ++point) {
+    if (point / stride % n != 0) continue;  // a line begins where its index is 0
+    for (int c = 0; c < n_components; ++c) {
+      const auto value = [&](int i) -> double& { return cell[n_components * (point + i * stride) + c]; };
+      for (int q = 0; q < n; ++q) {
+        line[q] = 0;
+        for (int i = 0; i < n; ++i) line[q] += to_equidistant[q * n + i] * value(i);
+      }
+      for (int q = 0; q < n; ++q) value(q) = line[q];
+    }
+  }
+}
+
+void make_equidistant(const BallSpace& space, int n_components, std::vector<double>& values) {
+  const ReferenceCell& ref = space.reference_cell();
+  std::vector<double> to_equidistant;
+  for (int q = 0; q < ref.n; ++q)
+    for (int i = 0; i < ref.n; ++i)
+      to_equidistant.push_back(lagrange(ref.nodes, i, static_cast<double>(q) / (ref.n - 1)));
+  const std::size_t size = static_cast<std::size_t>(n_components) * space.nodes_per_cell();
+  for (std::size_t begin = 0; begin < values.size(); begin += size)
+    for (std::size_t d = 0, stride = 1; d < 3; ++d, stride *= ref.n)
+      interpolate_along(to_equidistant, ref.n, stride, n_components, std::span(values).subspan(begin, size));
 }
 
 }  // namespace
 
-NodalGrid nodal_grid(const BallSpace& space) {
-  NodalGrid grid;
+mechanics::PointBlocks nodal_blocks(const BallSpace& space) {
+  mechanics::PointBlocks blocks{.degree = space.degree(), .points = {}};
+  std::int64_t first_point = 0;
+  for (const auto& signs : images(space.mesh().sector()))
+    for (unsigned int cell = 0; cell < space.n_cells(); ++cell, first_point += space.nodes_per_cell())
+      add_block(space.reference_cell().n, first_point, signs[0] * signs[1] * signs[2] < 0, blocks.points);
+  return blocks;
+}
+
+std::vector<double> nodal_positions(const BallSpace& space) {
+  std::vector<double> positions;
   for (unsigned int cell = 0; cell < space.n_cells(); ++cell) {
     const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);
-    grid.points.insert(grid.points.end(), X.data(), X.data() + X.size());
+    positions.insert(positions.end(), X.data(), X.data() + X.size());
   }
-  const Sector& sector = space.mesh().sector();
-  reflect(grid.points, 3, sector);
-
-  std::int64_t first_node = 0;
-  for (const auto& signs : images(sector))
-    for (unsigned int cell = 0; cell < space.n_cells(); ++cell, first_node += space.nodes_per_cell())
-      add_hexahedra(space.reference_cell().n, first_node, signs[0] * signs[1] * signs[2] < 0, grid.connectivity);
-  return grid;
+  reflect(positions, 3, space.mesh().sector());
+  return positions;
 }
 
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
-                               NodalFields& fields) {
+                               mechanics::BodyFields& fields) {
   Vector multiplier = ball.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, multiplier); !status) return status;
-  return all_fields(ball, law, state.q, &multiplier, fields);
+  return all_fields(ball, law, state, &multiplier, fields);
 }
 
 mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace&,
-                               NodalFields& fields) {
-  return all_fields(ball, law, state.q, nullptr, fields);
+                               mechanics::BodyFields& fields) {
+  return all_fields(ball, law, state, nullptr, fields);
+}
+
+void make_equidistant(const BallSpace& space, std::vector<double>& vectors) { make_equidistant(space, 3, vectors); }
+
+void make_equidistant(const BallSpace& space, mechanics::BodyFields& fields) {
+  for (auto* vectors : {&fields.X, &fields.x, &fields.v}) make_equidistant(space, 3, *vectors);
+  for (auto* matrices : {&fields.F, &fields.stress}) make_equidistant(space, 9, *matrices);
+  for (auto* scalars : {&fields.energy, &fields.potential}) make_equidistant(space, 1, *scalars);
 }
 
 }  // namespace pseudorigid::continuum

@@ -1,0 +1,85 @@
+#include "io/ball_blocks.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace pseudorigid::io {
+namespace {
+
+/// Half the edge of the cube: its corners are at 0.69 of the way to the surface.
+constexpr double half_edge = 0.4;
+
+/// Equal steps of the index are equal angles seen from the centre. Odd in the index, so that the points have the
+/// symmetry of the cube to the last bit.
+double face_coordinate(int twice_index_from_middle, int n) {
+  return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
+}
+
+/// Numbers the points as they are asked for.
+class Points {
+ public:
+  Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
+      : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
+
+  /// A point of the cube [−n, n]³ in steps of 2, or above its surface on one of the layers.
+  std::int64_t number(const std::array<int, 3>& cube, int layer) {
+    const auto [found, is_new] =
+        numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));
+    if (is_new) {
+      Eigen::Vector3d q;
+      for (int d = 0; d < 3; ++d) q[d] = face_coordinate(cube[d], n_intervals_);
+      const double s = static_cast<double>(layer) / n_layers_;
+      points_.push_back(layer == 0           ? Eigen::Vector3d(half_edge * q)
+                        : layer == n_layers_ ? Eigen::Vector3d(q.normalized())
+                                             : Eigen::Vector3d((1 - s) * half_edge * q + s * q.normalized()));
+    }
+    return found->second;
+  }
+
+ private:
+  int n_intervals_, n_layers_;
+  std::vector<Eigen::Vector3d>& points_;
+  std::map<std::array<int, 4>, std::int64_t> numbers_;
+};
+
+/// Calls append(i, j, k) for the points of a block.
+template <class Append>
+void visit_block(int degree, Append&& append) {
+  for (int k = 0; k <= degree; ++k)
+    for (int j = 0; j <= degree; ++j)
+      for (int i = 0; i <= degree; ++i) append(i, j, k);
+}
+
+}  // namespace
+
+BallBlocks ball_blocks(int degree, int n) {
+  BallBlocks ball{.points = {}, .blocks = {.degree = degree, .points = {}}};
+  const int n_intervals = degree * n;
+  Points points(n_intervals, degree, ball.points);
+  const auto place = [&](int block, int i) { return 2 * (block * degree + i) - n_intervals; };
+  for (int c = 0; c < n; ++c)
+    for (int b = 0; b < n; ++b)
+      for (int a = 0; a < n; ++a)
+        visit_block(degree, [&](int i, int j, int k) {
+          ball.blocks.points.push_back(points.number({place(a, i), place(b, j), place(c, k)}, 0));
+        });
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int side : {-1, 1}) {
+      // (u, v, outwards) is right-handed.
+      const int u = (axis + (side > 0 ? 1 : 2)) % 3, v = (axis + (side > 0 ? 2 : 1)) % 3;
+      for (int b = 0; b < n; ++b)
+        for (int a = 0; a < n; ++a)
+          visit_block(degree, [&](int i, int j, int layer) {
+            std::array<int, 3> cube;
+            cube[axis] = side * n_intervals;
+            cube[u] = place(a, i);
+            cube[v] = place(b, j);
+            ball.blocks.points.push_back(points.number(cube, layer));
+          });
+    }
+  return ball;
+}
+
+}  // namespace pseudorigid::io

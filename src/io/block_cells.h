@@ -1,0 +1,14 @@
+#pragma once
+/// Cells for the blocks of points of a body.
+
+#include "io/vtu.h"
+#include "mechanics/core/body_fields.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::io {
+
+/// linear: degree³ hexahedra a block. lagrange: one hexahedron of the block's degree, whose points VTK takes for
+/// equidistant; the fields of a block are then shown as polynomials.
+void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
+
+}  // namespace pseudorigid::io

@@ -1,0 +1,104 @@
+#include "io/body_picture.h"
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <cmath>
+#include <utility>
+
+#include "io/block_cells.h"
+#include "mechanics/core/principal_axes.h"
+
+namespace pseudorigid::io {
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+/// The rotation nearest to M: U diag(1, 1, ±1) Vᵀ of M = U diag(σ) Vᵀ.
+Matrix3d rotation_of(const Matrix3d& M) {
+  const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  return svd.matrixU() * Vector3d(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+std::vector<double> scaled(std::vector<double> values, double unit) {
+  for (double& value : values) value *= unit;
+  return values;
+}
+
+/// Adds fields to a grid, computed point by point.
+class Fields {
+ public:
+  Fields(const mechanics::BodyFields& body, UnstructuredGrid& grid) : body_(body), grid_(grid) {}
+
+  void add(const char* name, int n_components, std::vector<double> values) {
+    grid_.fields.push_back({name, n_components, std::move(values)});
+  }
+  template <class Value>
+  void add_scalar(const char* name, Value&& value_at) {
+    std::vector<double> values(body_.n_points());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = value_at(i);
+    add(name, 1, std::move(values));
+  }
+  template <class Value>
+  void add_vector(const char* name, Value&& value_at) {
+    std::vector<double> values(3 * body_.n_points());
+    for (std::size_t i = 0; i < body_.n_points(); ++i) Vector3d::Map(&values[3 * i]) = value_at(i);
+    add(name, 3, std::move(values));
+  }
+
+ private:
+  const mechanics::BodyFields& body_;
+  UnstructuredGrid& grid_;
+};
+
+double von_mises(const Matrix3d& stress) {
+  return std::sqrt(1.5) * (stress - stress.trace() / 3 * Matrix3d::Identity()).norm();
+}
+
+}  // namespace
+
+UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
+                              const Units& units, const scene::Fields& wanted, scene::Cells cells) {
+  const Matrix3d R = rotation_of(body.moment);
+  const auto X = [&](std::size_t i) { return Vector3d::Map(&body.X[3 * i]); };
+  const auto x = [&](std::size_t i) { return Vector3d::Map(&body.x[3 * i]); };
+  const auto F = [&](std::size_t i) { return RowMajor::Map(&body.F[9 * i]); };
+  const auto stress = [&](std::size_t i) { return RowMajor::Map(&body.stress[9 * i]); };
+
+  UnstructuredGrid grid;
+  grid.points = scaled(body.x, units.length);
+  set_cells(grid, blocks, cells);
+  const Vector3d center = units.length * body.center;
+  const RowMajor rotation = R;
+  grid.constants = {{"TimeValue", 1, {time}},
+                    {"center_of_mass", 3, {center.begin(), center.end()}},
+                    {"rotation", 9, {rotation.data(), rotation.data() + rotation.size()}}};
+
+  Fields fields(body, grid);
+  if (wanted.displacement) {
+    fields.add_vector("displacement", [&](std::size_t i) { return units.length * (x(i) - X(i)); });
+    fields.add_vector("displacement_without_rotation",
+                      [&](std::size_t i) { return units.length * (x(i) - body.center - R * X(i)); });
+    fields.add("reference_coordinates", 3, scaled(body.X, units.length));
+  }
+  if (wanted.velocity) fields.add("velocity", 3, scaled(body.v, units.velocity()));
+  if (wanted.stress) {
+    fields.add("cauchy_stress", 9, scaled(body.stress, units.stress()));
+    fields.add_scalar("pressure", [&](std::size_t i) { return -units.stress() * stress(i).trace() / 3; });
+    fields.add_scalar("von_mises", [&](std::size_t i) { return units.stress() * von_mises(stress(i)); });
+  }
+  if (wanted.deformation) {
+    fields.add("deformation_gradient", 9, body.F);
+    fields.add_scalar("jacobian", [&](std::size_t i) { return F(i).determinant(); });
+    fields.add_vector("principal_stretches", [&](std::size_t i) { return mechanics::singular_values(F(i)); });
+  }
+  if (wanted.energy) {
+    fields.add("energy_density", 1, scaled(body.energy, units.stress()));
+    if (!body.potential.empty())
+      fields.add("gravity_potential", 1, scaled(body.potential, units.velocity() * units.velocity()));
+  }
+  return grid;
+}
+
+}  // namespace pseudorigid::io

@@ -1,0 +1,26 @@
+#pragma once
+/// The picture of a body at one time, in the user's units and at its current position. Every model gives the same
+/// BodyFields; what is shown of them is decided here:
+///
+///   displacement                  u = x − X
+///   displacement_without_rotation x − x_c − R X, R the rotation nearest to the motion (the polar factor of
+///                                 ∫ρ (x − x_c) Xᵀ dV, which makes ∫ρ |x − x_c − R X|² dV least)
+///   reference_coordinates         X
+///   velocity                      ẋ
+///   cauchy_stress                 σ, nine entries row by row;  pressure −tr σ/3;  von_mises √(3/2) |dev σ|
+///   deformation_gradient          F, likewise;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
+///   energy_density                W per reference volume;  gravity_potential φ per mass, where it is known
+///
+/// and of the whole body TimeValue, center_of_mass x_c and rotation R.
+
+#include "entries/units.h"
+#include "io/vtu.h"
+#include "mechanics/core/body_fields.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::io {
+
+UnstructuredGrid body_picture(const mechanics::PointBlocks& blocks, const mechanics::BodyFields& body, double time,
+                              const Units& units, const scene::Fields& wanted, scene::Cells cells);
+
+}  // namespace pseudorigid::io

@@ -1,0 +1,46 @@
+#pragma once
+/// Fields over a body at one time, for pictures: what a model of the ball says of its points, in internal units. All
+/// that a picture shows is computed from them (io/body_picture.h), alike for every model.
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+/// Where the points are in the body: blocks of (degree + 1)³ of them, the first coordinate fastest and right-handed,
+/// equidistant along the sides or not. Fields are about as smooth in a block as polynomials of its degree.
+struct PointBlocks {
+  int degree = 1;
+  std::vector<std::int64_t> points;  ///< numbers of points, block by block
+
+  std::size_t points_per_block() const {
+    const auto n = static_cast<std::size_t>(degree) + 1;
+    return n * n * n;
+  }
+  std::size_t n_blocks() const { return points.size() / points_per_block(); }
+};
+
+/// One after the other: vectors as three numbers a point, matrices as nine, row by row.
+struct BodyFields {
+  std::vector<double> X, x, v;                           ///< reference position, position, velocity
+  std::vector<double> F, stress;                         ///< deformation gradient ∂x/∂X, Cauchy stress
+  std::vector<double> energy;                            ///< stored energy W per reference volume
+  std::vector<double> potential;                         ///< of self-gravity, per mass; empty where it is not known
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, of which the rotation is taken
+
+  void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,
+           const Eigen::Matrix3d& F_of_point, const Eigen::Matrix3d& stress_of_point, double energy_of_point) {
+    X.insert(X.end(), X_of_point.begin(), X_of_point.end());
+    x.insert(x.end(), x_of_point.begin(), x_of_point.end());
+    v.insert(v.end(), v_of_point.begin(), v_of_point.end());
+    for (const auto& [matrix, values] : {std::pair{&F_of_point, &F}, std::pair{&stress_of_point, &stress}})
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) values->push_back((*matrix)(i, j));
+    energy.push_back(energy_of_point);
+  }
+  std::size_t n_points() const { return energy.size(); }
+};
+
+}  // namespace pseudorigid::mechanics
