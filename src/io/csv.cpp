@@ -98,6 +98,17 @@ Table read_csv(const std::filesystem::path& path) {
   return table;
 }
 
+std::int64_t n_rows_before(const std::filesystem::path& path, double value) {
+  const std::string content = read_file(path);
+  std::int64_t n = 0;
+  for (std::size_t begin = content.find('\n'); begin != content.npos; ++n) {
+    const std::size_t end = content.find('\n', ++begin);
+    if (end == content.npos || !(std::strtod(&content[begin], nullptr) < value)) break;
+    begin = end;
+  }
+  return n;
+}
+
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows) {
   const std::string content = read_file(path);
   const std::string header = header_line(columns);

@@ -26,6 +26,9 @@ struct Table {
 /// Reads a file with this module's syntax; UserError "path:line: …" otherwise.
 Table read_csv(const std::filesystem::path& path);
 
+/// How many rows a table begins with whose first value is less than this. A row torn by a kill does not count.
+std::int64_t n_rows_before(const std::filesystem::path& path, double value);
+
 /// Keeps the header and the first n_rows rows, for a resumed run (a row torn by a kill may follow them).
 /// UserError if the file has fewer rows or other columns.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pseudorigid::io {
@@ -13,12 +14,13 @@ class PvdCollection {
     double time;
     std::filesystem::path file;
   };
-  /// `frames`: those written before a resume.
-  explicit PvdCollection(std::filesystem::path path, std::vector<Frame> frames = {});
+  explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
+  /// The list that an earlier run has left there, if it has, without its frames from that time on.
+  static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Files are listed relative to the collection, so that a run directory can be moved.
   void add(double time, const std::filesystem::path& file);
-  std::size_t n_frames() const { return frames_.size(); }
+  const std::vector<Frame>& frames() const { return frames_; }
 
  private:
   std::filesystem::path path_;

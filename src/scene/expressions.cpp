@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "entries/entry_kinds.h"
 #include "entries/wording.h"
@@ -12,6 +15,14 @@
 
 namespace pseudorigid::scene {
 namespace {
+
+/// "; did you mean …", or the parameters that there are.
+std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
+  std::vector<std::string_view> names;
+  for (const auto& [parameter, value] : parameters) names.push_back(parameter);
+  if (names.empty()) return "; Sweep/Parameters declares no parameter";
+  return did_you_mean(name, names) + fmt::format("; the parameters of the sweep are {}", fmt::join(names, ", "));
+}
 
 double value_of(const std::string& expression, const ParameterValues& parameters) {
   double value = 0;
@@ -23,6 +34,10 @@ double value_of(const std::string& expression, const ParameterValues& parameters
     parser.SetExpr(expression);
     value = parser.Eval();
   } catch (const mu::Parser::exception_type& error) {
+    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+      throw UserError(fmt::format("{} cannot be evaluated: nothing is called {}{}", quote(expression),
+                                  quote(trimmed(error.GetToken())),
+                                  what_is_known(trimmed(error.GetToken()), parameters)));
     throw UserError(fmt::format("{} cannot be evaluated: {}", quote(expression), trimmed(error.GetMsg())));
   }
   if (!std::isfinite(value)) throw UserError(fmt::format("{} is not a finite number", quote(expression)));

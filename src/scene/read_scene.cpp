@@ -48,7 +48,17 @@ std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, c
   return path;
 }
 
+/// A file may set what a file that it includes has set, but hardly means to set an entry twice itself.
+void warn_of_repetition(const Statement& statement, ReadScene& read) {
+  const auto found = read.origins.all().find(statement.path);
+  if (statement.line == 0 || found == read.origins.all().end()) return;
+  if (const std::string& before = found->second; before.starts_with(statement.file + ":"))
+    read.warnings.push_back(fmt::format("{}: {} has a value already, from line {}; this one counts", statement.where(),
+                                        statement.path, before.substr(statement.file.size() + 1)));
+}
+
 void set_entry(const Statement& statement, ReadScene& read) {
+  warn_of_repetition(statement, read);
   bool known = false;
   visit_entries(read.scene, [&](auto& member, const auto& kind, const About& about) {
     if (about.path != statement.path) return;

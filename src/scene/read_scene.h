@@ -35,7 +35,8 @@ class Origins {
 struct ReadScene {
   Scene scene;
   Origins origins;
-  std::string name;  ///< of the scene: the file's name without ".prm"
+  std::string name;                     ///< of the scene: the file's name without ".prm"
+  std::vector<std::string> warnings{};  ///< a sentence each
 };
 
 /// Reads the file, then the overrides ("Section/Entry=value"); the last setting of an entry wins. Throws UserError, one

@@ -237,7 +237,10 @@ class BadInput(RefusedInputTest):
         self.refused("--fast", fragments=("--fast", "--help"))
 
     def test_wrong_command(self):
-        self.refused("walk", "scene.prm", fragments=("walk", "--help"))
+        self.refused("walk", "scene.prm", fragments=('unknown command "walk"', "run, check, parameters, report", "--help"))
+        self.refused("rum", "scene.prm", fragments=('"rum"; did you mean "run"?',))
+        self.refused("chek", fragments=('"chek"; did you mean "check"?',))
+        self.refused("scene.prm", fragments=("expected a command", "pseudorigid run scene.prm"))
 
     def test_missing_scene(self):
         self.refused("run", fragments=("SCENE", "--help"))
@@ -278,10 +281,26 @@ class BadInput(RefusedInputTest):
 
     def test_resume_with_another_scene(self):
         self.finished_run()
-        for entries in ({"Body/Radius": 2}, {"Time/End": 3}, {"Output/Samples": 20}, {"Output/Quantities": "state"}):
+        for entries, difference in (
+                ({"Body/Radius": 2}, 'Body/Radius = "2", which was "1";'),
+                ({"Output/Quantities": "state"}, 'Output/Quantities = "state", which was "all";'),
+                ({"Material/Law": "gent", "Body/Density": 2},
+                 'Body/Density = "2", which was "1"; Material/Law = "gent", which was "neo-hookean";')):
             with self.subTest(entries):
                 self.refused("run", "scene.prm", "--resume", *overrides(entries),
-                             fragments=("--resume: ", "another scene", "Time/Step"))
+                             fragments=("--resume: ", "another scene: " + difference, "Time/Step"))
+        many = {"Body/Radius": 2, "Body/Density": 3, "Material/Law": "gent", "Material/Shear modulus": 4,
+                "Material/Gent limit": 5, "Output/Quantities": "axes", "Initial state/Center": "1, 2, 3"}
+        self.refused("run", "scene.prm", "--resume", *overrides(many), fragments=("another scene", "; and 2 more;"))
+
+    def test_resume_with_an_end_that_does_not_fit(self):
+        """BASE has samples at every 0.1 until 1."""
+        self.finished_run()
+        for entries, fragment in (
+                ({"Time/End": 0.5}, "Time/End = 0.5 is before the end of the run, 1"),
+                ({"Time/End": 1.25}, "the next such end is 1.3")):
+            with self.subTest(entries):
+                self.refused("run", "scene.prm", "--resume", *overrides(entries), fragments=("--resume: ", fragment))
 
     def test_resume_with_a_damaged_checkpoint(self):
         self.finished_run()

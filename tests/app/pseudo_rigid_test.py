@@ -205,7 +205,8 @@ class PseudoRigid(StoppedRunTest):
         self.refuse({**sweep, "Sweep/Parameters": "l: 1 .. 2"}, "Sweep/Parameters", "expected")
         self.refuse({**sweep, "Sweep/Parameters": "l: 1; l: 2"}, "occurs twice")
         self.refuse({**sweep, "Sweep/Parameters": "2l: 1, 2"}, "Sweep/Parameters")
-        self.refuse({**sweep, "Material/Shear modulus": "$(m)"}, "Material/Shear modulus", "cannot be evaluated")
+        self.refuse({**sweep, "Material/Shear modulus": "$(m)"}, "Material/Shear modulus", "cannot be evaluated",
+                    'nothing is called "m"', "the parameters of the sweep are l")
         self.refuse({**sweep, "Material/Shear modulus": "$(1/(l-1))"}, "not a finite number")
         self.refuse({**sweep, "Material/Shear modulus": "$(1.5-l)"}, "number > 0", "run 3 of the sweep", "l = 2")
         self.refuse({**sweep, "Material/Shear modulus": "$(l"}, "no closing parenthesis")

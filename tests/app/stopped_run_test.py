@@ -152,6 +152,61 @@ class StoppedRun(StoppedRunTest):
             for name, content in before.items():
                 self.assertEqual(self.bytes("output/scene", name), content, name)
 
+    # A later end.
+
+    def check_a_later_end(self, scene, model, tolerance, end):
+        """A run that is resumed to a later end, even twice, is the run to that end: samples keep their distance. Powers of two
+        keep the last digits of the times."""
+        n = scene["Output/Samples"]
+        self.scene({**scene, **PICTURES, "Output/Frames": n // 2 + 1})
+        pictures = lambda factor: {"Output/Frames": factor * (n // 2) + 1}
+        self.run_done("run", "scene.prm", "--output", "whole",
+                      *overrides({"Time/End": 4 * end, "Output/Samples": 4 * n, **pictures(4)}))
+        self.run_done("run", "scene.prm", "--output", "parts", *overrides({"Time/End": end}))
+        for factor in (2, 4):
+            resumed = self.run_done("run", "scene.prm", "--output", "parts", "--resume",
+                                    *overrides({"Time/End": factor * end, **pictures(factor)}))
+            self.assertIn(f"Output/Samples = {factor * n}", resumed.stderr)
+        self.assert_finished_like("parts", "whole", tolerance)
+        self.assertIn(f"set Samples = {4 * n}", (self.scratch / "parts/used.prm").read_text())
+
+    def test_a_later_end_reduced(self):
+        self.check_a_later_end({**LONG_REDUCED, "Output/Samples": 20}, "reduced", 0.0, 1)
+
+    def test_a_later_end_continuum(self):
+        self.check_a_later_end({**LONG_CONTINUUM, "Output/Samples": 10}, "continuum", 1e-11, 0.2)
+
+    def test_a_later_end_with_chosen_steps_and_other_pictures(self):
+        """Steps are found anew for the rest, and old pictures stay beside the new ones."""
+        self.scene({**LONG_REDUCED, "Time/Method": "auto", "Time/Step": "auto", "Time/Tolerance": 1e-8, "Time/End": 2,
+                    "Output/Samples": 40, "Output/Graphics": "vtu", "Output/Frames": 5})
+        self.run_done("run", "scene.prm", "--output", "parts")
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume", *overrides({"Time/End": 6}))
+        self.run_done("run", "scene.prm", "--output", "whole", *overrides({"Time/End": 6, "Output/Samples": 120}))
+        difference = largest_difference(self.table("whole/reduced.csv"), self.table("parts/reduced.csv"))
+        self.assertLess(difference, 1e-5)  # energies and momenta beside Q, of which 1e-8 is promised
+        self.assertEqual([time for time, _ in self.pvd("parts/reduced.pvd")], [0, 0.5, 1, 1.5, 2, 3, 4.5, 6])
+        self.assertEqual([name for _, name in self.pvd("parts/reduced.pvd")],
+                         [f"graphics/reduced-{j:06}.vtu" for j in range(8)])
+
+    def test_a_later_end_of_a_system(self):
+        self.scene({"System": "double pendulum", "Double pendulum/Angles": "0.3, 0.1", "Time/End": 2, "Output/Samples": 20})
+        self.run_done("run", "scene.prm", "--output", "parts")
+        self.run_done("run", "scene.prm", "--output", "parts", "--resume", *overrides({"Time/End": 3}))
+        self.assertEqual(self.table("parts/double_pendulum.csv").column("time")[-1], 3)
+
+    # A warning that has been given.
+
+    def test_the_limit_of_the_surface_is_reported_once(self):
+        """A ball squeezed to a third of its height is below Biot's ratio 0.2956 of its stretches from the start."""
+        self.scene({"Models": "continuum", "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 1e-3,
+                    "Initial state/Deformation": "2, 0, 0; 0, 2, 0; 0, 0, 0.25", "Time/End": 0.05, "Output/Samples": 5})
+        self.run_program("run", "scene.prm", "--output", "parts")
+        first = self.json("parts/manifest.json")["models"]["continuum"]["counters"]["surface_limit_time"]
+        self.run_program("run", "scene.prm", "--output", "parts", "--resume", *overrides({"Time/End": 0.1}))
+        self.assertEqual((self.scratch / "parts/log.txt").read_text().count("reaches Biot's limit"), 1)
+        self.assertEqual(self.json("parts/manifest.json")["models"]["continuum"]["counters"]["surface_limit_time"], first)
+
     # A full disk.
 
     @staticmethod

@@ -23,5 +23,23 @@ TEST(Expressions, WithoutEndOrValueAreRefused) {
     EXPECT_THROW(evaluated(text, {{"a", 3.0}}), UserError) << text;
 }
 
+TEST(Expressions, NameTheParametersThatThereAre) {
+  const auto message = [](const char* text, const ParameterValues& parameters) {
+    try {
+      evaluated(text, parameters);
+    } catch (const UserError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message("$(2*spin_)", {{"spin", 3.0}, {"a", 1.0}}),
+            "\"2*spin_\" cannot be evaluated: nothing is called \"spin_\"; did you mean \"spin\"?; the parameters of "
+            "the sweep are a, spin");
+  EXPECT_EQ(message("$(c)", {{"a", 3.0}}),
+            "\"c\" cannot be evaluated: nothing is called \"c\"; the parameters of the sweep are a");
+  EXPECT_EQ(message("$(c)", {}),
+            "\"c\" cannot be evaluated: nothing is called \"c\"; Sweep/Parameters declares no parameter");
+}
+
 }  // namespace
 }  // namespace pseudorigid::scene

@@ -104,6 +104,15 @@ TEST_F(ReadSceneTest, TheLastSettingWins) {
   EXPECT_EQ(overridden.origins.of("Body/Radius"), "--set");
 }
 
+TEST_F(ReadSceneTest, AnEntryThatAFileSetsTwiceIsWarnedOf) {
+  const std::string file = (folder_ / "scene.prm").string();
+  EXPECT_EQ(read("subsection Body\nset Radius = 2\nset Density = 1\nset Radius = 3\nend").warnings,
+            std::vector{file + ":4: Body/Radius has a value already, from line 2; this one counts"});
+  EXPECT_TRUE(read("set Title = a", {"Title=b", "Title=c"}).warnings.empty()) << "overrides are there to override";
+  write("base.prm", "set Title = base");
+  EXPECT_TRUE(read("include base.prm\nset Title = own").warnings.empty()) << "an included file is there to build on";
+}
+
 TEST_F(ReadSceneTest, OverridesReachEntriesOutsideSubsectionsAndMayHoldEqualsSigns) {
   EXPECT_EQ(read("", {"Title=a = b"}).scene.title, "a = b");
   EXPECT_EQ(read("", {"Initial  state/Velocity = 0,1,0; 1,0,0; 0,0,0"}).scene.initial_state.velocity[0][1], 1);

@@ -1,10 +1,16 @@
 #include "app/commands/command_line.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
+#include "entries/wording.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -39,6 +45,19 @@ std::string note_on_scenes() {
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
   const auto scenes = program.parent_path().parent_path() / "share" / "pseudorigid" / "params";
   return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
+}
+
+/// CLI11 names an unknown command without a word of those that there are.
+void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
+  const std::string_view word = argc > 1 ? argv[1] : "";
+  if (word.empty() || word.starts_with('-')) return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.ends_with(".prm"))
+    throw UserError(fmt::format("expected a command before {}: pseudorigid run {}", scene::quote(word), word));
+  throw UserError(fmt::format("unknown command {}{}; the commands are {}; see pseudorigid --help", scene::quote(word),
+                              scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 
 }  // namespace
@@ -81,6 +100,7 @@ Options parse_command_line(int argc, const char* const* argv) {
       ->check(names_a_directory);
   report->add_option("--output", options.output, "name of the page, in place of DIR/report.html");
 
+  require_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -11,6 +11,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/report_command.h"
+#include "app/commands/resume.h"
 #include "app/commands/run_command.h"
 #include "app/commands/scene_to_run.h"
 #include "app/commands/sweep.h"
@@ -46,10 +47,21 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
+/// To a later Time/End, if it is.
+void go_on(scene::Scene& scene, const Options& options) {
+  try {
+    keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
+  } catch (const UserError& error) {
+    throw UserError(std::string("--resume: ") + error.what());
+  }
+}
+
 Input read_and_validate(const Options& options, const Executable& executable, int n_ranks) {
   Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue), {}};
   input.read = input.raw;
-  input.read.scene = scene_to_run(input.raw.scene, input.raw.origins);
+  scene::Scene scene = input.raw.scene;
+  if (options.resume) go_on(scene, options);
+  input.read.scene = scene_to_run(scene, input.raw.origins);
   check_sweep(input.raw);
   const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
   if (n_ranks != Launch::unknown)
@@ -100,7 +112,9 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
       return run(options, argc, argv, executable, launch);
     case Command::check: {
       const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
-      io::print(scene::describe(read.scene, needs_with_effort(read.scene)));
+      scene::Needs needs = needs_with_effort(read.scene);
+      needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
+      io::print(scene::describe(read.scene, needs));
       return exit_done;
     }
     case Command::parameters:

@@ -5,17 +5,15 @@
 #include <optional>
 
 #include "app/commands/compare_models.h"
+#include "app/commands/files_of_run.h"
+#include "app/commands/resume.h"
 #include "app/commands/sweep.h"
-#include "app/commands/sweep_rows.h"
-#include "app/polynomial/degree_search.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/reduced/ball_equilibria.h"
-#include "app/run/model_checkpoint.h"
 #include "app/run/model_files.h"
 #include "app/run/run_models.h"
 #include "app/run/scene_to_model.h"
-#include "app/search/discretization_search.h"
 #include "app/search/effort.h"
 #include "io/csv.h"
 #include "io/files.h"
@@ -40,27 +38,6 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
   manifest.content().models[std::string(name)] = outcome.statistics;
   for (const auto& [rung, statistics] : outcome.of_rungs) manifest.content().models[rung] = statistics;
   return outcome;
-}
-
-/// What may leave files of its own name: the models, and every system of the catalogue.
-std::vector<std::string> movers(const scene::Catalogue& catalogue) {
-  std::vector<std::string> names;
-  for (const scene::ModelDescription& model : catalogue.models) {
-    names.emplace_back(model.name);
-    names.insert(names.end(), model.rungs.begin(), model.rungs.end());
-  }
-  for (const scene::SystemDescription& system : catalogue.systems) names.emplace_back(system.file);
-  return names;
-}
-
-/// The checkpoints that a run of the scene may leave.
-std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
-  std::vector<std::filesystem::path> paths;
-  for (const std::string& name : movers(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
-  for (const char* name : {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name})
-    paths.push_back(directory.checkpoint(name));
-  std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
-  return paths;
 }
 
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
@@ -164,14 +141,6 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Every checkpoint in the directory can be read and belongs to this scene.
-void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
-  for (const auto& path : checkpoints(directory, scene))
-    if (io::Checkpoint::load(path).get_string("scene") != run_identity(scene).frozen_scene)
-      throw UserError("the checkpoint in " + directory.path().string() +
-                      " is of another scene; only Time/Step, Time/Method and Time/Tolerance may change");
-}
-
 /// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
   constexpr const char* entry = "Output/Directory";
@@ -194,7 +163,8 @@ io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& r
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable) {
   const scene::Scene& scene = read.scene;
-  const scene::Needs needs = needs_with_effort(scene);
+  scene::Needs needs = needs_with_effort(scene);
+  needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
   io::install_signal_handlers();
   const io::RunLock lock = prepare(directory, read, options);
@@ -215,6 +185,9 @@ int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const O
     log->info("{}{}", read.name, scene.title.empty() ? "" : ": " + scene.title);
     log->debug("{}", scene::describe(scene, needs));
     for (const std::string& warning : needs.warnings) log->warn("{}", warning);
+    if (scene.output.samples != raw.scene.output.samples)
+      log->info("the run goes on to Time/End = {:.6g}; Output/Samples = {}, so that they keep their distance",
+                scene.time.end, scene.output.samples);
     const int code = scene.sweep.empty() ? run_models(context, executable, *manifest, quiet)
                                          : run_whole_sweep(raw, context, executable, *manifest, shows_progress);
     if (needs.report) add_report(context);

@@ -92,6 +92,17 @@ class ContinuumModel {
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
 
+  std::vector<double> remarks() const {
+    const auto of_motion = nonaffine_.remarks(), of_surface = wrinkling_.remarks();
+    std::vector<double> remarks(of_motion.begin(), of_motion.end());
+    remarks.insert(remarks.end(), of_surface.begin(), of_surface.end());
+    return remarks;
+  }
+  void take_remarks(std::span<const double> remarks) {
+    nonaffine_.take_remarks(remarks.first<3>());
+    wrinkling_.take_remarks(remarks.subspan<3, 3>());
+  }
+
   mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
                                 Workspace& workspace) {
     if (blocks_.points.empty()) blocks_ = continuum::nodal_blocks(ball_.space());
@@ -109,7 +120,6 @@ class ContinuumModel {
     columns.insert(columns.end(), continuum::MaterialFaces::columns.begin(), continuum::MaterialFaces::columns.end());
     return columns;
   }
-  std::size_t n_shape_rows() const { return faces().n_points(); }
   /// The rows of shapes.csv at a time, on the first rank. Collective.
   std::vector<std::vector<double>> shape(double time, const State& state) const {
     constexpr std::size_t n_columns = continuum::MaterialFaces::columns.size();

@@ -2,10 +2,12 @@
 /// Reports the first sample at which the surface of an incompressible ball has reached the limit that its law declares
 /// (continuum/output/surface_stretch.h), Biot's for neo-Hookean and Mooney–Rivlin bodies: from there on the exact
 /// motion has growing surface waves of every length, of which the finite elements show those that the mesh can resolve.
-/// It is checked at samples only. A resumed run checks from its resume on; earlier reports are in the log.
+/// It is checked at samples only.
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 
 #include "app/run/run_context.h"
 #include "continuum/output/surface_stretch.h"
@@ -30,6 +32,13 @@ class WrinklingWatch {
         "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below {:.4f} a smooth surface is unstable to wrinkles "
         "whose length the mesh decides, so compare with finer elements what is seen near it",
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
+  }
+
+  /// What was seen and reported, for a run that goes on.
+  std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
+  void take_remarks(std::span<const double, 3> remarks) {
+    least_ = remarks[0];
+    if (remarks[2] != 0) first_ = remarks[1];
   }
 
   void report(io::Manifest::Model& statistics) const {

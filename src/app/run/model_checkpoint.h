@@ -36,7 +36,8 @@ struct RunPosition {
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
 };
 
-/// `frozen_scene`: what a resumed run must have in common with this one; `stepping`: what it may change.
+/// `frozen_scene`: what a resumed run must have in common with this one, but for what commands/resume.h admits;
+/// `stepping`: what decides on method and step, which are chosen anew where it has changed.
 struct RunIdentity {
   std::string frozen_scene, stepping;
 };
@@ -45,7 +46,6 @@ struct RunIdentity {
 inline RunIdentity run_identity(const scene::Scene& scene) {
   scene::Scene frozen = scene, stepping;
   stepping.time = scene.time;
-  stepping.time.end = 1;
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.continuum.mesh = mesh_identity(scene);

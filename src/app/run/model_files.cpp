@@ -52,14 +52,17 @@ void ModelFiles::resume(const std::vector<std::string>& columns, long n_samples_
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
     csv_.emplace(io::CsvWriter::resume(csv(), columns, n_samples_taken));
-    if (!context_.needs.graphics) return;
-    std::vector<io::PvdCollection::Frame> written;
-    for (long j = 0; j < frames_.n_before(n_samples_taken); ++j)
-      for (const bool of_several_ranks : {false, true})
-        if (const auto path = shown(j, of_several_ranks); std::filesystem::exists(path))
-          written.push_back({context_.time_of_sample(frames_.sample(j)), path});
-    pvd_.emplace(context_.directory.pvd(model_), std::move(written));
+    if (context_.needs.graphics) resume_pictures(n_samples_taken);
   });
+  n_more_frames_ = context_.ranks->number_of(0, n_more_frames_);
+}
+
+void ModelFiles::resume_pictures(long n_samples_taken) {
+  pvd_.emplace(io::PvdCollection::resume(context_.directory.pvd(model_), next_time(n_samples_taken)));
+  if (pvd_->frames().empty()) return;
+  const std::string last = pvd_->frames().back().file.stem().string();
+  const long number = std::stol(last.substr(last.rfind('-') + 1));
+  n_more_frames_ = static_cast<int>(std::max(0L, number + 1 - frames_.n_before(n_samples_taken)));
 }
 
 io::Table ModelFiles::rows_so_far() {
@@ -69,13 +72,15 @@ io::Table ModelFiles::rows_so_far() {
 }
 
 void ModelFiles::draw_frame(long sample, const Draw& draw) {
-  const long j = frames_.n_before(sample);
+  const auto file = context_.directory.frame(model_, static_cast<int>(frames_.n_before(sample) + n_more_frames_));
   const double time = context_.time_of_sample(sample);
-  if (const mechanics::Status status = draw(shown(j, false)); !status)
+  if (const mechanics::Status status = draw(file); !status)
     context_.log->warn("{}: no picture at t = {:.6g}: {}", model_, time, status.reason());
   else
     on_all_ranks(*context_.ranks, [&] {
-      if (pvd_) pvd_->add(time, shown(j, context_.ranks->size() > 1));
+      // Of several ranks the file that lists their pieces.
+      if (pvd_)
+        pvd_->add(time, context_.ranks->size() > 1 ? std::filesystem::path(file).replace_extension("pvtu") : file);
     });
 }
 
@@ -85,12 +90,12 @@ void ModelFiles::create_shapes(const std::vector<std::string>& columns) {
   });
 }
 
-void ModelFiles::resume_shapes(const std::vector<std::string>& columns, std::size_t n_rows_of_shape,
-                               long n_samples_taken) {
+void ModelFiles::resume_shapes(const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
-    const auto n_rows = shapes_.n_before(n_samples_taken) * static_cast<std::int64_t>(n_rows_of_shape);
-    shapes_csv_.emplace(io::CsvWriter::resume(context_.directory.csv("shapes"), columns, n_rows));
+    // Those written so far, which to an earlier end were others than the schedule says.
+    const auto path = context_.directory.csv("shapes");
+    shapes_csv_.emplace(io::CsvWriter::resume(path, columns, io::n_rows_before(path, next_time(n_samples_taken))));
   });
 }
 
@@ -99,11 +104,6 @@ void ModelFiles::append_shape(const Rows& rows) {
     if (shapes_csv_)
       for (const std::vector<double>& row : rows) shapes_csv_->append(row);
   });
-}
-
-std::filesystem::path ModelFiles::shown(long j, bool of_several_ranks) const {
-  auto path = context_.directory.frame(model_, static_cast<int>(j));
-  return of_several_ranks ? path.replace_extension("pvtu") : path;
 }
 
 SinkOfModel files_of_models(bool shows_progress) {

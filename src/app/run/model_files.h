@@ -38,8 +38,7 @@ class ModelFiles : public ModelSink {
   bool has_shapes() const override { return context_.needs.report; }
   bool wants_shape(long sample) const override { return has_shapes() && shapes_.has(sample); }
   void create_shapes(const std::vector<std::string>& columns) override;
-  void resume_shapes(const std::vector<std::string>& columns, std::size_t n_rows_of_shape,
-                     long n_samples_taken) override;
+  void resume_shapes(const std::vector<std::string>& columns, long n_samples_taken) override;
   void append_shape(const Rows& rows) override;
 
   void progress(double part) override { progress_.step(part); }
@@ -49,12 +48,17 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// What the list of pictures names: of several ranks the file that lists their pieces.
-  std::filesystem::path shown(long j, bool of_several_ranks) const;
+  /// Later than all samples taken, earlier than the next, whatever the last digits.
+  double next_time(long n_samples_taken) const {
+    return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
+  }
+  /// Goes on with the list of pictures that an earlier run has left, and with their numbers.
+  void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
   std::string model_;
   FrameSchedule frames_;
+  int n_more_frames_ = 0;  ///< than the schedule says: a run to an earlier end had them closer to each other
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, shapes_csv_;

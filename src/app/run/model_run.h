@@ -120,7 +120,7 @@ class ModelRun {
     return false;
   }();
   static constexpr bool distributed = requires(const Model& model) { model.rank_order(); };
-  static constexpr bool has_shapes = requires(const Model& model) { model.n_shape_rows(); };
+  static constexpr bool has_shapes = requires(const Model& model) { model.shape_columns(); };
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
   struct NoLayout {};
   using MemoryLayout = typename decltype([] {
@@ -222,7 +222,7 @@ class ModelRun {
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
       sink_->resume(columns, n_samples_taken);
       if constexpr (has_shapes)
-        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_columns(), model_.n_shape_rows(), n_samples_taken);
+        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_columns(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
         if (n_samples_taken > 0) model_.take_up(sink_->rows_so_far());
       context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
@@ -290,6 +290,11 @@ class ModelRun {
     state_ = good_.state;
     counters_ = good_.counters;
     position_ = good_.position;
+    if constexpr (requires { model_.remarks(); })
+      model_.take_remarks(file.get_doubles("remarks", model_.remarks().size()));
+    // To a later end the same samples may be times of another last digit.
+    if (const double at = times_[position_.cursor.sample]; std::abs(state_.t - at) < 1e-12 * times_.end)
+      state_.t = good_.state.t = at;
     const bool complete = position_.cursor.sample == times_.n_samples;
     const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
     if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
@@ -322,7 +327,11 @@ class ModelRun {
   void save(Snapshot<System>& snapshot) {
     if (!sink_->keeps_states()) return;
     const SavedVectors vectors = vectors_to_save(snapshot);
-    sink_->save([&] { return to_checkpoint(identity_, snapshot, vectors); });
+    sink_->save([&] {
+      io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, vectors);
+      if constexpr (requires { model_.remarks(); }) checkpoint.set("remarks", model_.remarks());
+      return checkpoint;
+    });
     last_save_ = Clock::now();
   }
 

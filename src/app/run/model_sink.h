@@ -46,8 +46,7 @@ class ModelSink {
   virtual bool has_shapes() const { return false; }
   virtual bool wants_shape(long /*sample*/) const { return false; }
   virtual void create_shapes(const std::vector<std::string>& /*columns*/) {}
-  virtual void resume_shapes(const std::vector<std::string>& /*columns*/, std::size_t /*n_rows_of_shape*/,
-                             long /*n_samples_taken*/) {}
+  virtual void resume_shapes(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
   virtual void append_shape(const Rows&) {}
 
   /// How much of the run is done, from 0 to 1, for the progress line.

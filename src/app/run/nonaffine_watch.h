@@ -4,7 +4,9 @@
 /// is more than 1 % of the body, and at the end the largest. Looked at samples only.
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "app/run/run_context.h"
@@ -29,6 +31,13 @@ class NonaffineWatch {
         "{}: at t = {:.6g} the displacement beside the affine motion is {:.3g} % of the body; of a fluid it is "
         "error, and grows until the motion breaks off",
         model_, time, 100 * displacement);
+  }
+
+  /// What was seen and reported, for a run that goes on.
+  std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
+  void take_remarks(std::span<const double, 3> remarks) {
+    largest_ = remarks[0];
+    if (remarks[2] != 0) first_ = remarks[1];
   }
 
   void report(io::Manifest::Model& statistics) const {

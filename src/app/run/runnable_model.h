@@ -3,10 +3,11 @@
 /// offer more, which ModelRun asks for where it is there:
 ///
 ///   void take_up(rows)                        what the rows of an interrupted run know of the past
+///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
 ///   Status judge(state) const                 states with which a run ends, asked after every step
 ///   double constraint_scale() const           with constraints
 ///   Status write_frame(path, time, state, system workspace)                   pictures, picture.h
-///   shape_columns(), n_shape_rows(), shape(time, state)                       shapes for the report
+///   shape_columns(), shape(time, state)                                       shapes for the report
 ///   std::string place_of_least_jacobian(state) const                          for a run that cannot go on
 ///   const Order& rank_order() const, using MemoryLayout                       distributed vectors, rank_order.h
 ///

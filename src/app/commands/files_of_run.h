@@ -1,0 +1,31 @@
+#pragma once
+/// The names that files of a run may have.
+
+#include <string>
+#include <vector>
+
+#include "app/commands/sweep_rows.h"
+#include "app/polynomial/degree_search.h"
+#include "app/search/discretization_search.h"
+#include "scene/catalogue.h"
+
+namespace pseudorigid::app {
+
+/// What may leave files of its own name: the models, and every system of the catalogue.
+inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const scene::ModelDescription& model : catalogue.models) {
+    names.emplace_back(model.name);
+    names.insert(names.end(), model.rungs.begin(), model.rungs.end());
+  }
+  for (const scene::SystemDescription& system : catalogue.systems) names.emplace_back(system.file);
+  return names;
+}
+
+inline std::vector<std::string> writers_of_checkpoints(const scene::Catalogue& catalogue) {
+  std::vector<std::string> names = movers(catalogue);
+  names.insert(names.end(), {SweepRows::name, DiscretizationSearch::checkpoint_name, degree_checkpoint_name});
+  return names;
+}
+
+}  // namespace pseudorigid::app

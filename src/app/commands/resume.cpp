@@ -1,0 +1,114 @@
+#include "app/commands/resume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "app/commands/files_of_run.h"
+#include "app/run/model_checkpoint.h"
+#include "entries/entry_kinds.h"
+#include "entries/wording.h"
+#include "io/checkpoint.h"
+#include "scene/prm_reader.h"
+#include "scene/user_error.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr const char* end_of_time = "Time/End";
+constexpr const char* samples = "Output/Samples";
+/// What may change beside the section Time: pictures are drawn with what the scene says now, and of the number of
+/// samples keep_sampling has judged.
+constexpr std::array<std::string_view, 6> may_change{end_of_time,     samples,        "Output/Frames",
+                                                     "Output/Fields", "Output/Cells", "Output/Graphics"};
+
+using Entries = std::map<std::string, std::string>;
+
+/// Of the scene that a checkpoint is of.
+Entries entries_of(const std::string& prm) {
+  Entries entries;
+  scene::read_prm_text(prm, "checkpoint", [&](const scene::Statement& statement) {
+    if (statement.value) entries[statement.path] = *statement.value;
+  });
+  return entries;
+}
+
+Entries entries_of(const std::filesystem::path& checkpoint) {
+  return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"));
+}
+
+std::optional<double> number(const Entries& entries, const char* path) {
+  const auto found = entries.find(path);
+  return found == entries.end() ? std::nullopt : scene::finite_number(found->second);
+}
+
+/// "Body/Radius = 2, which was 1".
+std::string difference(const std::string& path, const Entries& now, const Entries& before) {
+  const auto found = now.find(path), old = before.find(path);
+  if (found == now.end()) return fmt::format("{} is not there, and was {}", path, scene::quote(old->second));
+  if (old == before.end()) return fmt::format("{} = {}, which was not there", path, scene::quote(found->second));
+  return fmt::format("{} = {}, which was {}", path, scene::quote(found->second), scene::quote(old->second));
+}
+
+/// One clause for each entry that differs and must not, "" if there is none.
+std::string differences(const Entries& now, const Entries& before, bool is_sweep) {
+  Entries all = now;
+  all.insert(before.begin(), before.end());
+  constexpr int most = 5;
+  int n = 0;
+  std::string text;
+  for (const auto& [path, value] : all) {
+    const auto found = now.find(path), old = before.find(path);
+    if (found != now.end() && old != before.end() && found->second == old->second) continue;
+    if (!is_sweep && std::ranges::find(may_change, path) != may_change.end()) continue;
+    if (++n <= most) text += (n > 1 ? "; " : "") + difference(path, now, before);
+  }
+  return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : writers_of_checkpoints(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
+  std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
+  return paths;
+}
+
+void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
+  const auto found = checkpoints(directory, scene);
+  if (found.empty() || !scene.sweep.empty()) return;
+  const Entries before = entries_of(found.front());
+  const auto end = number(before, end_of_time), n = number(before, samples);
+  if (!end || !n) return;
+  const double interval = *end / *n, n_intervals = std::round(scene.time.end / interval);
+  if (scene.time.end < *end)
+    throw UserError(fmt::format("Time/End = {} is before the end of the run, {}, which a resumed run can only move on",
+                                scene::print_number(scene.time.end), scene::print_number(*end)));
+  if (std::abs(scene.time.end / interval - n_intervals) > 1e-9 * n_intervals)
+    throw UserError(
+        fmt::format("Time/End = {} is no whole number of the intervals between samples, {}, which a resumed run keeps; "
+                    "the next such end is {}",
+                    scene::print_number(scene.time.end), scene::print_number(interval),
+                    scene::print_number(std::ceil(scene.time.end / interval) * interval)));
+  scene.output.samples = static_cast<int>(n_intervals);
+}
+
+void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
+  for (const auto& path : checkpoints(directory, scene)) {
+    const std::string apart =
+        differences(entries_of(run_identity(scene).frozen_scene), entries_of(path), !scene.sweep.empty());
+    if (!apart.empty())
+      throw UserError(fmt::format(
+          "the checkpoint in {} is of another scene: {}; only Time/Step, Time/Method, Time/Tolerance, Time/Constraint "
+          "tolerance, a later Time/End and what concerns pictures may change",
+          directory.path().string(), apart));
+  }
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,23 @@
+#pragma once
+/// What a run that goes on from checkpoints may change of its scene, and what not.
+
+#include <filesystem>
+#include <vector>
+
+#include "io/run_directory.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// The checkpoints that a run of the scene has left in the directory.
+std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
+
+/// A scene that goes on, perhaps to a later Time/End, gets as many samples as keep the distance that they have in the
+/// run of the directory, whatever it says. UserError where the end is no whole number of intervals, or an earlier one.
+/// Nothing changes where there is nothing to resume.
+void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
+
+/// Every checkpoint in the directory can be read and belongs to this scene: UserError names the entries that differ.
+void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
+
+}  // namespace pseudorigid::app
