@@ -6,7 +6,8 @@
     run.table("reduced")              a pandas table, a row a sample, the time as index
     run.columns("reduced")            the same as arrays by name, without pandas
     run.matrices("reduced", "Q")      Q at every sample, of shape (samples, 3, 3)
-    run.unit("double_pendulum", "theta")   the unit of a column in words, of systems and equilibria
+    run.unit("reduced", "J1")         'mass*length^2/time'
+    run.dimensionless("reduced")      the table in the scene's own units r, rho r^3 and t
     run.comparison                    comparison.json, None of one model
     run.entry("Body/Radius")          what an entry was
     run.frames("continuum")           the pictures: [Frame(time, path)]
@@ -140,12 +141,22 @@ class Run:
         return np.stack([columns[name] for name in names], axis=1).reshape(-1, 3, 3)
 
     def described(self, name):
-        """{column: {'unit', 'meaning'}} of <name>.csv, as far as the manifest has it."""
+        """{column: {'unit', 'meaning', of the ball 'factor'}} of <name>.csv, as the manifest has it."""
         return {column["name"]: column for column in self.manifest.get("columns", {}).get(f"{name}.csv", [])}
 
     def unit(self, name, column):
         """The dimension of a column, in words; '' of a pure number."""
         return "time" if column == "time" else self.described(name).get(column, {}).get("unit", "")
+
+    def dimensionless(self, name):
+        """The table divided by the scene's own units: lengths r, masses rho r^3, times r/c (with self-gravity another)."""
+        table = self.table(name)
+        factors = {column: what["factor"] for column, what in self.described(name).items() if "factor" in what}
+        if not factors:
+            fail(f"{self.directory}/manifest.json does not say the units of {name}.csv; run the scene again")
+        table = table.div([factors.get(column, 1) for column in table.columns], axis=1)
+        table.index = table.index / self.manifest["unit_of_time"]
+        return table
 
     def has_frames(self, model):
         return (self.directory / f"{model}.pvd").is_file()

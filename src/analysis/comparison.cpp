@@ -10,56 +10,13 @@
 #include <numbers>
 #include <utility>
 
+#include "analysis/samples.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-using Columns = std::vector<std::string>;
-
-const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", "Q32", "Q33"};
-const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22", "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
-
-/// Columns of a table, each sample an Eigen object of that many entries, row after row.
-template <class Value>
-std::vector<Value> read(const io::Table& table, const Columns& names) {
-  std::vector<Value> samples(table.n_rows());
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const std::size_t column = table.column_index(names[k]);
-    const Eigen::Index n_columns = samples.front().cols(), i = Eigen::Index(k) / n_columns,
-                       j = Eigen::Index(k) % n_columns;
-    for (std::size_t n = 0; n < samples.size(); ++n) samples[n](i, j) = table.row(n)[column];
-  }
-  return samples;
-}
-
-/// f of each sample of one or more lists of the same length.
-template <class F, class First, class... Rest>
-std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
-  std::vector<double> values(first.size());
-  for (std::size_t n = 0; n < values.size(); ++n) values[n] = f(first[n], rest[n]...);
-  return values;
-}
-
-template <class T>
-std::vector<double> norms(const std::vector<T>& samples) {
-  return each([](const T& x) { return x.norm(); }, samples);
-}
-
-template <class T>
-std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
-  return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
-}
-
-double largest(const std::vector<double>& values) {
-  double most = 0;
-  for (const double v : values) most = std::max(most, std::abs(v));
-  return most;
-}
-
-double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
-
 /// The two tables and the comparison that grows.
 struct Workshop {
   const io::Table& r;
@@ -125,51 +82,6 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
-/// One model's Q, C and what they say about its motion.
-struct Deformation {
-  std::vector<Matrix3d> Q, C;
-  Matrix3d C_mean = Matrix3d::Zero();
-
-  Deformation(const io::Table& table, double resolution, ModelSummary& summary) : Q(read<Matrix3d>(table, Q_columns)) {
-    double squares = 0, size = 0;
-    for (const Matrix3d& q : Q) C_mean += (C.emplace_back(q.transpose() * q)) / double(Q.size());
-    for (std::size_t n = 0; n < Q.size(); ++n) {
-      summary.departure = std::max(summary.departure, (Q[n] - Q[0]).norm());
-      squares += (C[n] - C_mean).squaredNorm();
-      size = std::max(size, C[n].norm());
-    }
-    summary.strain_amplitude = std::numbers::sqrt2 * std::sqrt(squares / double(Q.size()));
-    summary.turns = summary.departure > resolution * Q[0].norm();
-    summary.deforms = summary.strain_amplitude > resolution * size;
-  }
-
-  std::vector<double> component(int i, int j) const {
-    return each([i, j](const Matrix3d& c) { return c(i, j); }, C);
-  }
-
-  std::pair<int, int> liveliest_component() const {
-    Matrix3d variance = Matrix3d::Zero();
-    for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-    // Equal ones differ by round-off; a tie goes to the first component, whatever the order of summation.
-    const double least = (1 - 1e-9) * variance.maxCoeff();
-    for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j)
-        if (variance(i, j) >= least) return {i, j};
-    return {0, 0};
-  }
-};
-
-FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms) {
-  constexpr double tolerance = 1e-9;
-  FrequencyFit none;
-  const double interval = (time.back() - time.front()) / double(std::max<std::size_t>(time.size(), 2) - 1);
-  for (std::size_t n = 0; n < time.size(); ++n)
-    if (std::abs(time[n] - time[0] - double(n) * interval) > tolerance * interval)
-      none.reason = "the samples are not equally spaced";
-  if (!deforms) none.reason = "the shape is constant";
-  return none.reason.empty() ? fit_frequency(signal, interval) : none;
-}
-
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
   const bool by_reference = !out.model.deforms && out.reference.deforms;
@@ -186,9 +98,6 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   const double value = a.frequency / b.frequency;
   out.ratio = FrequencyRatio{value, value * std::hypot(a.uncertainty / a.frequency, b.uncertainty / b.frequency)};
 }
-
-/// J/m̄ or Z/m̄ beyond this part of |Q||Q̇| is spin, below it is round-off.
-constexpr double spin_threshold = 1e-9;
 
 /// The axial vectors of Q̇Qᵀ and QᵀQ̇ are J/m̄ and Z/m̄.
 bool spins(const io::Table& table) {
@@ -234,14 +143,6 @@ void compare_axes(Workshop& w) {
     w.add("volume_ratio_difference", 1, each(std::minus{}, w.c.column("volume_ratio"), w.r.column("volume_ratio")));
 }
 
-double energy_reference(const io::Table& table) {
-  return largest(each(std::plus{}, table.column("kinetic"), table.column("elastic")));
-}
-
-double drift(const std::vector<double>& values, double reference) {
-  return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
-}
-
 void compare_energies(Workshop& w) {
   if (!w.available("energies", {"kinetic", "elastic", "energy"})) return;
   const double reference = std::max(energy_reference(w.r), energy_reference(w.c));
@@ -251,30 +152,16 @@ void compare_energies(Workshop& w) {
   w.out.reference.energy_drift = drift(w.c.column("energy"), reference);
 }
 
-/// m̄|Q||Q̇| where |Q̇| is largest, with m̄ from K = ½m̄|Q̇|²; 0 if the table cannot tell.
-double momentum_bound(const io::Table& table) {
-  const auto has = [&table](const std::string& name) { return table.has_column(name); };
-  if (!has("kinetic") || !std::ranges::all_of(Q_columns, has) || !std::ranges::all_of(Qdot_columns, has)) return 0;
-  const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),
-                            rate = norms(read<Matrix3d>(table, Qdot_columns));
-  const auto n = std::size_t(std::ranges::max_element(rate) - rate.begin());
-  return ratio_or_zero(2 * table.column("kinetic")[n] * Q[n], rate[n]);
-}
-
 using Drift = std::optional<double> ModelSummary::*;
 
 void compare_momentum(Workshop& w, const std::string& name, const Columns& columns, Drift drift_of) {
   if (!w.available(name == "circulation" ? "circulation" : "angular momentum", columns)) return;
   const auto r = read<Vector3d>(w.r, columns), c = read<Vector3d>(w.c, columns);
-  const double bound = momentum_bound(w.r), own = largest(norms(r));
-  double reference = own > spin_threshold * bound ? own : bound;
+  double reference = momentum_reference(w.r, r);
   if (reference == 0) reference = largest(norms(c));
   w.add(name + "_difference", reference, distances(c, r));
-  const auto drift = [reference](const std::vector<Vector3d>& v) {
-    return ratio_or_zero(largest(each([&](const Vector3d& x) { return (x - v[0]).norm(); }, v)), reference);
-  };
-  w.out.model.*drift_of = drift(r);
-  w.out.reference.*drift_of = drift(c);
+  w.out.model.*drift_of = drift(r, reference);
+  w.out.reference.*drift_of = drift(c, reference);
 }
 
 void compare_multipliers(Workshop& w) {
@@ -289,10 +176,7 @@ void report_nonaffine_motion(Workshop& w) {
   for (const std::string& name : columns) w.add(name, 1, w.c.column(name));
   if (w.c.has_column("min_jacobian")) w.out.min_jacobian = std::ranges::min(w.c.column("min_jacobian"));
   if (!w.c.has_column("kinetic")) return;
-  const std::vector<double> K = w.c.column("kinetic"), fraction = w.c.column(columns[0]);
-  double total = 0, nonaffine = 0;
-  for (std::size_t n = 0; n < K.size(); ++n) total += K[n], nonaffine += fraction[n] * K[n];
-  w.out.mean_nonaffine_kinetic_fraction = ratio_or_zero(nonaffine, total);
+  w.out.mean_nonaffine_kinetic_fraction = weighted_mean(w.c.column(columns[0]), w.c.column("kinetic"));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #pragma once
 /// Two models of one ball, sample by sample: how far apart they are, in which quantity, since when, and why.
 ///
-/// Index r: one model; c: the reference, which is richer in motions. Q of the continuum is the mass moment Q_M, C = QᵀQ,
-/// |·| is the Frobenius norm, and 0/0 counts as 0. Each series is a column of comparison.csv:
+/// Index r: one model; c: the reference, which is richer in motions. Q of the continuum is the mass moment Q_M, C =
+/// QᵀQ, |·| is the Frobenius norm, and 0/0 counts as 0. Each series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
@@ -28,7 +28,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/frequency.h"
+#include "analysis/motion.h"
 #include "io/csv.h"
 
 namespace pseudorigid::analysis {
@@ -43,12 +43,6 @@ struct DiscretizationError {
   double space = 0;  ///< given
   double time = 0;   ///< 3 e / min_t |Q_r|, e the estimated time errors of both models together, largest entry of Q
   double total() const { return space + time; }
-};
-
-/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), and its samples.
-struct ModelRunTable {
-  std::string name, adjective;
-  const io::Table& table;
 };
 
 struct ComparisonOptions {
@@ -66,17 +60,6 @@ struct Series {
   double max = 0;          ///< largest absolute value
   double time_of_max = 0;  ///< where it is met first
   double rms = 0;          ///< over the samples
-};
-
-/// What one model does on its own. Drifts are the largest departures from the initial value, over E₀ and J₀.
-struct ModelSummary {
-  std::string name, adjective;
-  FrequencyFit frequency;
-  double departure = 0;         ///< max_t |Q − Q(0)|
-  double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|
-  bool turns = false;           ///< Q changes
-  bool deforms = false;         ///< C changes
-  std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
 };
 
 struct FrequencyRatio {

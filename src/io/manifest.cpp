@@ -39,10 +39,14 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-Json to_json(const std::vector<scene::Column>& columns) {
+/// `factor`: the scene's own unit (lengths r, masses ρr³, times t), by which a value is divided to be a pure number.
+Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
-  for (const scene::Column& column : columns)
-    list.push_back({{"name", column.name}, {"unit", std::string_view(column.unit)}, {"meaning", column.documentation}});
+  for (const scene::Column& column : columns) {
+    Json& json = list.emplace_back(
+        Json{{"name", column.name}, {"unit", std::string_view(column.unit)}, {"meaning", column.documentation}});
+    if (units) json["factor"] = units->to_physical(1, column.unit);
+  }
   return list;
 }
 
@@ -66,7 +70,8 @@ Json to_json(const Manifest& content) {
   json["needed"] = content.needed;
   json["skipped"] = content.skipped;
   json["warnings"] = content.warnings;
-  for (const auto& [file, columns] : content.columns) json["columns"][file] = to_json(columns);
+  for (const auto& [file, columns] : content.columns) json["columns"][file] = to_json(columns, content.units);
+  if (content.units) json["unit_of_time"] = content.units->time;
   for (const auto* model : content.ball)
     json["ball"].push_back(
         {{"name", model->name}, {"adjective", model->adjective}, {"discretized", model->discretized}});

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "entries/units.h"
 #include "io/build_info.h"
 #include "mechanics/core/outcome.h"
 #include "scene/catalogue.h"
@@ -26,11 +27,12 @@ struct Manifest {
   std::vector<scene::UsedValue> entries;                      ///< of the scene
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
-  std::map<std::string, std::vector<scene::Column>> columns;  ///< of files that no other page describes, by file
-  std::map<std::string, std::string> libraries;               ///< name → version
-  std::string instructions;                                   ///< that the kernels are compiled for; empty without any
-  std::vector<const scene::ModelDescription*> ball;           ///< the models of the ball that are to run
-  std::map<std::string, Model> models;                        ///< what has run, by name
+  std::map<std::string, std::vector<scene::Column>> columns;  ///< by file, without the time
+  std::optional<Units> units;                        ///< of a ball: what the scene's own units are in the files
+  std::map<std::string, std::string> libraries;      ///< name → version
+  std::string instructions;                          ///< that the kernels are compiled for; empty without any
+  std::vector<const scene::ModelDescription*> ball;  ///< the models of the ball that are to run
+  std::map<std::string, Model> models;               ///< what has run, by name
 };
 
 /// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by

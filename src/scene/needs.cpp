@@ -8,6 +8,7 @@
 #include "scene/discretization.h"
 #include "scene/entries.h"
 #include "scene/models.h"
+#include "scene/scale_numbers.h"
 #include "scene/scales.h"
 #include "scene/stabilization.h"
 
@@ -198,6 +199,7 @@ Needs needs(const Scene& scene) {
   describe_output(scene, needs);
   describe_report(scene, needs);
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));
+  for (std::string& warning : unit_warnings(scene)) needs.warnings.push_back(std::move(warning));
   return needs;
 }
 
@@ -212,6 +214,7 @@ std::string summary(const Scene& scene, const Needs& needs) {
 
 std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + summary(scene, needs) + "\n";
+  if (!needs.system) text += list("Scales:", scale_lines(scene));
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }

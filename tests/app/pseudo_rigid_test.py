@@ -199,6 +199,17 @@ class PseudoRigid(StoppedRunTest):
         self.assertEqual(table.column("a"), [0.1, 0.2])
         self.assertIn("theta_max", table.header)
 
+    def test_frequencies_of_a_sweep(self):
+        """Small pulsations have sqrt(10) c/r, PHYSICS.md 3; the amplitude of C = Q^T Q of a release is that of its stretch."""
+        self.run_scene({"Models": "reduced", "Sweep/Parameters": "l: 1.001, 1.3", "Time/End": 20, "Output/Samples": 200,
+                        "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)"})
+        table = self.table("output/scene/sweep.csv")
+        self.assertEqual(table.header[7:9], ["frequency", "amplitude"])
+        small, large = table.column("frequency")
+        self.assertAlmostEqual(small, 10**0.5, delta=1e-4)
+        self.assertNotAlmostEqual(large, 10**0.5, delta=1e-3)
+        self.assertAlmostEqual(table.column("amplitude")[0], 2e-3 * 1.5**0.5, delta=1e-4)  # C - Id = 2 (l - 1) diag(-1/2, -1/2, 1)
+
     def test_what_a_sweep_refuses(self):
         sweep = {**BALL, "Sweep/Parameters": "l: 1 .. 2 in 3"}
         self.refuse({**sweep, "Models": "reduced, continuum"}, "Models", "sweep")

@@ -43,6 +43,19 @@ class Reading(ProgramTest):
             fitted = np.linalg.lstsq(reference, picture.points, rcond=None)[0].T
             np.testing.assert_allclose(fitted, run.matrices(model, "Q")[-1], atol=1e-9 if model == "reduced" else 0.05)
 
+    def test_tables_without_units(self):
+        """The same motion in two systems of units is the same table in units of the scene: r = 1, and r = 2 with r/c = 4."""
+        tables = []
+        for changes in {}, {"Body/Radius": 2, "Body/Density": 3, "Material/Shear modulus": 0.75, "Time/End": 4}:
+            self.scene({"Models": "reduced", "Time/End": 1, "Output/Samples": 5, "Time/Method": "rattle-8", **changes,
+                        "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8"})
+            self.run_done("run", "scene.prm")
+            run = Run(self.scratch / "output/scene")
+            self.assertEqual([run.unit("reduced", name) for name in ("Q11", "a1", "multiplier")], ["", "length", "1/time^2"])
+            tables.append(run.dimensionless("reduced"))
+        np.testing.assert_allclose(*(table.to_numpy() for table in tables), atol=1e-9)
+        np.testing.assert_allclose(*(table.index for table in tables), atol=1e-14)
+
     def test_a_run_of_one_model(self):
         self.scene({"Models": "reduced", "Time/End": 1, "Output/Samples": 5})
         self.run_done("run", "scene.prm")

@@ -1,10 +1,12 @@
 #include "app/commands/compare_models.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "analysis/comparison_report.h"
+#include "analysis/motion.h"
 #include "io/csv.h"
 #include "io/files.h"
 #include "io/standard_streams.h"
@@ -64,6 +66,25 @@ analysis::Comparison compare(const RunContext& context, const Run& run, const Ru
 }
 
 }  // namespace
+
+std::string summarize_run(const RunContext& context) {
+  const bool is_system = context.needs.system != nullptr;
+  if (!is_system && context.needs.models.size() != 1) return {};
+  const std::string name(is_system ? context.needs.system->file : context.needs.models.front()->name);
+  const auto path = context.directory.csv(name);
+  if (!std::filesystem::exists(path)) return {};
+  const io::Table table = io::read_csv(path);
+  if (table.n_rows() < 2) return {};
+  const analysis::ModelRunTable run{name, is_system ? name : std::string(context.needs.models.front()->adjective),
+                                    table};
+  try {
+    io::print(analysis::terminal_table(is_system ? analysis::summarize_system(run)
+                                                 : analysis::summarize_motion(run, context.scene.time.tolerance)));
+  } catch (const io::WriteError& error) {
+    return error.what();
+  }
+  return {};
+}
 
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
   const std::vector<Run> runs = runs_to_compare(context, manifest);

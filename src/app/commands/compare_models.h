@@ -1,7 +1,7 @@
 #pragma once
 /// The comparison of the models of a run: each with the last of them, the richest in motions. Of two models the files
 /// are comparison.csv and comparison.json; of more, `comparison-<model>.csv` and .json for each, and comparison.json
-/// has an overview of them.
+/// has an overview of them. A model that runs alone has a table of its own.
 
 #include <string>
 
@@ -12,5 +12,8 @@ namespace pseudorigid::app {
 /// Compares what the models that ran have written. Returns why the table could not be printed, if it could not; it is
 /// in the files as well.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet);
+
+/// Prints what the run of the only model, or of the system, shows by itself. Returns likewise.
+std::string summarize_run(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -21,11 +21,11 @@ namespace pseudorigid::app {
 namespace {
 
 constexpr const char* end_of_time = "Time/End";
-constexpr const char* samples = "Output/Samples";
+constexpr const char* number_of_samples = "Output/Samples";
 /// What may change beside the section Time: pictures are drawn with what the scene says now, and of the number of
 /// samples keep_sampling has judged.
-constexpr std::array<std::string_view, 6> may_change{end_of_time,     samples,        "Output/Frames",
-                                                     "Output/Fields", "Output/Cells", "Output/Graphics"};
+constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
+                                                     "Output/Fields", "Output/Cells",    "Output/Graphics"};
 
 using Entries = std::map<std::string, std::string>;
 
@@ -48,7 +48,7 @@ std::optional<double> number(const Entries& entries, const char* path) {
 }
 
 /// "Body/Radius = 2, which was 1".
-std::string difference(const std::string& path, const Entries& now, const Entries& before) {
+std::string change_of(const std::string& path, const Entries& now, const Entries& before) {
   const auto found = now.find(path), old = before.find(path);
   if (found == now.end()) return fmt::format("{} is not there, and was {}", path, scene::quote(old->second));
   if (old == before.end()) return fmt::format("{} = {}, which was not there", path, scene::quote(found->second));
@@ -56,7 +56,7 @@ std::string difference(const std::string& path, const Entries& now, const Entrie
 }
 
 /// One clause for each entry that differs and must not, "" if there is none.
-std::string differences(const Entries& now, const Entries& before, bool is_sweep) {
+std::string changes_between(const Entries& now, const Entries& before, bool is_sweep) {
   Entries all = now;
   all.insert(before.begin(), before.end());
   constexpr int most = 5;
@@ -66,7 +66,7 @@ std::string differences(const Entries& now, const Entries& before, bool is_sweep
     const auto found = now.find(path), old = before.find(path);
     if (found != now.end() && old != before.end() && found->second == old->second) continue;
     if (!is_sweep && std::ranges::find(may_change, path) != may_change.end()) continue;
-    if (++n <= most) text += (n > 1 ? "; " : "") + difference(path, now, before);
+    if (++n <= most) text += (n > 1 ? "; " : "") + change_of(path, now, before);
   }
   return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
 }
@@ -84,7 +84,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const auto found = checkpoints(directory, scene);
   if (found.empty() || !scene.sweep.empty()) return;
   const Entries before = entries_of(found.front());
-  const auto end = number(before, end_of_time), n = number(before, samples);
+  const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;
   const double interval = *end / *n, n_intervals = std::round(scene.time.end / interval);
   if (scene.time.end < *end)
@@ -102,7 +102,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
   for (const auto& path : checkpoints(directory, scene)) {
     const std::string apart =
-        differences(entries_of(run_identity(scene).frozen_scene), entries_of(path), !scene.sweep.empty());
+        changes_between(entries_of(run_identity(scene).frozen_scene), entries_of(path), !scene.sweep.empty());
     if (!apart.empty())
       throw UserError(fmt::format(
           "the checkpoint in {} is of another scene: {}; only Time/Step, Time/Method, Time/Tolerance, Time/Constraint "

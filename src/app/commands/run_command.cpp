@@ -73,6 +73,8 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   std::string not_printed;
   if (context.needs.comparison && last.end != interrupted)
     not_printed = compare_models(context, manifest.content(), quiet);
+  else if (context.scene.analysis == scene::Analysis::motion && last.end == finished && !quiet)
+    not_printed = summarize_run(context);
   if (last.end == finished && !not_printed.empty()) {
     context.log->info("results are in {}", context.directory.path().string());
     return end_run(failed, exit_stopped, not_printed, "; the results are complete", context, manifest);
@@ -100,6 +102,20 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
                  context, manifest);
 }
 
+/// The columns of a model's file, each by itself where the documentation has "Q11 ... Q33" in one line.
+std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
+  const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
+  std::vector<scene::Column> columns;
+  for (const std::string& name : model.header(quantities))
+    for (const scene::Column& documented : model.columns) {
+      const bool is_range = documented.name.find(" ... ") != std::string::npos;
+      if (name != documented.name && !(is_range && stem(name) == stem(documented.name))) continue;
+      columns.push_back({name, documented.unit, documented.documentation});
+      break;
+    }
+  return columns;
+}
+
 io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, const std::vector<std::string>& command,
                          const Executable& executable) {
   io::Manifest content{.build = io::build_info(),
@@ -112,6 +128,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .warnings = needs.warnings,
                        .system = needs.system ? std::string(needs.system->file) : "",
                        .columns = {},
+                       .units = {},
                        .libraries = executable.libraries,
                        .instructions = std::string(executable.instructions()),
                        .ball = needs.models,
@@ -120,6 +137,10 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
     content.columns[content.system + ".csv"] = needs.system->columns;
   else if (scene.analysis == scene::Analysis::equilibrium)
     content.columns["equilibria.csv"] = ball_equilibria_columns();
+  else
+    for (const scene::ModelDescription* model : needs.models)
+      content.columns[std::string(model->name) + ".csv"] = columns_of(*model, needs.quantities);
+  if (!needs.system) content.units = units_of(scene);
   return content;
 }
 

@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "analysis/motion.h"
 #include "app/commands/scene_to_run.h"
 #include "app/commands/sweep_rows.h"
 #include "app/run/scene_to_model.h"
@@ -94,6 +95,7 @@ class SweepRun {
     std::vector<std::string> names{"run"};
     for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
     names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
+    if (has_frequencies()) names.insert(names.end(), {"frequency", "amplitude"});
     for (std::size_t i = 1; i < of_model.size(); ++i)
       for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
     return names;
@@ -119,6 +121,7 @@ class SweepRun {
       const auto found = counters.find(name);
       row.push_back(found != counters.end() ? found->second : 0);
     }
+    if (has_frequencies()) add_frequency(table, row);
     for (std::size_t c = 1; c < table.columns.size(); ++c) {
       double least = n > 0 ? table.row(0)[c] : 0, most = least;
       for (std::size_t i = 1; i < n; ++i) {
@@ -139,6 +142,15 @@ class SweepRun {
         .units = units_of(scene),
         .log = silent_,
         .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
+  }
+
+  bool has_frequencies() const { return !context_.needs.system && context_.needs.quantities.state; }
+
+  void add_frequency(const io::Table& table, std::vector<double>& row) const {
+    analysis::ModelSummary model;
+    if (table.n_rows() > 1) model = analysis::summarize_motion({"", "", table}, context_.scene.time.tolerance).model;
+    row.push_back(model.frequency ? model.frequency.dominant().frequency : 0);
+    row.push_back(model.strain_amplitude);
   }
 
   const scene::ReadScene& raw_;

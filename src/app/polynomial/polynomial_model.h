@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "app/polynomial/body_setup.h"
 #include "app/run/nonaffine_watch.h"
@@ -87,6 +89,12 @@ class PolynomialModel {
     for (std::size_t n = 0; n < rows.n_rows(); ++n)
       (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
   }
+
+  std::vector<double> remarks() const {
+    const auto remarks = nonaffine_.remarks();
+    return {remarks.begin(), remarks.end()};
+  }
+  void take_remarks(std::span<const double> remarks) { nonaffine_.take_remarks(remarks.first<3>()); }
 
   template <class MethodWorkspace>
   void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {

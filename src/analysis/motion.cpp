@@ -1,0 +1,189 @@
+#include "analysis/motion.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "analysis/samples.h"
+
+namespace pseudorigid::analysis {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+namespace {
+
+bool has_all(const io::Table& table, const Columns& names) {
+  return std::ranges::all_of(names, [&](const std::string& name) { return table.has_column(name); });
+}
+
+double momentum_bound(const io::Table& table) {
+  if (!table.has_column("kinetic") || !has_all(table, Q_columns) || !has_all(table, Qdot_columns)) return 0;
+  const std::vector<double> Q = norms(read<Matrix3d>(table, Q_columns)),
+                            rate = norms(read<Matrix3d>(table, Qdot_columns));
+  const auto n = std::size_t(std::ranges::max_element(rate) - rate.begin());
+  return ratio_or_zero(2 * table.column("kinetic")[n] * Q[n], rate[n]);
+}
+
+ColumnRange range_of(std::string label, const std::vector<double>& values) {
+  const auto [least, greatest] = std::ranges::minmax_element(values);
+  return {std::move(label), *least, *greatest, values.back()};
+}
+
+std::optional<double> momentum_drift(const io::Table& table, const Columns& columns) {
+  if (!has_all(table, columns)) return std::nullopt;
+  const auto momenta = read<Vector3d>(table, columns);
+  return drift(momenta, momentum_reference(table, momenta));
+}
+
+MotionSummary begin_summary(const ModelRunTable& run) {
+  MotionSummary s;
+  s.model.name = run.name;
+  s.model.adjective = run.adjective;
+  s.n_samples = run.table.n_rows();
+  s.first_time = run.table.row(0)[0];
+  s.last_time = run.table.row(s.n_samples - 1)[0];
+  return s;
+}
+
+/// The columns that the table of the terminal shows, with their labels.
+constexpr std::pair<const char*, const char*> shown_ranges[] = {
+    {"a1", "semi-axis a1"},
+    {"a2", "semi-axis a2"},
+    {"a3", "semi-axis a3"},
+    {"volume_ratio", "volume / reference volume"},
+    {"kinetic", "kinetic energy"},
+    {"elastic", "elastic energy"},
+    {"nonaffine_displacement", "non-affine part of the position"},
+    {"min_jacobian", "least det F"},
+};
+
+}  // namespace
+
+Deformation::Deformation(const io::Table& table, double resolution, ModelSummary& summary)
+    : Q(read<Matrix3d>(table, Q_columns)) {
+  double squares = 0, size = 0;
+  for (const Matrix3d& q : Q) C_mean += (C.emplace_back(q.transpose() * q)) / double(Q.size());
+  for (std::size_t n = 0; n < Q.size(); ++n) {
+    summary.departure = std::max(summary.departure, (Q[n] - Q[0]).norm());
+    squares += (C[n] - C_mean).squaredNorm();
+    size = std::max(size, C[n].norm());
+  }
+  summary.strain_amplitude = std::numbers::sqrt2 * std::sqrt(squares / double(Q.size()));
+  summary.turns = summary.departure > resolution * Q[0].norm();
+  summary.deforms = summary.strain_amplitude > resolution * size;
+}
+
+std::vector<double> Deformation::component(int i, int j) const {
+  return each([i, j](const Matrix3d& c) { return c(i, j); }, C);
+}
+
+std::pair<int, int> Deformation::liveliest_component() const {
+  Matrix3d variance = Matrix3d::Zero();
+  for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
+  // Equal ones differ by round-off; a tie goes to the first component, whatever the order of summation.
+  const double least = (1 - 1e-9) * variance.maxCoeff();
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      if (variance(i, j) >= least) return {i, j};
+  return {0, 0};
+}
+
+FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms) {
+  constexpr double tolerance = 1e-9;
+  FrequencyFit none;
+  const double interval = (time.back() - time.front()) / double(std::max<std::size_t>(time.size(), 2) - 1);
+  for (std::size_t n = 0; n < time.size(); ++n)
+    if (std::abs(time[n] - time[0] - double(n) * interval) > tolerance * interval)
+      none.reason = "the samples are not equally spaced";
+  if (!deforms) none.reason = "the shape is constant";
+  return none.reason.empty() ? fit_frequency(signal, interval) : none;
+}
+
+double energy_reference(const io::Table& table) {
+  return largest(each(std::plus{}, table.column("kinetic"), table.column("elastic")));
+}
+
+double momentum_reference(const io::Table& table, const std::vector<Vector3d>& momenta) {
+  const double bound = momentum_bound(table), own = largest(norms(momenta));
+  return own > spin_threshold * bound ? own : bound;
+}
+
+MotionSummary summarize_motion(const ModelRunTable& run, double resolution) {
+  const io::Table& table = run.table;
+  MotionSummary s = begin_summary(run);
+  if (has_all(table, Q_columns)) {
+    s.has_state = true;
+    const Deformation deformation(table, resolution, s.model);
+    const auto [i, j] = deformation.liveliest_component();
+    s.signal = fmt::format("C{}{}", i + 1, j + 1);
+    s.model.frequency = fit_component(deformation.component(i, j), table.column("time"), s.model.deforms);
+  }
+  for (const auto& [name, label] : shown_ranges)
+    if (table.has_column(name)) s.ranges.push_back(range_of(label, table.column(name)));
+  if (has_all(table, {"kinetic", "elastic", "energy"}))
+    s.model.energy_drift = drift(table.column("energy"), energy_reference(table));
+  s.model.angular_momentum_drift = momentum_drift(table, {"J1", "J2", "J3"});
+  s.model.circulation_drift = momentum_drift(table, {"Z1", "Z2", "Z3"});
+  if (has_all(table, {"nonaffine_kinetic_fraction", "kinetic"}))
+    s.mean_nonaffine_kinetic_fraction =
+        weighted_mean(table.column("nonaffine_kinetic_fraction"), table.column("kinetic"));
+  return s;
+}
+
+MotionSummary summarize_system(const ModelRunTable& run) {
+  const io::Table& table = run.table;
+  MotionSummary s = begin_summary(run);
+  for (std::size_t c = 1; c < table.columns.size(); ++c)
+    s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
+  if (table.has_column("energy")) {
+    // Potentials have no zero of their own: what moves is measured by how far the parts of the energy go.
+    double size = 0;
+    for (const char* part : {"kinetic", "potential"})
+      if (table.has_column(part)) {
+        const std::vector<double> values = table.column(part);
+        const auto [least, greatest] = std::ranges::minmax_element(values);
+        size = std::max(size, *greatest - *least);
+      }
+    if (size > 0) s.model.energy_drift = drift(table.column("energy"), size);
+  }
+  return s;
+}
+
+std::string terminal_table(const MotionSummary& s) {
+  constexpr std::size_t most_ranges = 12;
+  std::vector<std::string> lines{
+      fmt::format("{:<38}{:>13}", fmt::format("{} samples, t = {:g} to {:g}", s.n_samples, s.first_time, s.last_time),
+                  s.model.name)};
+  const auto add = [&](std::string_view label, const std::optional<double>& value, int digits) {
+    if (value) lines.push_back(fmt::format("{:<38}{:>13}", label, fmt::format("{:.{}g}", *value, digits)));
+  };
+  if (s.has_state) {
+    const FrequencyFit& fit = s.model.frequency;
+    if (fit)
+      lines.push_back(fmt::format("{:<38}{:>13.7g}   +- {:.1g}", "frequency of " + s.signal, fit.dominant().frequency,
+                                  fit.dominant().uncertainty));
+    else
+      lines.push_back(fmt::format("{:<38}{:>13}   ({})", "frequency of " + s.signal, "-", fit.reason));
+    add("amplitude of C = Q^T Q", s.model.strain_amplitude, 3);
+  }
+  add("drift of the energy", s.model.energy_drift, 2);
+  add("drift of the angular momentum", s.model.angular_momentum_drift, 2);
+  add("drift of the circulation", s.model.circulation_drift, 2);
+  add("non-affine part of the kinetic energy", s.mean_nonaffine_kinetic_fraction, 3);
+  if (!s.ranges.empty())
+    lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "", "least", "greatest", "at the end"));
+  for (std::size_t i = 0; i < std::min(s.ranges.size(), most_ranges); ++i)
+    lines.push_back(fmt::format("{:<38}{:>13.6g}{:>13.6g}{:>13.6g}", s.ranges[i].label, s.ranges[i].least,
+                                s.ranges[i].greatest, s.ranges[i].last));
+  if (s.ranges.size() > most_ranges)
+    lines.push_back(
+        fmt::format("columns not shown: {} (they are in {}.csv)", s.ranges.size() - most_ranges, s.model.name));
+  return fmt::format("{}\n", fmt::join(lines, "\n"));
+}
+
+}  // namespace pseudorigid::analysis

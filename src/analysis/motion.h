@@ -1,0 +1,84 @@
+#pragma once
+/// What one model's run shows by itself: its frequency, how far it deforms, what it should conserve.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/frequency.h"
+#include "io/csv.h"
+
+namespace pseudorigid::analysis {
+
+/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), and its samples.
+struct ModelRunTable {
+  std::string name, adjective;
+  const io::Table& table;
+};
+
+/// What one model does on its own. Drifts are the largest departures from the initial value, over E₀ and J₀.
+struct ModelSummary {
+  std::string name, adjective;
+  FrequencyFit frequency;
+  double departure = 0;         ///< max_t |Q − Q(0)|
+  double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|
+  bool turns = false;           ///< Q changes
+  bool deforms = false;         ///< C changes
+  std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
+};
+
+/// One model's Q, C = QᵀQ and what they say about its motion.
+struct Deformation {
+  std::vector<Eigen::Matrix3d> Q, C;
+  Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
+
+  /// Of a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are no motion.
+  Deformation(const io::Table& table, double resolution, ModelSummary& summary);
+
+  std::vector<double> component(int i, int j) const;
+  /// That of the largest variance.
+  std::pair<int, int> liveliest_component() const;
+};
+
+/// Of samples of a component of C. The times need not be equally spaced, but then there is none.
+FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
+
+/// max_t (kinetic + elastic), what energies are compared with.
+double energy_reference(const io::Table& table);
+
+/// What angular momenta or circulations are compared with: their largest norm or, if that is round-off, m̄|Q||Q̇| where
+/// |Q̇| is largest, a bound of both up to a factor √2, with m̄ from K = ½m̄|Q̇|². 0 if the table cannot tell.
+double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
+
+/// J/m̄ or Z/m̄ beyond this part of |Q||Q̇| is spin, below it is round-off.
+inline constexpr double spin_threshold = 1e-9;
+
+/// A column's values over a run.
+struct ColumnRange {
+  std::string label;
+  double least = 0, greatest = 0, last = 0;
+};
+
+/// One run by itself.
+struct MotionSummary {
+  ModelSummary model;
+  std::size_t n_samples = 0;
+  double first_time = 0, last_time = 0;
+  bool has_state = false;
+  std::string signal;  ///< component of C with the largest variance, "C33"
+  std::vector<ColumnRange> ranges;
+  std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK
+};
+
+/// Of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at least.
+MotionSummary summarize_motion(const ModelRunTable& run, double resolution);
+
+/// Of another system: the range of each of its columns, and the drift of its energy.
+MotionSummary summarize_system(const ModelRunTable& run);
+
+/// For the terminal: a line for each number, at most 20 lines.
+std::string terminal_table(const MotionSummary& summary);
+
+}  // namespace pseudorigid::analysis

@@ -1,0 +1,75 @@
+#pragma once
+/// The samples of a run as objects of Eigen, and numbers of them.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "io/csv.h"
+
+namespace pseudorigid::analysis {
+
+using Columns = std::vector<std::string>;
+
+inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", "Q32", "Q33"};
+inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
+                                  "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
+
+/// Columns of a table, each sample an Eigen object of that many entries, row after row.
+template <class Value>
+std::vector<Value> read(const io::Table& table, const Columns& names) {
+  std::vector<Value> samples(table.n_rows());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const std::size_t column = table.column_index(names[k]);
+    const Eigen::Index n_columns = samples.front().cols(), i = Eigen::Index(k) / n_columns,
+                       j = Eigen::Index(k) % n_columns;
+    for (std::size_t n = 0; n < samples.size(); ++n) samples[n](i, j) = table.row(n)[column];
+  }
+  return samples;
+}
+
+/// f of each sample of one or more lists of the same length.
+template <class F, class First, class... Rest>
+std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
+  std::vector<double> values(first.size());
+  for (std::size_t n = 0; n < values.size(); ++n) values[n] = f(first[n], rest[n]...);
+  return values;
+}
+
+template <class T>
+std::vector<double> norms(const std::vector<T>& samples) {
+  return each([](const T& x) { return x.norm(); }, samples);
+}
+
+template <class T>
+std::vector<double> distances(const std::vector<T>& a, const std::vector<T>& b) {
+  return each([](const T& x, const T& y) { return (x - y).norm(); }, a, b);
+}
+
+inline double largest(const std::vector<double>& values) {
+  double most = 0;
+  for (const double v : values) most = std::max(most, std::abs(v));
+  return most;
+}
+
+inline double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
+
+/// Σ w v / Σ w.
+inline double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
+  double total = 0, sum = 0;
+  for (std::size_t n = 0; n < values.size(); ++n) total += weights[n], sum += values[n] * weights[n];
+  return ratio_or_zero(sum, total);
+}
+
+/// Largest departure from the first value, over the reference.
+inline double drift(const std::vector<double>& values, double reference) {
+  return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
+}
+inline double drift(const std::vector<Eigen::Vector3d>& values, double reference) {
+  return ratio_or_zero(largest(each([&](const Eigen::Vector3d& x) { return (x - values[0]).norm(); }, values)),
+                       reference);
+}
+
+}  // namespace pseudorigid::analysis
