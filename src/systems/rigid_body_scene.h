@@ -1,8 +1,9 @@
 #pragma once
-/// The rigid body in parameter files: constrained, as matrices of GL⁺(3) with six constraints (rigid_body.h), or by
-/// Euler's equation on quaternions (euler_top.h): the same motion, computed in two ways. With a fixed point that is the
-/// origin of the body and of space; without one the origin of the body is the centre of mass, of which Euler's form
-/// knows  x = x₀ + v₀t + ½gt².  The scales are the mass, the length L = √(tr E₀/m) and the time 1/ω,
+/// The rigid body in parameter files: constrained, as matrices of GL⁺(3) with six constraints (rigid_body.h), by
+/// Euler's equation on quaternions (euler_top.h), or by Lagrange's equations in Euler angles (lagrange_top.h): the same
+/// motion, computed in three ways. With a fixed point that is the origin of the body and of space; without one the
+/// origin of the body is the centre of mass, of which the forms of Euler and Lagrange know  x = x₀ + v₀t + ½gt².  The
+/// scales are the mass, the length L = √(tr E₀/m) and the time 1/ω,
 ///
 ///   ω² = the largest of |Ω|², |g||G|/L², k/m;  if all are zero, of |g|/L and |v|²/L².
 
@@ -15,6 +16,7 @@
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/euler_angles.h"
 #include "systems/euler_top.h"
+#include "systems/lagrange_top.h"
 #include "systems/mass_distribution.h"
 #include "systems/rigid_body.h"
 #include "systems/system_scene.h"
@@ -102,8 +104,9 @@ struct RigidBodyScene {
       "Rigid body with a fixed point or free, with weight and springs to points of space.";
   static constexpr bool has_equilibria = true;
 
-  enum class Form { constrained, euler };
-  static constexpr scene::Choice<Form, 2> form_kind{{{{"constrained", Form::constrained}, {"euler", Form::euler}}}};
+  enum class Form { constrained, euler, lagrange };
+  static constexpr scene::Choice<Form, 3> form_kind{
+      {{{"constrained", Form::constrained}, {"euler", Form::euler}, {"lagrange", Form::lagrange}}}};
 
   Form form = Form::constrained;
   bool fixed_point = true;
@@ -119,7 +122,8 @@ struct RigidBodyScene {
     visit(s.form, form_kind,
           About{"Rigid body/Form", "",
                 "constrained: 3x3 matrices with the six constraints of a rotation. euler: Euler's equation with "
-                "quaternions; it also takes flat bodies, but springs only with a fixed point."});
+                "quaternions. lagrange: Lagrange's equations in Euler angles, which are singular where the third axis "
+                "of the body is vertical. The last two also take flat bodies, but springs only with a fixed point."});
     visit(s.fixed_point, scene::Boolean{},
           About{"Rigid body/Fixed point", "",
                 "true: the origin of the body stays at the origin of space. false: free; the origin of the body is its "
@@ -169,6 +173,10 @@ struct RigidBodyScene {
                      fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {:.2g}", off)};
     if (R.determinant() < 0)
       return Refusal{"Rigid body/Rotation", "expected a rotation, det R = 1, got a reflection, det R = -1"};
+    if (form == Form::lagrange && !LagrangeTop::has(R))
+      return Refusal{"Rigid body/Rotation",
+                     "expected a rotation whose third column is not vertical where Form = lagrange: Euler angles are "
+                     "singular there; set Form = euler or constrained"};
     return fixed_point ? refuses_place() : refuses_free();
   }
 
@@ -197,17 +205,20 @@ struct RigidBodyScene {
     std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
   };
 
-  struct EulerModel {
-    using System = EulerTop<LoadTorque>;
+  /// Forms that know turns alone: `Turns` is EulerTop or LagrangeTop.
+  template <class Turns>
+  struct TurnsModel {
+    using System = Turns;
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    FixedPointBody turns;  ///< for the landscape: of the turns about the centre of mass, if the body is free
+    FixedPointBody body;  ///< for its loads, and the landscape of the turns about the centre of mass if it is free
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< of a free body at t = 0
 
-    mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
-      const BodyLoads& loads = system.parameters().torque.loads;
+    mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
+                          std::vector<double>& row) const {
+      const BodyLoads& loads = body.parameters().loads;
       const Eigen::Matrix3d R = System::rotation(state.q);
       const Eigen::Vector3d Omega = System::body_angular_velocity(state.q, state.v);
       BodyMotion motion{R, Omega, R * loads.center, R * Omega.cross(loads.center)};
@@ -218,7 +229,7 @@ struct RigidBodyScene {
       observer.append(motion, row);
       return {};
     }
-    auto landscape() const { return RotationLandscape(turns); }
+    auto landscape() const { return RotationLandscape(body); }
     std::vector<Column> coordinates() const { return body_coordinates(true); }
   };
 
@@ -230,7 +241,10 @@ struct RigidBodyScene {
     const FixedPointBody body({second_moment(A), loads()});
     using Top = EulerTop<LoadTorque>;
     if (form == Form::euler)
-      return run(EulerModel{Top({A, {loads()}}), Top::turning(R, Omega), observer, body, fixed_point, x, v});
+      return run(TurnsModel<Top>{Top({A, {loads()}}), Top::turning(R, Omega), observer, body, fixed_point, x, v});
+    if (form == Form::lagrange)
+      return run(TurnsModel<LagrangeTop>{LagrangeTop(A, loads()), LagrangeTop::turning(R, Omega), observer, body,
+                                         fixed_point, x, v});
     if (fixed_point) return run(ConstrainedModel<true>{body, turning(R, Omega), observer});
     return run(ConstrainedModel<false>{FreeBody({second_moment(A), loads()}), turning(R, Omega, x, v), observer});
   }
@@ -307,10 +321,10 @@ struct RigidBodyScene {
           fmt::format("expected 0, 0, 0 where Fixed point = false, which makes the centre of mass the origin "
                       "of the body, got {}",
                       scene::print_row(center))};
-    if (form == Form::euler && !springs.empty())
+    if (form != Form::constrained && !springs.empty())
       return Refusal{"Rigid body/Springs",
-                     "expected none where Form = euler and Fixed point = false; the constrained "
-                     "form has them"};
+                     fmt::format("expected none where Form = {} and Fixed point = false; the constrained form has them",
+                                 form == Form::euler ? "euler" : "lagrange")};
     return refuses_springs(vector(position));
   }
   /// The body's origin is at x.

@@ -63,7 +63,7 @@ class BadSystemInput(RefusedInputTest):
             (inertia, "1, 0, 0; 0, 1, 0; 0, 0, 3", "none exceeds the sum of the two others", "1, 1, 3"),
             (inertia, "1, 0, 0; 0, 1, 0; 0, 0, 2", "flat", "Euler"), (inertia, "1, 0, 0; 0, 1, 0; 0, 0, -1", "positive"),
             (inertia, "1, 0.1, 0; 0, 1, 0; 0, 0, 1", "symmetric"), (inertia, "1, 0; 0, 1", "3x3 matrix", "2 rows"),
-            ("Rigid body/Mass", "0", "a number > 0"), ("Rigid body/Form", "quaternion", "constrained or euler"),
+            ("Rigid body/Mass", "0", "a number > 0"), ("Rigid body/Form", "quaternion", "one of constrained, euler, lagrange"),
             ("Rigid body/Fixed point", "maybe", "true or false", '"maybe"'),
             ("Rigid body/Position", "1, 0, 0", "where Fixed point = true"),
             ("Rigid body/Velocity", "0, 0, 1", "where Fixed point = true"),
@@ -74,8 +74,12 @@ class BadSystemInput(RefusedInputTest):
         self.refused_entries({"Rigid body/Center": "0, 0, 0.1"}, "Rigid body/Center: ", "0, 0, 0", base=free)
         self.refused_entries({inertia: "0.1, 0, 0; 0, 0.1, 0; 0, 0, 0.1"}, f"{inertia}: ", "at Center",
                              base={**self.small_scene("rigid body"), "Rigid body/Center": "0, 0, 1"})
-        self.refused_entries({"Rigid body/Springs": "1, 0, 0, 2, 0, 0, 1, 0"}, "Rigid body/Springs: ", "Form = euler",
-                             base={**free, "Rigid body/Form": "euler"})
+        tilted = {rotation: "1, 0, 0; 0, 0.8, -0.6; 0, 0.6, 0.8"}
+        for form in ("euler", "lagrange"):
+            self.refused_entries({"Rigid body/Springs": "1, 0, 0, 2, 0, 0, 1, 0"}, "Rigid body/Springs: ", f"Form = {form}",
+                                 base={**free, **tilted, "Rigid body/Form": form})
+        self.refused_entries({"Rigid body/Form": "lagrange"}, f"{rotation}: ", "not vertical", "Form = euler",
+                             base={**free, rotation: "0.8, -0.6, 0; 0.6, 0.8, 0; 0, 0, 1"})
 
     def test_moving_frame(self):
         self.refused_by_system(

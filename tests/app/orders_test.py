@@ -133,6 +133,9 @@ class DeclaredOrders(ProgramTest):
     def test_heavy_top_by_eulers_equation(self):
         self.check({**TOP, "Rigid body/Form": "euler"}, FIELD)
 
+    def test_heavy_top_in_euler_angles(self):
+        self.check({**TOP, "Rigid body/Form": "lagrange", "Rigid body/Rotation": "1, 0, 0; 0, 0.6, -0.8; 0, 0.8, 0.6"}, FIELD)
+
     def test_free_body(self):
         self.check(FREE, BODY)
 

@@ -106,8 +106,21 @@ class SystemScenes(SystemTest):
         for k in cusps:
             # Near a cusp φ grows with the third power of the time.
             self.assertLess(abs(phi[k + 1] - phi[k - 1]) / 0.002, 0.01 * mean_rate, "φ stands still")
-        euler = self.motion("heavy_top", {**EULER, "Output/Samples": 1600})
-        self.assertLess(distance(table, euler, ROTATION), 2e-6, "each has the tolerance 1e-6")
+        for form in ("euler", "lagrange"):
+            other = self.motion("heavy_top", {"Rigid body/Form": form, "Output/Samples": 1600})
+            self.assertLess(distance(table, other, ROTATION), 2e-6, f"{form}: each has the tolerance 1e-6")
+
+    def test_euler_angles_end_where_the_third_axis_is_vertical(self):
+        # A plane pendulum, Omega along the nodal line, swings through the vertical; the other forms go on.
+        entries = {"System": "rigid body", "Rigid body/Center": "0, 0, 1", "Rigid body/Inertia": "2, 0, 0; 0, 2, 0; 0, 0, 2",
+                   "Rigid body/Gravity": "0, 0, -1", "Rigid body/Rotation": "1, 0, 0; 0, 0.8, -0.6; 0, 0.6, 0.8",
+                   "Rigid body/Angular velocity": "0.3, 1e-6, 0", "Time/End": 12}
+        self.scene(entries)
+        stopped = self.run_program("run", "scene.prm", "--quiet", "--set", "Rigid body/Form=lagrange", "--output", "lagrange")
+        self.assert_exit(stopped, 3)
+        self.assertIn("Euler angles are singular", stopped.stderr)
+        for form in ("euler", "constrained"):
+            self.run_done("run", "scene.prm", "--quiet", "--set", f"Rigid body/Form={form}", "--output", form)
 
     def test_free_body(self):
         table = self.motion("free_body")
@@ -252,7 +265,7 @@ class SystemEquilibria(SystemTest):
         self.assertEqual(self.equilibria("torus", {"Torus/Tilt": 0.05}).column("morse_index"), [0, 1, 1, 2])
 
     def test_heavy_top(self):
-        for form in ({}, EULER):
+        for form in ({}, EULER, {"Rigid body/Form": "lagrange"}):
             table = self.equilibria("heavy_top", form)
             self.assertEqual(table.column("morse_index"), [0, 2])
             self.assertEqual(table.column("nullity"), [1, 1], "turns about the vertical")

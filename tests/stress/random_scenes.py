@@ -98,7 +98,7 @@ def ball(rng, with_continuum):
     if reduced_only:
         if rng.random() < 0.3:
             entries["Gravity/Constant"] = repr(rate**2 / density * 10 ** rng.uniform(-2, 1))
-            if incompressible and rng.random() < 0.3:
+            if rng.random() < 0.3:
                 entries["Material/Law"] = "none"
         if rng.random() < 0.2:
             entries["Body/Semi-axes"] = ", ".join(repr(math.exp(rng.gauss(0, 0.4))) for _ in range(3))
@@ -133,10 +133,10 @@ def choose_method(rng, entries, time_unit, cheap):
 
 def system(rng):
     """A system beside the ball: a scene in which every force acts, all its numbers changed by chance."""
-    from system_test import (BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
-                             PENDULUM, POINTS, TOP, TORUS)
-    entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, BODY, {**BODY, **EULER},
-                               FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI)))
+    from system_test import (ANGLES, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE,
+                             PARABOLOID, PENDULUM, POINTS, TOP, TORUS)
+    entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, {**TOP, **ANGLES}, BODY,
+                               {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI)))
     kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Mass points/Springs", "Mass points/Dashpots",
             "Output/Samples")
     for path, value in entries.items():

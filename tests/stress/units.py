@@ -4,8 +4,8 @@ import json
 
 from program import WRONG_INPUT, faults, largest_difference
 from random_scenes import diagonal, text
-from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, JACOBI, LAGRANGE, PARABOLOID, PENDULUM,
-                         POINTS, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, scaled_entries, unit)
+from system_test import (ANGLES, ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, JACOBI, LAGRANGE, PARABOLOID,
+                         PENDULUM, POINTS, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, scaled_entries, unit)
 
 SAME = 1e-10
 ENERGY = "mass*length^2/time^2"
@@ -35,7 +35,8 @@ SCENES = {
 SYSTEMS = {
     "mass points": (POINTS, {}, 3), "mass points, damped": (DAMPED_POINTS, {}, 3), "double pendulum": (PENDULUM, {}, 2),
     "double pendulum in angles": ({**PENDULUM, **LAGRANGE}, {}, 2), "top": (TOP, {}, 2), "free body": (BODY, {}, 2),
-    "free body by Euler's equation": ({**BODY, **EULER}, {}, 2), "moving frame": (FRAME, {}, 2), "torus": (TORUS, {}, 2),
+    "free body by Euler's equation": ({**BODY, **EULER}, {}, 2), "top in Euler angles": ({**TOP, **ANGLES}, {}, 2),
+    "moving frame": (FRAME, {}, 2), "torus": (TORUS, {}, 2),
     "ellipsoid": (ELLIPSOID, {}, 2), "paraboloid": (PARABOLOID, UNITS_ON_THE_PARABOLOID, 2),
     "Jacobi's metric": (JACOBI, ARC_FOR_TIME, 2),
 }

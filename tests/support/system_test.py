@@ -68,6 +68,7 @@ JACOBI = {
 # The second form of each.
 LAGRANGE = {"Double pendulum/Form": "lagrange"}
 EULER = {"Rigid body/Form": "euler"}
+ANGLES = {"Rigid body/Form": "lagrange", "Rigid body/Rotation": "0.8, -0.36, 0.48; 0.6, 0.48, -0.64; 0, 0.8, 0.6"}
 INERTIAL = {"Moving frame/Form": "inertial"}
 
 ROTATION = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
