@@ -84,8 +84,8 @@ void visit_material(S& scene, Visit& visit) {
           "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
           "gent: -(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, with J_m the Gent limit. "
           "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
-          "compression. none: W = 0, a fluid; of the continuum under self-gravity or a confining tidal matrix. As "
-          "Oliva prints them (5.7.9): "
+          "compression. none: W = 0, a fluid, or where Incompressible = false free particles, of the reduced model "
+          "alone; of the continuum under self-gravity or a confining tidal matrix. As Oliva prints them (5.7.9): "
           "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
           "stressed at rest."});
   visit(shear_modulus, positive,

@@ -171,6 +171,8 @@ class Validator {
     });
     if (is_fluid(scene_) && !loads::present(scene_.loads.get<loads::SelfGravity>()))
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
+    if (is_fluid(scene_) && !scene_.body.incompressible)
+      refuse("Material/Law", "none has no relative equilibrium where Incompressible = false: nothing resists gravity");
   }
 
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
@@ -211,8 +213,6 @@ class Validator {
         refuse("Body/Semi-axes",
                fmt::format("expected semi-axes between {} and {} radii, got {}", print_number(1 / largest_axis),
                            print_number(largest_axis), print_row(scene_.body.semi_axes)));
-    if (!scene_.body.incompressible && is_fluid(scene_))
-      refuse("Material/Law", "none is offered for incompressible bodies: nothing else resists a change of volume");
     if (!scene_.body.inertia) return;
     const Matrix3& E0 = *scene_.body.inertia;
     require_symmetric("Body/Inertia", E0);

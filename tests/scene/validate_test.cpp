@@ -89,6 +89,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "subsection Material\nset Law = none\nend\n"
                 "subsection Loads\nset Tidal matrix = 1, 0, 0; 0, 1, 0; 0, 0, -1\nend",
                 {"scene.prm:2: Material/Law: a fluid with neither self-gravity"}},
+        Refused{"free_particles_of_the_continuum",
+                "subsection Body\nset Incompressible = false\nend\nsubsection Material\nset Law = none\nend\n"
+                "subsection Gravity\nset Constant = 1\nend",
+                {"scene.prm:5: Material/Law: none, where nothing resists a change of volume", "Models = reduced"}},
+        Refused{"equilibrium_of_free_particles",
+                equilibrium("subsection Body\nset Incompressible = false\nend\nsubsection Material\nset Law = none\n"
+                            "end\nsubsection Gravity\nset Constant = 1\nend"),
+                {"Material/Law: none has no relative equilibrium where Incompressible = false"}},
         Refused{"fluid_without_stabilisation",
                 "subsection Material\nset Law = none\nend\nsubsection Gravity\nset Constant = 1\nend\n"
                 "subsection Continuum\nset Volumetric stiffness = 0\nend",

@@ -57,6 +57,8 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is offered for the {} model; set Models = {}", what, others, others)};
   };
+  if (scene::is_fluid(scene) && !scene.body.incompressible)
+    return offered_for_others("Material/Law", "none, where nothing resists a change of volume,");
   if (scene::is_fluid(scene) && !is_held_together(scene))
     return offered_for_others("Material/Law",
                               "a fluid with neither self-gravity nor a positive definite Loads/Tidal matrix");
