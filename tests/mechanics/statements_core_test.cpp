@@ -1,4 +1,5 @@
-/// The statements of Oliva, Geometric Mechanics, 5.1, 5.3 and 5.4. Those of 5.2 are in tests/systems/jacobi_test.cpp.
+/// The statements of Oliva, Geometric Mechanics, 5.1 and 5.3. Those of 5.2 are in tests/systems/jacobi_test.cpp, those
+/// of 5.4 in statements_constraints_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -6,26 +7,20 @@
 #include <cmath>
 #include <vector>
 
-#include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/chart_field.h"
-#include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/sphere_particle.h"
-#include "reduced/pseudo_rigid_body.h"
+#include "support/differences.h"
 #include "support/integrate.h"
-#include "support/reaction.h"
+#include "support/pendulum_chain.h"
 #include "support/surface_curves.h"
-#include "systems/double_pendulum.h"
 #include "systems/double_pendulum_chart.h"
-#include "systems/rigid_body.h"
 #include "systems/torus.h"
 
 namespace pseudorigid::testing {
 namespace {
 
 using Eigen::Matrix2d;
-using Eigen::Matrix3d;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using mechanics::ChartField;
 using mechanics::State;
 using systems::DoublePendulumChart;
@@ -35,20 +30,25 @@ constexpr double pi = std::numbers::pi;
 constexpr double round_off = 1e-13;
 
 template <class C>
-std::vector<CurveJet> jets_of(const C&) {
-  return random_jets({0.2, -pi}, {pi - 0.2, pi}, 50);
+using Vector = mechanics::ChartVector<C>;
+template <class C>
+std::vector<CurveJetIn<C::dimension>> jets_of(const C&) {
+  Vector<C> low = Vector<C>::Constant(-pi), high = -low;
+  low[0] = 0.2;  // away from the poles of a sphere
+  high[0] = pi - 0.2;
+  return random_jets_in<C::dimension>(low, high, 50);
 }
 constexpr DoublePendulumChart pendulum{1.3, 0.7, 0.9, 1.2, 2.1};
 
 template <class C>
-std::array<Matrix2d, 2> christoffel(const C& chart, const Vector2d& q) {
-  std::array<Matrix2d, 2> Gamma;
+auto christoffel(const C& chart, const Vector<C>& q) {
+  std::array<mechanics::ChartMatrix<C>, C::dimension> Gamma;
   const auto status = mechanics::christoffel_symbols(chart, q, Gamma);
   EXPECT_TRUE(status) << status.reason();
   return Gamma;
 }
 
-/// Calls test(chart) for each chart of the core's statements.
+/// Calls test(chart) for each chart of the core's statements, of two, three and five dimensions.
 template <class Test>
 void for_each_chart(const Test& test) {
   test(systems::Sphere{1.7});
@@ -56,6 +56,13 @@ void for_each_chart(const Test& test) {
   test(SphereParticleChart(SphereParticle{}));
   test(systems::Torus{{3, 1}, 1.3, 0.4, 0.2});
   test(pendulum);
+  test(PendulumChain<3>{});
+  test(PendulumChain<5>{});
+}
+template <class Test>
+void for_each_chain(const Test& test) {
+  test(PendulumChain<3>{});
+  test(PendulumChain<5>{});
 }
 
 /// (5.3): (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ. On the sphere Γ^θ_φφ = −sin θ cos θ, Γ^φ_θφ = cot θ.
@@ -94,54 +101,149 @@ TEST(Statement_Eq5_3, ChristoffelSymbolsOfTheDoublePendulum) {
   }
 }
 
+/// (5.3) in three and five dimensions: Γᵏ_ij = gᵏˡΓ_l,ij with Γ_l,ii = M l_l l_i sin(q_l − q_i), the others 0.
+TEST(Statement_Eq5_3, ChristoffelSymbolsOfPendulumChains) {
+  for_each_chain([](const auto& chain) {
+    using C = std::decay_t<decltype(chain)>;
+    constexpr int n = C::dimension;
+    for (const auto& jet : jets_of(chain)) {
+      const auto Gamma = christoffel(chain, jet.q);
+      const auto inverse = chain.metric(jet.q).inverse().eval();
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+          for (int k = 0; k < n; ++k) {
+            double exact = 0;
+            for (int l = 0; l < n; ++l) exact += inverse(k, l) * C::first_kind(jet.q, l, i, j);
+            EXPECT_NEAR(Gamma[k](i, j), exact, round_off * (1 + inverse.norm()));
+          }
+    }
+  });
+}
+
+/// (5.3), the acceleration of a curve is the tangential part of that of its image: JᵀJ(Dq̇/dt) = Jᵀẍ.
+TEST(Statement_Eq5_3, AccelerationIsTheTangentialPartOfThatOfTheImage) {
+  for_each_chain([](const auto& chain) {
+    using C = std::decay_t<decltype(chain)>;
+    constexpr int n = C::dimension;
+    const ChartField field(chain);
+    for (const auto& jet : jets_of(chain)) {
+      Vector<C> D;
+      ASSERT_TRUE(field.covariant_acceleration(jet.q, jet.v, jet.a, D));
+      const auto path = chain.weighted_embedding(taylor(jet));
+      const auto place = chain.weighted_embedding(mechanics::independent(jet.q));
+      Vector<C> by_image = Vector<C>::Zero();  // Jᵀẍ
+      for (int i = 0; i < 2 * n; ++i) by_image += path[i].derivatives()[0].derivatives()[0] * place[i].derivatives();
+      EXPECT_LT((mechanics::apply_mass(chain, jet.q, D) - by_image).norm(), round_off * (1 + by_image.norm()));
+    }
+  });
+}
+
 /// Exercise 5.1.1: μ(Dq̇/dt) = d/dt ∂K/∂q̇ − ∂K/∂q, for any curve. The right side is that of the definition: p = g q̇ is
 /// differentiated along the curve, K at constant q̇.
 TEST(Statement_Ex5_1_1, CovariantFormIsLagrangeForm) {
   for_each_chart([](const auto& chart) {
     using C = std::decay_t<decltype(chart)>;
+    constexpr int n = C::dimension;
     const ChartField<C> field(chart);
     for (const auto& jet : jets_of(chart)) {
-      Vector2d D;
+      Vector<C> D;
       ASSERT_TRUE(field.covariant_acceleration(jet.q, jet.v, jet.a, D));
 
       const auto q = taylor(jet);
-      const Eigen::Matrix<TimeDual, 2, 2> g = chart.metric(q);
-      Vector2d lagrange = Vector2d::Zero();  // d/dt (g_ij q̇ʲ)
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j)
+      const Eigen::Matrix<TimeDual, n, n> g = chart.metric(q);
+      Vector<C> lagrange = Vector<C>::Zero();  // d/dt (g_ij q̇ʲ)
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
           lagrange[i] += g(i, j).value().derivatives()[0] * jet.v[j] + g(i, j).value().value() * jet.a[j];
       const auto x = mechanics::independent(jet.q);
-      const Eigen::Matrix<mechanics::Dual<double, 2>, 2, 2> g_of_q = chart.metric(x);
-      for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) lagrange -= 0.5 * jet.v[i] * jet.v[j] * g_of_q(i, j).derivatives();
+      const Eigen::Matrix<mechanics::Dual<double, n>, n, n> g_of_q = chart.metric(x);
+      for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) lagrange -= 0.5 * jet.v[i] * jet.v[j] * g_of_q(i, j).derivatives();
 
       EXPECT_LT((mechanics::apply_mass(chart, jet.q, D) - lagrange).norm(), round_off * (1 + lagrange.norm()));
     }
   });
 }
 
-/// (5.7), (5.20): the motion obeys μ(Dq̇/dt) = F(q̇).
-TEST(Statement_Eq5_7, MotionsObeyTheGeneralizedNewtonLaw) {
-  for_each_chart([](const auto& chart) {
-    const ChartField field(chart);
+/// (5.19): v̇_k = −Γᵏ_ij v_i v_j + f_k in three and five dimensions, with Γ and f = −μ⁻¹dU in closed form.
+TEST(Statement_Eq5_19, SecondOrderSystemOfPendulumChains) {
+  for_each_chain([](const auto& chain) {
+    using C = std::decay_t<decltype(chain)>;
+    constexpr int n = C::dimension;
+    const ChartField field(chain);
     auto w = field.make_workspace();
-    for (const auto& [q, v, ignored] : jets_of(chart)) {
-      Vector2d a, D;
-      ASSERT_TRUE(field.acceleration(0, q, v, w, a));
-      ASSERT_TRUE(field.covariant_acceleration(q, v, a, D));
-      EXPECT_LT((mechanics::apply_mass(chart, q, D) - field.force(0, q, v)).norm(), round_off);
+    for (const auto& jet : jets_of(chain)) {
+      Vector<C> a, rhs = Vector<C>::Zero();
+      ASSERT_TRUE(field.acceleration(0, jet.q, jet.v, w, a));
+      for (int l = 0; l < n; ++l) {
+        rhs[l] = -chain.gravity * C::hanging_mass(l) * C::length(l) * std::sin(jet.q[l]);
+        for (int i = 0; i < n; ++i) rhs[l] -= C::first_kind(jet.q, l, i, i) * jet.v[i] * jet.v[i];
+      }
+      const Vector<C> exact = chain.metric(jet.q).inverse() * rhs;
+      EXPECT_LT((a - exact).norm(), round_off * (1 + chain.metric(jet.q).inverse().norm() * rhs.norm()));
     }
   });
 }
 
-/// (5.4), 5.1: μ(v) = ⟨v, ·⟩ is invertible, and μ⁻¹(−dU) = −grad U, i.e. ⟨grad U, w⟩ = dU(w).
+/// Of a motion of the field through (q, v) at the middle of nine times h apart, d/dt ∂K/∂q̇ by differences of the
+/// states, which know nothing of the equation that made them.
+template <class C>
+Vector<C> momentum_rate(const ChartField<C>& field, const State<ChartField<C>>& middle, double h) {
+  return first_difference(
+      [&](int k) -> Vector<C> {
+        const auto s = integrate(field, middle, k * h);
+        Vector<C> p;  // ∂K/∂q̇: K is quadratic in q̇
+        for (int j = 0; j < C::dimension; ++j)
+          p[j] = 0.5 * (mechanics::kinetic_energy(field.chart(), s.q, s.v + Vector<C>::Unit(j)) -
+                        mechanics::kinetic_energy(field.chart(), s.q, s.v - Vector<C>::Unit(j)));
+        return p;
+      },
+      h);
+}
+
+/// (5.7), (5.20): motions obey μ(Dq̇/dt) = F(q̇), that is d/dt ∂K/∂q̇ − ∂K/∂q = −dU + μD(q̇), along what the program
+/// integrates; with the friction of the torus too.
+TEST(Statement_Eq5_7, MotionsObeyTheGeneralizedNewtonLaw) {
+  for_each_chart([](const auto& chart) {
+    using C = std::decay_t<decltype(chart)>;
+    const ChartField<C> field(chart);
+    for (const auto& jet : jets_of(chart)) {
+      Vector<C> expected;  // ∂(K − U)/∂q + μD
+      for (int j = 0; j < C::dimension; ++j)
+        expected[j] = first_difference(
+            [&](int k) {
+              const Vector<C> q = jet.q + 0.01 * k * Vector<C>::Unit(j);
+              return mechanics::kinetic_energy(chart, q, jet.v) - mechanics::potential_energy(chart, q);
+            },
+            0.01);
+      if constexpr (mechanics::HasDissipation<C>) expected -= chart.c * chart.metric(jet.q) * jet.v;
+      const Vector<C> rate = momentum_rate(field, State<ChartField<C>>{0, jet.q, jet.v}, 0.01);
+      EXPECT_LT((rate - expected).norm(), 1e-9 * (1 + rate.norm())) << "round-off 1e-15/h, truncation h⁸p⁽⁹⁾/630";
+    }
+  });
+}
+
+/// (5.4), 5.1: μ(v) = ⟨v, ·⟩, twice the polarised kinetic energy, is invertible, and μ⁻¹(−dU) = −grad U, i.e.
+/// ⟨grad U, w⟩ = dU(w), the slope of U along w.
 TEST(Statement_Eq5_4, MassOperatorIsInvertible) {
   for_each_chart([](const auto& chart) {
-    for (const auto& [q, v, a] : jets_of(chart)) {
-      Vector2d back;
-      const auto status = mechanics::apply_inverse_mass(chart.metric(q), mechanics::apply_mass(chart, q, v), back);
-      ASSERT_TRUE(status);
-      EXPECT_LT((back - v).norm(), round_off);
+    using C = std::decay_t<decltype(chart)>;
+    for (const auto& jet : jets_of(chart)) {
+      const auto& [q, v, w] = jet;
+      const auto K = [&, q = q](const Vector<C>& u) { return mechanics::kinetic_energy(chart, q, u); };
+      const auto inner = [&](const Vector<C>& a, const Vector<C>& b) { return 0.5 * (K(a + b) - K(a - b)); };
+      const Vector<C> p = mechanics::apply_mass(chart, q, v);
+      EXPECT_NEAR(p.dot(w), inner(v, w), round_off * (1 + p.norm()));
+      Vector<C> back;
+      ASSERT_TRUE(mechanics::apply_inverse_mass(chart.metric(q), p, back));
+      EXPECT_LT((back - v).norm(), round_off * 10);
+
+      Vector<C> gradient;
+      const Vector<C> dU = mechanics::potential_differential(chart, q);
+      ASSERT_TRUE(mechanics::apply_inverse_mass(chart.metric(q), dU, gradient));
+      const double slope = first_difference(
+          [&, q = q, w = w](int k) { return mechanics::potential_energy(chart, q + 0.01 * k * w); }, 0.01);
+      EXPECT_NEAR(inner(gradient, w), slope, 1e-12 * (1 + dU.norm())) << "round-off 1e-15/h, truncation h⁸";
     }
   });
 }
@@ -185,7 +287,7 @@ TEST(Statement_5_3_1, EnergyLevelsAreInvariant) {
     Vector2d a;
     EXPECT_TRUE(field.acceleration(0, jet.q, jet.v, w, a));
     // E_m is a function on TQ; the trajectory is (q + τ v, v + τ a) to first order.
-    const auto q = taylor({jet.q, jet.v, Vector2d::Zero()});
+    const auto q = taylor(CurveJet{jet.q, jet.v, Vector2d::Zero()});
     const Eigen::Matrix<TimeDual, 2, 2> g = chart.metric(q);
     double dE = chart.potential(q).value().derivatives()[0];
     for (int i = 0; i < 2; ++i)
@@ -196,201 +298,6 @@ TEST(Statement_5_3_1, EnergyLevelsAreInvariant) {
   for (const CurveJet& jet : jets_of(pendulum)) {
     EXPECT_NEAR(derivative_of_energy(pendulum, jet), 0, round_off);
     EXPECT_NEAR(derivative_of_energy(SphereParticleChart(SphereParticle{}), jet), 0, round_off);
-  }
-}
-
-// --- 5.4: perfect holonomic constraints ---
-
-template <class S>
-struct Sample {
-  S system;
-  std::vector<State<S>> states;
-};
-
-Sample<SphereParticle> particle_on_sphere() {
-  Sample<SphereParticle> sample;
-  for (const auto& [angles, v, a] : random_jets({0.3, -3}, {2.8, 3}, 20)) {
-    const Vector3d q = SphereParticleChart(sample.system).embedding(angles);
-    const Vector3d any(v[0], v[1], a[0]);
-    sample.states.push_back({0, q, any - q * q.dot(any) / q.squaredNorm()});
-  }
-  return sample;
-}
-
-/// SO(3) ⊂ GL(3) with E₀ = Id, heavy.
-Sample<systems::FixedPointBody> rotations() {
-  systems::FixedPointBody::Parameters p;
-  p.loads.center = {0.2, -0.1, 0.4};
-  p.loads.gravity = {0, 0, -1.1};
-  Sample<systems::FixedPointBody> sample{systems::FixedPointBody(p), {}};
-  for (const auto& [angles, v, a] : random_jets({-3, -3}, {3, 3}, 20)) {
-    const Matrix3d R =
-        (Eigen::AngleAxisd(angles[0], Vector3d::UnitZ()) * Eigen::AngleAxisd(angles[1], Vector3d::UnitX()))
-            .toRotationMatrix();
-    sample.states.push_back(systems::turning(R, {v[0], v[1], a[0]}));
-  }
-  return sample;
-}
-
-using Sl3 = reduced::PseudoRigidBody<materials::CiarletGeymonat, true>;
-/// SL(3) ⊂ GL(3) with E₀ = Id, neo-Hookean.
-Sample<Sl3> unimodular_matrices() {
-  Sample<Sl3> sample{Sl3({1, 0}, {Matrix3d::Identity(), 1}), {}};
-  for (const auto& [x, v, a] : random_jets({-0.4, -0.4}, {0.4, 0.4}, 20)) {
-    Matrix3d Q, L;
-    Q << 1 + x[0], v[0], x[1], 0, 1 + x[1], a[0], 0.2, 0, 1;
-    Q /= std::cbrt(Q.determinant());
-    L << v[0], a[1], 0.3, x[0], v[1], -0.2, a[0], 0.5, -v[0] - v[1];
-    sample.states.push_back({0, Q, Q * L});
-  }
-  return sample;
-}
-
-Sample<systems::DoublePendulum> double_pendulum() {
-  Sample<systems::DoublePendulum> sample{systems::DoublePendulum({1.3, 0.7, 0.9, 1.2, 2.1}), {}};
-  for (const auto& [q, v, a] : random_jets({-3, -3}, {3, 3}, 20)) {
-    auto& state = sample.states.emplace_back();
-    sample.system.from_angles(q, v, state.q, state.v);
-  }
-  return sample;
-}
-
-template <class Test>
-void for_each_constraint(const Test& test) {
-  test(particle_on_sphere());
-  test(rotations());
-  test(unimodular_matrices());
-  test(double_pendulum());
-}
-
-/// Checks B(v, v) of the system against a closed form, relative to its size.
-template <class S, class Form>
-void expect_second_fundamental_form(const Sample<S>& sample, const Form& closed_form) {
-  auto w = sample.system.make_workspace();
-  auto B = sample.system.make_vector();
-  for (const auto& state : sample.states) {
-    ASSERT_TRUE(mechanics::second_fundamental_form(sample.system, state.q, state.v, w, B));
-    const typename S::Vector expected = closed_form(state.q, state.v);
-    ASSERT_GT(expected.norm(), 1e-3);
-    EXPECT_LT((B - expected).norm(), round_off * (1 + expected.norm()));
-  }
-}
-
-/// (5.28) on the sphere: B(v, v) = −|v|² q/R².
-TEST(Statement_Eq5_28, SecondFundamentalFormOfTheSphere) {
-  const auto sample = particle_on_sphere();
-  const double R = sample.system.R;
-  expect_second_fundamental_form(
-      sample, [&](const Vector3d& q, const Vector3d& v) -> Vector3d { return -v.squaredNorm() / (R * R) * q; });
-}
-
-/// (5.28) on SO(3) ⊂ GL(3), E₀ = Id: B = QΩ̂².
-TEST(Statement_Eq5_28, SecondFundamentalFormOfTheRotations) {
-  expect_second_fundamental_form(rotations(), [](const Matrix3d& Q, const Matrix3d& v) -> Matrix3d {
-    const Matrix3d Omega = Q.transpose() * v;
-    return Q * Omega * Omega;
-  });
-}
-
-/// (5.28) on SL(3), E₀ = Id: B = tr((Q⁻¹Q̇)²)|Q⁻¹|⁻²Q⁻ᵀ, the normal part of the second derivative QL² of the curve
-/// Q exp(τL) of SL(3).
-TEST(Statement_Eq5_28, SecondFundamentalFormOfTheUnimodularMatrices) {
-  expect_second_fundamental_form(unimodular_matrices(), [](const Matrix3d& Q, const Matrix3d& v) -> Matrix3d {
-    const Matrix3d inverse = Q.inverse(), L = inverse * v;
-    return (L * L).trace() / inverse.squaredNorm() * inverse.transpose();
-  });
-  expect_second_fundamental_form(unimodular_matrices(), [](const Matrix3d& Q, const Matrix3d& v) -> Matrix3d {
-    const Matrix3d L = Q.inverse() * v, normal = Q.inverse().transpose().normalized();
-    return (Q * L * L).cwiseProduct(normal).sum() * normal;
-  });
-}
-
-/// (5.24), (5.25): (∇q̇)^T = (μ⁻¹F)^T and μ⁻¹R = (∇q̇)^⊥ − (μ⁻¹F)^⊥ on the motion; μ⁻¹R is orthogonal to TN
-/// (d'Alembert).
-TEST(Statement_Eq5_24, AccelerationSplitsIntoTangentialForceAndReaction) {
-  for_each_constraint([](const auto& sample) {
-    const auto& system = sample.system;
-    const mechanics::ExplicitMultiplier motion(system);
-    auto w = system.make_workspace();
-    auto w_motion = motion.make_workspace();
-    auto acceleration = system.make_vector(), force = acceleration, a_normal = acceleration, f_normal = acceleration,
-         R = acceleration;
-    for (const auto& state : sample.states) {
-      ASSERT_TRUE(motion.acceleration(0, state.q, state.v, w_motion, acceleration));
-      ASSERT_TRUE(system.force(0, state.q, state.v, w, force));
-      system.apply_inverse_mass(force, force);
-      ASSERT_TRUE(mechanics::normal_part(system, state.q, acceleration, w, a_normal));
-      ASSERT_TRUE(mechanics::normal_part(system, state.q, force, w, f_normal));
-      ASSERT_TRUE(mechanics::reaction_from_multiplier(system, state, w, R));
-      const double scale = 1 + acceleration.norm() + force.norm();
-
-      EXPECT_LT(((acceleration - a_normal) - (force - f_normal)).norm(), round_off * scale);
-      EXPECT_NEAR(mechanics::dot(R, state.v), 0, round_off * scale * (1 + R.norm()));
-      system.apply_inverse_mass(R, R);
-      EXPECT_LT((R - (a_normal - f_normal)).norm(), round_off * scale);
-    }
-  });
-}
-
-/// (5.29): R = μ[B(v, v) − (μ⁻¹F)^⊥] is the reaction Gᵀλ of the multiplier.
-TEST(Statement_Eq5_29, ReactionFromSecondFundamentalFormIsThatOfTheMultiplier) {
-  for_each_constraint([](const auto& sample) {
-    auto w = sample.system.make_workspace();
-    auto by_form = sample.system.make_vector(), by_multiplier = by_form;
-    for (const auto& state : sample.states) {
-      ASSERT_TRUE(mechanics::reaction_from_second_fundamental_form(sample.system, state, w, by_form));
-      ASSERT_TRUE(mechanics::reaction_from_multiplier(sample.system, state, w, by_multiplier));
-      ASSERT_GT(by_multiplier.norm(), 1e-3);
-      EXPECT_LT((by_form - by_multiplier).norm(), round_off * (1 + by_multiplier.norm()));
-    }
-  });
-}
-
-/// (5.29) for one constraint f = 0: λ = −[Hess f(v, v) + ⟨grad f, μ⁻¹F⟩]/|grad f|², here f = ½(|q|²/R² − 1), and
-/// R = −(m|v|² − m g z) q/R²: the tension of a rope.
-TEST(Statement_Eq5_29, MultiplierOfOneConstraint) {
-  const auto sample = particle_on_sphere();
-  const SphereParticle& s = sample.system;
-  SphereParticle::Workspace w;
-  for (const auto& state : sample.states) {
-    double lambda = 0;
-    ASSERT_TRUE(mechanics::multiplier_of_motion(s, state, w, lambda));
-    const Vector3d grad = state.q / (s.R * s.R) / s.m, acceleration(0, 0, -s.gravity);  // grad in the metric m·Id
-    const double hess = state.v.squaredNorm() / (s.R * s.R);
-    EXPECT_NEAR(lambda, -(hess + s.m * grad.dot(acceleration)) / (s.m * grad.squaredNorm()), round_off * 10);
-    Vector3d R;
-    ASSERT_TRUE(mechanics::reaction_from_multiplier(s, state, w, R));
-    const Vector3d rope = -s.m * (state.v.squaredNorm() - s.gravity * state.q.z()) / (s.R * s.R) * state.q;
-    EXPECT_LT((R - rope).norm(), round_off * 10);
-  }
-}
-
-/// (5.26), Exercise 5.4.1: the motions compatible with a perfect constraint are those of (N, ≪,≫, F_N): the spherical
-/// pendulum by its multiplier and in its chart.
-TEST(Statement_Ex5_4_1, MultiplierFormIsIntrinsicForm) {
-  const SphereParticle particle;
-  const SphereParticleChart chart(particle);
-  const ChartField intrinsic(chart);
-  const mechanics::ExplicitMultiplier constrained(particle);
-
-  const CurveJet start{{1.9, 0.3}, {0.2, 0.8}, Vector2d::Zero()};
-  const auto image = [&](const Vector2d& q, const Vector2d& v, Vector3d& x, Vector3d& dx) {
-    const auto jet = chart.embedding(taylor({q, v, Vector2d::Zero()}));
-    for (int i = 0; i < 3; ++i) {
-      x[i] = jet[i].value().value();
-      dx[i] = jet[i].value().derivatives()[0];
-    }
-  };
-  State<SphereParticle> state;
-  image(start.q, start.v, state.q, state.v);
-  const auto by_chart =
-      integrate_samples(intrinsic, State<ChartField<SphereParticleChart>>{0, start.q, start.v}, 20, 20);
-  const auto by_multiplier = integrate_samples(constrained, state, 20, 20);
-  ASSERT_EQ(by_chart.size(), by_multiplier.size());
-  for (std::size_t k = 0; k < by_chart.size(); ++k) {
-    Vector3d x, dx;
-    image(by_chart[k].q, by_chart[k].v, x, dx);
-    EXPECT_LT((x - by_multiplier[k].q).norm() + (dx - by_multiplier[k].v).norm(), 1e-11);
   }
 }
 

@@ -1,14 +1,16 @@
 #pragma once
-/// Smooth bipolar decompositions Q = TᵀAS along a sampled path (Oliva 5.7), with
+/// The program's bipolar decompositions Q = TᵀAS (reduced/bipolar.h; Oliva 5.7) along a sampled path, and by
+/// differences of order 8 of them what the program finds from Q̇ alone,
 ///
-///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,  Ȧ, Ä, d/dt(AΛ* − Ω*A)
+///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,  Ȧ, Ä, d/dt(AΛ* − Ω*A).
 ///
-/// by differences of order 8. Axes that cross keep the decomposition smooth only if each is followed through the
-/// crossing; in rising order it is smooth where they stay apart.
+/// Axes that cross keep the decomposition smooth only if each is followed through the crossing; in falling order it is
+/// smooth where they stay apart.
 
 #include <algorithm>
 #include <vector>
 
+#include "reduced/bipolar.h"
 #include "reduced/bodies.h"
 #include "support/differences.h"
 
@@ -18,25 +20,26 @@ struct BipolarPath {
   double h;                         // between samples
   std::vector<Matrix3d> T, A, S{};  // at the samples
 
-  enum class Order { rising, continued };
+  enum class Order { falling, continued };
 
-  /// The rows of T are eigenvectors of QQᵀ, with the signs that the sample before has; in the order of the axes, or
-  /// each the one nearest to that of the sample before.
-  BipolarPath(const std::vector<Matrix3d>& Q, double spacing, Order order = Order::rising) : h(spacing) {
+  BipolarPath(const std::vector<Matrix3d>& Q, double spacing, Order order = Order::falling) : h(spacing) {
     for (const Matrix3d& q : Q) {
-      const Eigen::SelfAdjointEigenSolver<Matrix3d> solver(q * q.transpose());
-      Matrix3d t = solver.eigenvectors().transpose();
-      if (order == Order::continued && !T.empty()) t = nearest_order(t, T.back()) * t;
-      for (int i = 0; i < 3; ++i)
-        if (T.empty() ? i == 2 && t.determinant() < 0 : t.row(i).dot(T.back().row(i)) < 0) t.row(i) *= -1;
-      const Vector3d axes = (t * q).rowwise().norm();
-      T.push_back(t);
-      A.push_back(axes.asDiagonal());
-      S.push_back(axes.cwiseInverse().asDiagonal() * t * q);
+      reduced::Bipolar b =
+          T.empty() || order == Order::falling ? reduced::decompose(q) : reduced::decompose(q, at(n_samples() - 1));
+      // In falling order only the signs are those of the sample before.
+      for (int i = 0; i < 3 && !T.empty() && order == Order::falling; ++i)
+        if (b.T.row(i).dot(T.back().row(i)) < 0) {
+          b.T.row(i) *= -1;
+          b.S.row(i) *= -1;
+        }
+      T.push_back(b.T);
+      A.push_back(b.a.asDiagonal());
+      S.push_back(b.S);
     }
   }
 
   int n_samples() const { return static_cast<int>(T.size()); }
+  reduced::Bipolar at(int k) const { return {T[k], S[k], A[k].diagonal()}; }
   /// Least difference of two semi-axes at sample k.
   double least_gap(int k) const {
     const auto a = A[k].diagonal();
@@ -66,18 +69,6 @@ struct BipolarPath {
     const Matrix3d u = velocity(k, term);
     return A_second_rate(k) - Omega(k) * u + u * Lambda(k) +
            first_difference([&](int j) -> Matrix3d { return A_Lambda(k + j, term) - Omega(k + j) * A[k + j]; }, h);
-  }
-
- private:
-  /// The permutation of rows that brings each where its largest overlap with a row before is.
-  static Matrix3d nearest_order(const Matrix3d& rows, const Matrix3d& rows_before) {
-    Matrix3d permutation = Matrix3d::Zero();
-    for (int i = 0; i < 3; ++i) {
-      int nearest = 0;
-      (rows * rows_before.row(i).transpose()).cwiseAbs().maxCoeff(&nearest);
-      permutation(i, nearest) = 1;
-    }
-    return permutation;
   }
 };
 

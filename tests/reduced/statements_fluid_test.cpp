@@ -10,27 +10,20 @@
 
 #include "reduced/bipolar_path.h"
 #include "reduced/carlson_gravity.h"
-#include "reduced/loaded_body.h"
+#include "reduced/potentials.h"
 #include "reduced/samples.h"
 #include "support/integrate.h"
 
 namespace pseudorigid::testing {
 namespace {
 
-constexpr double G_rho = std::numbers::inv_pi;
+constexpr double G_rho = fluid_time_G;
 
-auto self_gravitating_fluid() {
-  return LoadedBody(fluid(),
-                    [](const Matrix3d& Q, const Matrix3d&) -> Matrix3d { return -self_gravity_gradient(Q, G_rho); });
-}
-/// λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹∂V)]/|Q⁻¹|²
-double multiplier(const Matrix3d& Q, const Matrix3d& Qdot) {
-  const Matrix3d Q_inverse = Q.inverse(), L = Q_inverse * Qdot;
-  return ((L * L).trace() + (Q_inverse * self_gravity_gradient(Q, G_rho)).trace()) / Q_inverse.squaredNorm();
-}
+/// The program's fluid: law none under self-gravity, with its explicit multiplier.
+LoadedSl3 self_gravitating_fluid() { return fluid_sl3({G_rho}); }
 
 /// "(5.121) is precisely the Dirichlet–Riemann equation": its right side is −2πGρα_i a_i + λ/a_i with λ = 2p_c/(ρr²)
-/// (correction 11), along a motion with spin and circulation.
+/// (correction 11) and α_i by another library, along a motion with spin and circulation.
 TEST(Statement_5_7_12, GravityGivesTheEquationOfDirichletAndRiemann) {
   const double h = 0.01;
   const int n = 400, margin = 8;
@@ -43,8 +36,8 @@ TEST(Statement_5_7_12, GravityGivesTheEquationOfDirichletAndRiemann) {
   for (int k = margin; k + margin <= n; k += 5) {
     if (path.least_gap(k) < 0.2) continue;
     const Vector3d a = path.A[k].diagonal(), alpha = gravity_coefficients(a.cwiseAbs2());
-    const Vector3d right =
-        -2 * std::numbers::pi * G_rho * alpha.cwiseProduct(a) + multiplier(states[k].q, states[k].v) * a.cwiseInverse();
+    const double lambda = 2 * observed(self_gravitating_fluid(), states[k]).central_pressure;
+    const Vector3d right = -2 * std::numbers::pi * G_rho * alpha.cwiseProduct(a) + lambda * a.cwiseInverse();
     residual = std::max(residual, (path.acceleration(k) - Matrix3d(right.asDiagonal())).norm());
     ++n_samples;
   }
@@ -57,7 +50,7 @@ double departure_from_steady_motion(const Matrix3d& A, double Omega, double Lamb
   const Matrix3d turn = hat({0, 0, Omega}), inner = hat({0, 0, Lambda}), Qdot = turn * A - A * inner;
   const Matrix3d exact = turn * turn * A - 2 * turn * A * inner + A * inner * inner;
   const auto field = self_gravitating_fluid();
-  Sl3::Workspace w;
+  auto w = field.make_workspace();
   Matrix3d a = Matrix3d::Zero();
   EXPECT_TRUE(field.acceleration(0, A, Qdot, w, a));
   return (a - exact).norm();

@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <complex>
+#include <numbers>
+#include <string>
 
 #include "mechanics/core/explicit_multiplier.h"
+#include "reduced/potentials.h"
 #include "reduced/samples.h"
 #include "support/differences.h"
 #include "support/integrate.h"
@@ -241,19 +245,81 @@ TEST(Statement_5_7_11, DerivativesOfTheInvariants) {
   }
 }
 
-/// Remark 5.7.10: ∂V/∂Q = Σ ∂V̄/∂I ∂I/∂Q + …, with V̄ of the program's law (μ = λ = 1 per unit volume).
+/// ∫₀^∞ s^k (s³ + I s² + II s + III)^{−3/2} ds, with s = x² up to 1 and s = 1/x² from there on.
+double gravity_integral(int k, const std::array<double, 3>& I) {
+  const auto integrand = [&](double x) {
+    const double s = x * x, low = ((s + I[0]) * s + I[1]) * s + I[2], high = 1 + s * (I[0] + s * (I[1] + s * I[2]));
+    return 2 * x * std::pow(s, k) / std::pow(low, 1.5) + 2 * std::pow(x, 6 - 2 * k) / std::pow(high, 1.5);
+  };
+  return boost::math::quadrature::gauss_kronrod<double, 61>::integrate(integrand, 0.0, 1.0, 15, 1e-14);
+}
+
+/// Remark 5.7.10: ∂V/∂Q = Σ ∂V̄/∂I_k ∂I_k/∂Q, with ∂V̄/∂I, ∂V̄/∂II, ∂V̄/∂III of the Mooney–Rivlin law per unit volume,
+/// W = (μ/2)[(1−b)(I−3) + b(II−3)] − (μ/2)(1+b) ln III + (λ/4)(III − 1 − ln III), and of gravity, 5.7.9(1): the force
+/// of the program's body.
 TEST(Statement_5_7_10, GradientByTheInvariants) {
+  constexpr double mu = 0.8, lambda = 1.3, b = 0.3, G = 0.7;
+  const auto body = loaded_body<LoadedGl3>(materials::MooneyRivlin{mu, lambda, b}, {G});
+  const double volume = body.reference().volume;
   std::mt19937 generator(5710);
-  const Gl3 body = neo_hookean_gl3();
   for (int i = 0; i < 50; ++i) {
-    const Matrix3d Q = random_deformation(generator), C = Q * Q.transpose();
-    const double III = C.determinant();
-    const Matrix3d W_Q = 0.5 * 2 * Q + (0.25 * (1 - 1 / III) - 0.5 / III) * 2 * III * Q.inverse().transpose();
-    Gl3::Workspace w;
+    const Matrix3d Q = random_deformation(generator), C = Q * Q.transpose(), Id = Matrix3d::Identity();
+    const auto I = invariants(C);
+    const double gravity = std::numbers::pi * G * body.m_bar();
+    const Vector3d V_bar(
+        volume * mu / 2 * (1 - b) + gravity * gravity_integral(2, I),
+        volume * mu / 2 * b + gravity * gravity_integral(1, I),
+        volume * (lambda / 4 * (1 - 1 / I[2]) - mu / 2 * (1 + b) / I[2]) + gravity * gravity_integral(0, I));
+    const Matrix3d dV =
+        V_bar[0] * 2 * Q + V_bar[1] * 2 * (C.trace() * Id - C) * Q + V_bar[2] * 2 * I[2] * Q.inverse().transpose();
+    LoadedGl3::Workspace w;
     Matrix3d f = Matrix3d::Zero();
     ASSERT_TRUE(body.force(0, Q, Matrix3d::Zero(), w, f));
-    EXPECT_LT((f / reduced::ReferenceBody::unit_ball().volume + W_Q).norm(), round_off * (1 + W_Q.norm()));
+    EXPECT_LT((f + dV).norm(), 1e-12 * (1 + dV.norm())) << "quadrature";
   }
+}
+
+/// Remark 5.7.5, (5.118): "⟨A, B⟩_Q = tr(ABᵀ) for all Q": the metric of the kinetic energy per m̄ does not depend on Q.
+TEST(Statement_5_7_5, MetricIsTheTrace) {
+  std::mt19937 generator(575);
+  const Gl3 body = neo_hookean_gl3();
+  for (int i = 0; i < 20; ++i) {
+    const Matrix3d A = random_matrix(generator), B = random_matrix(generator);
+    const double by_energy = (body.kinetic_energy(A + B) - body.kinetic_energy(A - B)) / 2 / body.m_bar();
+    EXPECT_NEAR(by_energy, (A * B.transpose()).trace(), round_off * 10);
+    Matrix3d mu_A = Matrix3d::Zero();
+    body.apply_mass(A, mu_A);
+    EXPECT_NEAR(mechanics::dot(mu_A, B) / body.m_bar(), (A * B.transpose()).trace(), round_off);
+  }
+}
+
+/// (5.118) is flat: the free motions of GL⁺(3), those of the law none, are straight lines, as long as det Q > 0; those
+/// of SL(3), with the same metric, are not.
+TEST(Statement_Eq5_118, FreeMotionsOfGl3AreStraightLines) {
+  const auto start = benchmark_state<LoadedGl3>();
+  const auto body = loaded_body<LoadedGl3>(materials::Fluid{}, {});
+  const double end = 0.8;
+  const auto r = run<mechanics::Rattle8>(body, start, end, 8, 4);
+  ASSERT_TRUE(r.finished()) << r.result.reason;
+  for (const auto& s : r.states) {
+    EXPECT_LT((s.q - start.q - s.t * start.v).norm(), 1e-14);
+    EXPECT_EQ(s.v, start.v);
+  }
+  const auto explicit_end = integrate(body, start, end);
+  EXPECT_LT((explicit_end.q - start.q - end * start.v).norm(), 1e-14);
+  const auto constrained =
+      state_at(loaded_body<LoadedSl3>(materials::Fluid{}, {}), benchmark_state<LoadedSl3>(), end, 40);
+  EXPECT_GT((constrained.q - start.q - end * start.v).norm(), 0.1);
+}
+
+/// A free motion of GL⁺(3) may run into det Q = 0 in finite time: there it ends with a sentence.
+TEST(Statement_Eq5_118, FreeMotionsEndWhereTheDeterminantVanishes) {
+  const auto body = loaded_body<LoadedGl3>(materials::Fluid{}, {});
+  const auto flattening = moving<LoadedGl3>(Matrix3d::Identity(), diagonal(0, 0, -1));
+  const auto r = run<mechanics::Rattle>(body, flattening, 2, 20, 1);
+  EXPECT_FALSE(r.finished());
+  EXPECT_NE(r.result.reason.find("inside out"), std::string::npos) << r.result.reason;
+  EXPECT_NEAR(r.states.back().t, 0.9, 0.11);
 }
 
 }  // namespace

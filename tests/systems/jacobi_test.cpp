@@ -7,6 +7,7 @@
 
 #include "mechanics/core/jacobi_metric.h"
 #include "support/integrate.h"
+#include "support/pendulum_chain.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum_chart.h"
 #include "systems/torus.h"
@@ -117,25 +118,35 @@ TEST(Statement_5_2_1, MotionsAreGeodesicsOfTheJacobiMetric) {
   compare(Kepler{}, {1, 0.1}, {0.2, 1.3});
 }
 
-/// Proposition 5.2.2: ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ, against the Christoffel symbols of e^{2ρ}g.
+/// Proposition 5.2.2: ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ, against the Christoffel symbols of e^{2ρ}g, in
+/// two, three and five dimensions.
 TEST(Statement_5_2_2, ConformalConnection) {
   const auto compare = [](const auto& chart, double h) {
     using C = std::decay_t<decltype(chart)>;
+    constexpr int n = C::dimension;
+    using Vector = mechanics::ChartVector<C>;
     const JacobiMetric<C> conformal{chart, h};
-    for (const auto& [q, X, Y] : random_jets({0.3, -2}, {2, 2}, 50)) {
-      std::array<Matrix2d, 2> Gamma, Gamma_conformal;
+    Vector low = Vector::Constant(-2), high = Vector::Constant(2);
+    low[0] = 0.3;
+    for (const auto& jet : random_jets_in<n>(low, high, 50)) {
+      const auto& [q, X, Y] = jet;
+      std::array<mechanics::ChartMatrix<C>, n> Gamma, Gamma_conformal;
       ASSERT_TRUE(mechanics::christoffel_symbols(chart, q, Gamma));
       ASSERT_TRUE(mechanics::christoffel_symbols(conformal, q, Gamma_conformal));
-      const Vector2d drho = -mechanics::potential_differential(chart, q) / (2 * (h - chart.potential(q)));  // (5.14)
-      const Vector2d grad_rho = chart.metric(q).inverse() * drho;
-      const Vector2d rest = drho.dot(X) * Y + drho.dot(Y) * X - X.dot(chart.metric(q) * Y) * grad_rho;
-      for (int k = 0; k < 2; ++k)
-        EXPECT_NEAR(X.dot(Gamma_conformal[k] * Y), X.dot(Gamma[k] * Y) + rest[k], 1e-13 * (1 + rest.norm()));
+      const Vector drho = -mechanics::potential_differential(chart, q) / (2 * (h - chart.potential(q)));  // (5.14)
+      const Vector grad_rho = chart.metric(q).inverse() * drho;
+      const Vector rest = drho.dot(X) * Y + drho.dot(Y) * X - X.dot(chart.metric(q) * Y) * grad_rho;
+      for (int k = 0; k < n; ++k) {
+        const double exact = X.dot(Gamma[k] * Y) + rest[k];
+        EXPECT_NEAR(X.dot(Gamma_conformal[k] * Y), exact, 1e-13 * (1 + Gamma[k].norm() + rest.norm()));
+      }
     }
   };
   compare(systems::DoublePendulumChart{1.3, 0.7, 0.9, 1.2, 2.1}, 9);
   compare(systems::Torus{{3, 1}, 1, 1, 0.2}, 5);
   compare(Oscillator{}, 7);
+  compare(PendulumChain<3>{}, 9);
+  compare(PendulumChain<5>{}, 25);
 }
 
 /// The geodesic field by (5.12) is that of the metric g_h by its own Christoffel symbols.

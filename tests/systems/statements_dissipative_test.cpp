@@ -12,9 +12,11 @@
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "mechanics/equilibria/critical_points.h"
 #include "mechanics/sphere_particle.h"
+#include "support/differences.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
 #include "support/unstable_manifold.h"
+#include "systems/mass_points.h"
 #include "systems/torus.h"
 
 namespace pseudorigid::testing {
@@ -46,24 +48,67 @@ struct CubicDrag : Torus {
   }
 };
 
-/// 5.8: dE_m/dt = ⟨D(q̇), q̇⟩ < 0 along the motions of a dissipative system.
+/// 5.8: dE_m/dt = ⟨D(q̇), q̇⟩ < 0 along the motions of a dissipative system: the slope of the energy of what the program
+/// integrates, by differences, is the power of the friction, written out: −(c + |v|²)|v|², |v|² = ẇ² + (3 + cos w)² u̇².
 TEST(Statement_5_8, PowerOfTheDissipation) {
-  const auto check = [](const auto& torus) {
+  const auto check = [](const auto& torus, const auto& friction) {
     const ChartField field(torus);
-    auto work = field.make_workspace();
     for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 50)) {
-      Vector2d a, D;
-      ASSERT_TRUE(field.acceleration(0, q, v, work, a));
-      ASSERT_TRUE(field.covariant_acceleration(q, v, a, D));
-      const auto g = torus.metric(q);
-      const double dE = v.dot(g * D) + mechanics::potential_differential(torus, q).dot(v);
-      const double power = v.dot(g * torus.dissipation(q, v));
+      const mechanics::State<std::decay_t<decltype(field)>> start{0, q, v};
+      const double slope = first_difference(
+          [&](int k) {
+            const auto s = integrate(field, start, 0.02 * k);
+            return field.energy(s.q, s.v);
+          },
+          0.02);
+      const double rho = 3 + std::cos(q[0]), speed2 = v[0] * v[0] + rho * rho * v[1] * v[1];
+      const double power = -friction(q, speed2) * speed2;
       EXPECT_LT(power, 0);
-      EXPECT_NEAR(dE, power, 1e-13 * (1 + g.norm()));
+      EXPECT_NEAR(slope, power, 1e-10 * (1 + speed2)) << "round-off 1e-14/h, truncation h⁸E⁽⁹⁾/630";
     }
   };
-  check(Torus{{3, 1}, 1.3, 0.4, 0.2});
-  check(CubicDrag{});
+  check(Torus{{3, 1}, 1.3, 0.4, 0.2}, [](const Vector2d&, double) { return 0.4; });
+  check(CubicDrag{}, [](const Vector2d& q, double speed2) { return 0.3 + 0.2 * std::cos(q[0]) + speed2; });
+}
+
+/// Remark 5.8.1: "D̃(0_p) = 0 for all p": at rest nothing but −dV acts, and slow motions feel as much less.
+TEST(Statement_5_8_1, NoDissipationAtRest) {
+  const Torus rough{{3, 1}, 1.3, 0.4, 0.2}, smooth{{3, 1}, 1.3, 0, 0.2};
+  for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 20)) {
+    const auto friction = [&, q = q](const Vector2d& u) -> Vector2d {
+      return ChartField(rough).force(0, q, u) - ChartField(smooth).force(0, q, u);
+    };
+    EXPECT_EQ(friction(Vector2d::Zero()), Vector2d::Zero());
+    EXPECT_LT(friction(1e-3 * v).norm(), 1e-3 * 0.4 * 16.1 * v.norm()) << "c times the largest metric, 4²";
+    EXPECT_LT(friction(v).dot(v), 0);
+  }
+  systems::MassPoints::Parameters p;
+  p.masses = Eigen::Vector2d(1, 2);
+  p.field = {0.1, -0.4, 0.7};
+  auto damped = p;
+  damped.dashpots = {{0, 1, 0.8}};
+  damped.drag = 0.3;
+  const Eigen::Matrix3Xd q{{0.1, 1.2}, {0.4, -0.5}, {0, 0.3}};
+  systems::MassPoints::Workspace w;
+  Eigen::Matrix3Xd with(3, 2), without(3, 2);
+  ASSERT_TRUE(systems::MassPoints(damped).force(0, q, Eigen::Matrix3Xd::Zero(3, 2), w, with));
+  ASSERT_TRUE(systems::MassPoints(p).force(0, q, Eigen::Matrix3Xd::Zero(3, 2), w, without));
+  EXPECT_EQ(with, without);
+}
+
+/// Remark 5.8.2: D = μ⁻¹D̃, and D̃(v) applied to v is ⟨D(v), v⟩: the friction in the covector that the program calls
+/// force against its field D in the metric written out.
+TEST(Statement_5_8_2, ForceAndFieldDissipateAlike) {
+  const CubicDrag rough{};
+  const Torus smooth{{3, 1}, 1, 0, 0};
+  for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 20)) {
+    const double by_force = (ChartField(rough).force(0, q, v) - ChartField(smooth).force(0, q, v)).dot(v);
+    const double rho = 3 + std::cos(q[0]);
+    const Vector2d D = rough.dissipation(q, v);
+    const double by_field = D[0] * v[0] + rho * rho * D[1] * v[1];
+    EXPECT_NEAR(by_force, by_field, 1e-13 * (1 + std::abs(by_field)));
+    EXPECT_LT(by_field, 0);
+  }
 }
 
 /// 5.8, in the large: the energy lost along a motion is the work ∫⟨D(v), v⟩dt, by Simpson's rule; and it falls.

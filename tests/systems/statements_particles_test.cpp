@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/methods/methods.h"
 #include "support/integrate.h"
 #include "support/runs.h"
@@ -128,6 +129,44 @@ TEST(Statement_5_5_1, MomentaOfTheMotionFollowTheExternalForces) {
   }
 }
 
+/// (b) along a motion with torque, about a point c ≠ 0: the angular momentum Σ m_i (q_i − c) × q̇_i grows by the
+/// integral of the external forces' moment, written out here; springs, dashpots and attractions between the points act
+/// as well.
+TEST(Statement_5_5_1, AngularMomentumAboutAnyPointFollowsTheExternalTorque) {
+  auto p = isolated_points();
+  p.gravitational_constant = 0.05;  // no close encounters within the time of the test
+  p.dashpots = {{0, 1, 0.8}, {1, 3, 0.5}};
+  p.field = {0.1, -0.4, 0.7};
+  p.confinement = 0.6;
+  p.central_attraction = 0.2;
+  p.center = {0.3, 0.2, -4.1};
+  p.drag = 0.2;
+  const MassPoints points(p);
+  const Eigen::Vector3d c(5, -3, 2);
+  const auto torque = [&](const State<MassPoints>& s) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 4; ++i) {
+      const Eigen::Vector3d q = s.q.col(i), v = s.v.col(i), d = q - p.center;
+      const Eigen::Vector3d f = p.masses(i) * p.field - p.confinement * d - p.drag * v -
+                                p.central_attraction * p.masses(i) / std::pow(d.norm(), 3) * d;
+      sum += (q - c).cross(f);
+    }
+    return sum;
+  };
+  constexpr int n = 800;
+  constexpr double end = 8, h = end / n;
+  const mechanics::ExplicitMultiplier field(points);
+  const auto states = integrate_samples(field, four_points(), end, n, 1e-13);
+  ASSERT_EQ(states.size(), n + 1u);
+  Eigen::Vector3d gained = Eigen::Vector3d::Zero();
+  for (int k = 0; k <= n; ++k)
+    gained += (k == 0 || k == n ? 1.0 : k % 2 == 1 ? 4.0 : 2.0) * h / 3 * torque(states[static_cast<std::size_t>(k)]);
+  const Eigen::Vector3d change = points.angular_momentum(states.back().q, states.back().v, c) -
+                                 points.angular_momentum(states[0].q, states[0].v, c);
+  EXPECT_GT(change.norm(), 1);
+  EXPECT_LT((change - gained).norm(), 1e-6) << "Simpson's rule: h⁴/180 times the fourth derivative of the torque";
+}
+
 /// The double pendulum in Lagrange form, (5.44) with the right sign and (5.45), for (θ, φ).
 struct LagrangePendulum {
   using Vector = Eigen::Vector2d;
@@ -170,6 +209,30 @@ TEST(Statement_5_5_2, ReactionsDoNoVirtualWork) {
     pendulum.from_angles(angles, virtual_rates, q, v);
     EXPECT_NEAR(R.dot(v), 0, 1e-15);
   }
+}
+
+/// (5.37)–(5.43): with I μ⁻¹R = (R₁, R₂) the work of the reactions along any (u₁, u₂), allowed or not, is
+/// R(q̇)(u) = μ(q̈)(u) − F(q̇)(u) = R₁·u₁ + R₂·u₂, the spatial metric. The pairing ⟨(R₁, R₂), (u₁, u₂)⟩ of the kinetic
+/// energy would weight it with the masses once more; the book has ⟨I⁻¹(R₁, R₂), (u₁, u₂)⟩, which is right.
+TEST(Statement_5_5_2, ReactionsArePairedBySpatialMetric) {
+  const DoublePendulum pendulum(generic_pendulum);
+  const auto s = swinging(pendulum);
+  auto w = pendulum.make_workspace();
+  auto lambda = pendulum.make_multiplier();
+  ASSERT_TRUE(mechanics::multiplier_of_motion(pendulum, s, w, lambda));
+  Eigen::Vector4d R = Eigen::Vector4d::Zero(), F, a, mu_a, kinetic;
+  pendulum.add_reaction(s.q, lambda, R);
+  const mechanics::ExplicitMultiplier motion(pendulum);
+  auto w_motion = motion.make_workspace();
+  ASSERT_TRUE(motion.acceleration(0, s.q, s.v, w_motion, a));
+  ASSERT_TRUE(pendulum.force(0, s.q, s.v, w, F));
+  pendulum.apply_mass(a, mu_a);
+  pendulum.apply_mass(R, kinetic);
+  const Eigen::Vector4d u(0.3, -0.8, 0.5, 0.7);
+  const double work = (mu_a - F).dot(u);
+  EXPECT_GT(std::abs(work), 0.1);
+  EXPECT_NEAR(R.dot(u), work, 1e-14);
+  EXPECT_GT(std::abs(kinetic.dot(u) - work), 0.1);
 }
 
 /// "(5.33)–(5.43)" and "(5.44), (5.45)" have the same motions: 1e-10 over t = 20, energy to 1e-12.

@@ -1,55 +1,19 @@
-/// Statements of Oliva 5.6 (rigid bodies): kinematics, inertia, momenta, the general equations, and the corrections 4
-/// and 5. Tops (5.6.16, 5.6.17) are in statements_tops_test.cpp, Euler angles (5.6.20) in euler_angles_test.cpp, moving
-/// frames (5.6.7) in moving_frame_test.cpp.
+/// Statements of Oliva 5.6 (rigid bodies) on kinematics, inertia and momenta, up to 5.6.13. Free bodies and the general
+/// equations are in statements_rigid_motion_test.cpp, moving frames (5.6.7) in moving_frame_test.cpp.
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "mechanics/core/explicit_multiplier.h"
-#include "mechanics/methods/methods.h"
-#include "support/integrate.h"
-#include "support/runs.h"
 #include "systems/conservative_checks.h"
-#include "systems/mass_distribution.h"
 #include "systems/moving_frame.h"
-#include "systems/sample_systems.h"
+#include "systems/rigid_motions.h"
 
 namespace pseudorigid::testing {
-
-using Eigen::Matrix3d, Eigen::Vector3d;
-using mechanics::axial_vector, mechanics::cross_matrix, mechanics::State;
-using systems::FixedPointBody, systems::FreeBody, systems::MassDistribution, systems::WeightedPoint;
-
-const Vector3d some_X(0.4, -1.3, 0.7), some_Y(1.1, 0.2, -0.6), some_Omega(0.6, -0.9, 1.1);
-
-FreeBody loaded_free_body() { return FreeBody({tilted_E0(), generic_loads_about_the_center()}); }
-State<FreeBody> free_start() {
-  return systems::turning(generic_rotation(), some_Omega, {0.3, 0.1, -0.2}, {0.5, -0.4, 0.2});
-}
-/// A state in the middle of the motion of a loaded free body, by RATTLE of order 8.
-State<FreeBody> state_on_the_way() {
-  const auto r = run<mechanics::Rattle8>(loaded_free_body(), free_start(), 3, 1, 60);
-  EXPECT_TRUE(r.finished()) << r.result.reason;
-  return r.last();
-}
-/// q̈ by the explicit multiplier.
-template <class Body>
-typename Body::Vector acceleration_of(const Body& body, const State<Body>& s) {
-  const mechanics::ExplicitMultiplier<Body> field(body);
-  auto w = field.make_workspace();
-  auto a = body.make_vector();
-  EXPECT_TRUE(field.acceleration(s.t, s.q, s.v, w, a));
-  return a;
-}
-Vector3d axial_of_skew(const Matrix3d& W) { return -0.5 * axial_vector(W); }
-
-/// A body of mass points without symmetry.
-std::vector<WeightedPoint> body_points() {
-  return {{{0.3, -0.2, 0.9}, 1.2}, {{-0.7, 0.5, 0.1}, 0.8}, {{0.4, 1.0, -0.6}, 1.5}, {{-0.2, -0.9, -0.4}, 0.7}};
-}
 
 /// "M* preserves modulus, inner product, is linear, a bijection whose inverse is an isometry, and preserves the vector
 /// product": for the isometry ξ ↦ x(ξ) of a body on its way.
@@ -68,6 +32,16 @@ TEST(Statement_5_6_1, PlacesOfABodyAreAProperIsometry) {
   EXPECT_NEAR((N(some_X) - N(some_Y)).norm(), (some_X - some_Y).norm(), 2e-15);
 }
 
+/// Exercise 5.6.2, property 5 of 5.6.1: "if M* is orientation preserving then M* preserves the vector product", for the
+/// places of a body; a reflection changes its sign.
+TEST(Statement_5_6_2, OrientationPreservingIsometriesKeepTheVectorProduct) {
+  const auto s = state_on_the_way();
+  const Matrix3d M = FreeBody::rotation(s.q), reflected = M * Vector3d(1, 1, -1).asDiagonal();
+  EXPECT_NEAR(M.determinant(), 1, 4e-15);
+  EXPECT_LT((M * some_X.cross(some_Y) - (M * some_X).cross(M * some_Y)).norm(), 4e-15);
+  EXPECT_LT((reflected * some_X.cross(some_Y) + (reflected * some_X).cross(reflected * some_Y)).norm(), 4e-15);
+}
+
 /// "M_t has a unique decomposition M_t = T_t∘R_t": the places of four points determine R and r, and these are q.
 TEST(Statement_5_6_3, RotationAndTranslationAreDeterminedByTheMotion) {
   const auto s = state_on_the_way();
@@ -77,6 +51,20 @@ TEST(Statement_5_6_3, RotationAndTranslationAreDeterminedByTheMotion) {
   for (int k = 0; k < 4; ++k) places.col(k) = FreeBody::place(s.q, bodies.col(k).head<3>());
   EXPECT_LT((places * bodies.inverse() - s.q).norm(), 4e-15);
   EXPECT_GT((s.q - free_start().q).norm(), 1) << "the body has moved";
+}
+
+/// Exercise 5.6.4: "to a skew-symmetric A there is a unique ω with Ay = ω × y, and ω = 0 iff A = 0": the program's two
+/// maps are inverse to each other, up to the factor of its axial vector, −2.
+TEST(Statement_5_6_4, SkewOperatorsAreVectors) {
+  for (const Vector3d& omega : {some_X, some_Y, some_Omega, Vector3d(0, 0, 0)}) {
+    const Matrix3d A = cross_matrix(omega);
+    EXPECT_EQ(A, -A.transpose());
+    EXPECT_LT((A * some_Y - omega.cross(some_Y)).norm(), 1e-15);
+    EXPECT_EQ(axial_of_skew(A), omega);
+    EXPECT_EQ(A.isZero(0), omega.isZero(0));
+  }
+  const Matrix3d B = cross_matrix(some_X) + 0.3 * cross_matrix(some_Y);  // linear
+  EXPECT_LT((axial_of_skew(B) - some_X - 0.3 * some_Y).norm(), 1e-15);
 }
 
 /// "There exist unique Ω ∈ K and ω ∈ k with M*⁻¹Ṁ* = Ω×, Ṁ*M*⁻¹ = ω×, and ω = M*Ω."
@@ -214,6 +202,46 @@ TEST(Statement_5_6_11, SteinersTheorem) {
   EXPECT_GT(d, 0.5);
 }
 
+/// "The proper isometries are diffeomorphic to k × SO(k; 3)", Φ(M) = (M(0), M*), Ψ(r, h) = (X ↦ r + hX): the program's
+/// coordinates q = [R | x] are these, and what its places say of them they are again.
+TEST(Statement_5_6_12, IsometriesArePairsOfAPlaceAndARotation) {
+  const auto Psi = [](const Vector3d& r, const Matrix3d& h) {
+    return systems::turning(h, Vector3d::Zero(), r, Vector3d::Zero()).q;
+  };
+  const auto Phi = [](const FreeBody::Vector& q) {
+    const Vector3d r = FreeBody::place(q, Vector3d::Zero());
+    Matrix3d h;
+    for (int i = 0; i < 3; ++i) h.col(i) = FreeBody::place(q, Vector3d::Unit(i)) - r;
+    return std::pair(r, h);
+  };
+  const auto s = state_on_the_way();
+  const auto [r, h] = Phi(s.q);
+  EXPECT_LT((Psi(r, h) - s.q).norm(), 2e-15);
+  EXPECT_LT((h.transpose() * h - Matrix3d::Identity()).norm(), 1e-14);
+  EXPECT_NEAR(h.determinant(), 1, 1e-14);
+  const auto [r_again, h_again] = Phi(Psi(some_X, generic_rotation()));
+  EXPECT_LT((r_again - some_X).norm() + (h_again - generic_rotation()).norm(), 2e-15);
+  // Six dimensions: of the twelve entries of q the six constraints leave six.
+  Eigen::Matrix<double, 6, 12> G;
+  for (int k = 0; k < 12; ++k) {
+    FreeBody::Vector e = FreeBody::Vector::Zero();
+    e(k) = 1;
+    FreeBody::Multiplier rate;
+    loaded_free_body().constraint_rate(s.q, e, rate);
+    G.col(k) = rate;
+  }
+  EXPECT_GT(G.jacobiSvd().singularValues()(5), 0.5);
+}
+
+/// q̈ by the explicit multiplier.
+template <class Body>
+typename Body::Vector acceleration_of(const Body& body, const State<Body>& s) {
+  const mechanics::ExplicitMultiplier<Body> field(body);
+  auto w = field.make_workspace();
+  auto a = body.make_vector();
+  EXPECT_TRUE(field.acceleration(s.t, s.q, s.v, w, a));
+  return a;
+}
 /// "dK/dt = ∫(q̇, df) = (ġ, F) + (ω, P_g)", F the total force and P_g its moment about the centre of mass.
 TEST(Statement_5_6_13, PowerOfTheExternalForces) {
   const auto body = loaded_free_body();
@@ -234,131 +262,6 @@ TEST(Statement_5_6_13, PowerOfTheExternalForces) {
   EXPECT_NEAR(K_rate, power, 1e-13);
   EXPECT_NEAR(power, s.v.col(3).dot(F) + omega.dot(P_g), 1e-13);
   EXPECT_GT(std::abs(power), 0.05);
-}
-
-/// "If S is free, its centre of mass moves uniformly; the kinetic momentum and the kinetic energy are constant."
-TEST(Statement_5_6_14, FreeBodyConservesMomentumAndEnergy) {
-  const FreeBody body({tilted_E0(), {}});
-  const auto start = free_start();
-  const auto r = run<mechanics::Rattle8>(body, start, 50, 10, 100);
-  ASSERT_TRUE(r.finished());
-  for (const auto& s : r.states) {
-    EXPECT_LT((s.q.col(3) - start.q.col(3) - s.t * start.v.col(3)).norm(), 1e-12);
-    EXPECT_LT((s.v.col(3) - start.v.col(3)).norm(), 1e-14);
-    EXPECT_LT((body.angular_momentum(s.q, s.v) - body.angular_momentum(start.q, start.v)).norm(), 1e-12);
-    EXPECT_NEAR(body.kinetic_energy(s.v), body.kinetic_energy(start.v), 1e-12);
-  }
-  EXPECT_GT((FreeBody::rotation(r.last().q) - FreeBody::rotation(start.q)).norm(), 0.1);
-}
-
-/// "A free rigid body rotates around its center of mass as if the center of mass were fixed."
-TEST(Statement_5_6_15, FreeBodyRotatesAsIfItsCentreWereFixed) {
-  const auto free = run<mechanics::Rattle8>(FreeBody({tilted_E0(), {}}), free_start(), 20, 1, 400);
-  const auto fixed = run<mechanics::Rattle8>(FixedPointBody({tilted_E0(), {}}),
-                                             systems::turning(generic_rotation(), some_Omega), 20, 1, 400);
-  ASSERT_TRUE(free.finished() && fixed.finished());
-  EXPECT_LT((FreeBody::rotation(free.last().q) - fixed.last().q).norm(), 1e-12);
-}
-
-/// The general equations EG₁, EG₂ of the loaded free body, m g̈ = F and Ṗ = P × Ω + N about the centre of mass, as a
-/// field on (quaternion, centre).
-struct GeneralEquations {
-  using Vector = Eigen::Matrix<double, 7, 1>;
-  struct Workspace {};
-  Matrix3d A;
-  systems::BodyLoads loads;
-
-  mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
-    using Top = systems::EulerTop<>;
-    const Eigen::Vector4d quaternion = q.head<4>(), rate = v.head<4>();
-    const Matrix3d R = Top::rotation(quaternion);
-    const Vector3d g = q.tail<3>(), Omega = Top::body_angular_velocity(quaternion, rate);
-    Vector3d F = Vector3d::Zero(), N = Vector3d::Zero();
-    if (auto status = loads.apply([&](const Vector3d& xi) -> Vector3d { return R * xi + g; },
-                                  [&](const Vector3d& xi, const Vector3d& df) {
-                                    F += df;
-                                    N += xi.cross(R.transpose() * df);
-                                  });
-        !status)
-      return status;
-    const Vector3d Omega_rate = A.inverse() * ((A * Omega).cross(Omega) + N);
-    const auto times = [](const Eigen::Vector4d& p, const Vector3d& w) {
-      return (Eigen::Quaterniond(p) * Eigen::Quaterniond(0, w.x(), w.y(), w.z())).coeffs();
-    };
-    a << 0.5 * (times(rate, Omega) + times(quaternion, Omega_rate)), F / loads.mass;
-    return {};
-  }
-  Vector make_vector() const { return Vector::Zero(); }
-  Workspace make_workspace() const { return {}; }
-};
-
-/// "The general equations EG₁, EG₂ are equivalent to the generalized Newton law on k × SO(3)": the constrained body by
-/// RATTLE and the general equations have the same motion.
-TEST(Statement_5_6_19, NewtonsLawOnKTimesSO3IsTheGeneralEquations) {
-  const auto body = loaded_free_body();
-  const auto r = run<mechanics::Rattle8>(body, free_start(), 10, 10, 60);
-  ASSERT_TRUE(r.finished()) << r.result.reason;
-
-  const auto rotation = systems::EulerTop<>::turning(generic_rotation(), some_Omega);
-  State<GeneralEquations> start{};
-  start.q << rotation.q, free_start().q.col(3);
-  start.v << rotation.v, free_start().v.col(3);
-  const GeneralEquations equations{body.inertia(), body.parameters().loads};
-  const auto samples = integrate_samples(equations, start, 10, 10, 1e-14);
-  ASSERT_EQ(samples.size(), r.states.size());
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const Eigen::Vector4d q = samples[k].q.head<4>(), q_rate = samples[k].v.head<4>();
-    const auto& s = r.states[k];
-    EXPECT_LT((FreeBody::rotation(s.q) - systems::EulerTop<>::rotation(q)).norm(), 1e-10);
-    EXPECT_LT((s.q.col(3) - samples[k].q.tail<3>()).norm(), 1e-10);
-    EXPECT_LT((s.v.col(3) - samples[k].v.tail<3>()).norm(), 1e-10);
-    EXPECT_LT(
-        (FreeBody::body_angular_velocity(s.q, s.v) - systems::EulerTop<>::body_angular_velocity(q, q_rate)).norm(),
-        1e-10);
-  }
-  const auto energy = [&](const State<FreeBody>& s) { return body.kinetic_energy(s.v) + body.potential_energy(s.q); };
-  EXPECT_NEAR(energy(r.last()), energy(r.states.front()), 1e-11);
-}
-
-/// Right: Ω = (M*)⁻¹ω. The printed (Ṁ*)⁻¹ω does not exist: Ṁ* = (ω×)M* is singular.
-TEST(Correction_4, OmegaInTheBodyNeedsTheInverseOfMNotOfItsRate) {
-  const auto s = state_on_the_way();
-  const Matrix3d M = FreeBody::rotation(s.q), M_rate = FreeBody::rotation(s.v);
-  const Vector3d omega = axial_of_skew(M_rate * M.transpose());
-  EXPECT_LT((M.transpose() * M_rate - cross_matrix(M.inverse() * omega)).norm(), 1e-14);
-  const Vector3d singular_values = M_rate.jacobiSvd().singularValues();
-  EXPECT_LT(singular_values(2), 1e-15 * singular_values(0) * 10);
-  EXPECT_GT(singular_values(1), 0.5);
-}
-
-/// Smallest singular value of the differential of (K, p) : T SO(3) → R⁴ at a state with the angular velocity Ω, by
-/// differences in the six directions of T T SO(3) (turns of R with Ω held, and changes of Ω).
-double smallest_singular_value(const FixedPointBody& body, const Vector3d& Omega) {
-  Eigen::Matrix<double, 4, 6> D;
-  for (int i = 0; i < 6; ++i)
-    D.col(i) = derivative([&, Omega](double t) -> Eigen::Vector4d {
-      const Vector3d e = Vector3d::Unit(i % 3);
-      const Matrix3d turn = Eigen::AngleAxisd(i < 3 ? t : 0, e).toRotationMatrix();
-      const auto s = systems::turning(generic_rotation() * turn, i < 3 ? Omega : Vector3d(Omega + t * e));
-      Eigen::Vector4d K_p;
-      K_p << body.kinetic_energy(s.v), body.angular_momentum(s.q, s.v);
-      return K_p;
-    });
-  return D.jacobiSvd().singularValues()(3);
-}
-
-/// "(K, p) has no critical points if K₀ > 0" is false at steady rotations about principal axes, where |p|² = 2I_iK, and
-/// true elsewhere.
-TEST(Correction_5, SteadyRotationsAreCriticalPointsOfEnergyAndMomentum) {
-  const FixedPointBody body({generic_E0(), {}});
-  for (int i = 0; i < 3; ++i) {
-    const auto s = systems::turning(generic_rotation(), 1.3 * Vector3d::Unit(i));
-    const double K = body.kinetic_energy(s.v);
-    EXPECT_GT(K, 0.5);
-    EXPECT_NEAR(body.angular_momentum(s.q, s.v).squaredNorm(), 2 * generic_moments(i) * K, 1e-13);
-    EXPECT_LT(smallest_singular_value(body, 1.3 * Vector3d::Unit(i)), difference_tolerance) << "critical, axis " << i;
-  }
-  EXPECT_GT(smallest_singular_value(body, some_Omega), 0.05) << "regular";
 }
 
 }  // namespace pseudorigid::testing
