@@ -80,13 +80,16 @@ void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, c
 }
 
 ReactionsBetween::ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0)
-    : space_(space), A1_(space.gradients().size(3)), A0_(q1.data() == q0.data() ? 0 : A1_.size()) {
-  inverse_gradient(space, q1, A1_.data());
-  if (!A0_.empty()) inverse_gradient(space, q0, A0_.data());
+    : space_(space),
+      same_(q1.data() == q0.data()),
+      A1_(space.gradients().size(3)),
+      A0_(same_ ? 0 : space.gradients().size(3)) {
+  inverse_gradient(space, q1, A1_);
+  if (!same_) inverse_gradient(space, q0, A0_);
 }
 
-void ReactionsBetween::multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product) const {
-  const double* A0 = A0_.empty() ? A1_.data() : A0_.data();
+void ReactionsBetween::multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product) {
+  double* A0 = same_ ? A1_ : A0_;
   ScratchArray T(space_.gradients().size(3)), y(space_.n_points()), f(space_.n_unknowns());
   weighted_pressure(space_, lambda, y);
   clear(space_, T);
@@ -94,7 +97,7 @@ void ReactionsBetween::multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& 
   std::fill_n(static_cast<double*>(f), space_.n_unknowns(), 0.0);
   space_.gradients().add_transposed(space_.blocks(), 3, T, f);
   space_.gradients().evaluate(space_.blocks(), 3, f, T);
-  dense().weighted_product(space_.n_points(), space_.weights().data(), A1_.data(), T, y);
+  dense().weighted_product(space_.n_points(), space_.weights().data(), A1_, T, y);
   test_with_pressures(space_, y, product);
 }
 

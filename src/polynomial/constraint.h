@@ -7,9 +7,9 @@
 /// Vectors may have entries more than the space has unknowns; these are left as they are.
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "polynomial/polynomial_space.h"
+#include "polynomial/scratch.h"
 
 namespace pseudorigid::polynomial {
 
@@ -30,11 +30,12 @@ void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, c
 class ReactionsBetween {
  public:
   ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0);
-  void multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product) const;
+  void multiply(const Eigen::VectorXd& lambda, Eigen::VectorXd& product);
 
  private:
   const PolynomialSpace& space_;
-  std::vector<double> A1_, A0_;  ///< F⁻ᵀ at the points
+  bool same_;             ///< q₁ is q₀
+  ScratchArray A1_, A0_;  ///< F⁻ᵀ at the points
 };
 
 }  // namespace pseudorigid::polynomial

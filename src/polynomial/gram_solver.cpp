@@ -85,7 +85,9 @@ void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) cons
     const int width = filled_up(block.n());
     ScratchArray R(static_cast<std::size_t>(n_points) * width);
     reactions_at_points(*space_, block, gradients_[block.parity], A, R);
-    RowMajor columns = RowMajor::Zero(n_pressures, width);
+    ScratchArray numbers(static_cast<std::size_t>(n_pressures) * width);
+    Eigen::Map<RowMajor> columns(numbers, n_pressures, width);
+    columns.setZero();
     dense().multiply(weighted_pressures_.data(), n_pressures, R, n_points, width, columns.data());
     visitor(block, columns);
   }
@@ -93,18 +95,19 @@ void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) cons
 
 Eigen::MatrixXd GramMatrix::constraint_matrix(const Eigen::VectorXd& q) const {
   Eigen::MatrixXd G = Eigen::MatrixXd::Zero(space_->n_pressures(), q.size());
-  for_each_part(q, [&](const Block& block, const RowMajor& columns) {
+  for_each_part(q, [&](const Block& block, const auto& columns) {
     G.middleCols(block.offset, block.n()) = columns.leftCols(block.n());
   });
   return G;
 }
 
-Eigen::MatrixXd GramMatrix::at(const Eigen::VectorXd& q) const {
+void GramMatrix::at(const Eigen::VectorXd& q, Eigen::MatrixXd& S) const {
   const int n = space_->n_pressures();
-  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
-  for_each_part(q,
-                [&](const Block&, const RowMajor& columns) { S.selfadjointView<Eigen::Lower>().rankUpdate(columns); });
-  return S;
+  S.setZero(n, n);
+  for_each_part(q, [&](const Block&, const auto& columns) {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j <= i; ++j) S(i, j) += columns.row(i).dot(columns.row(j));
+  });
 }
 
 Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q) {
@@ -112,10 +115,13 @@ Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::Vec
 }
 
 GramSolver::GramSolver(const PolynomialSpace& space)
-    : space_(&space), matrix_(space), position_(Eigen::VectorXd::Zero(space.n_unknowns())) {}
+    : space_(&space), matrix_(space), position_(Eigen::VectorXd::Zero(space.n_unknowns())) {
+  y_.fill(Eigen::VectorXd::Zero(space.n_pressures()));
+}
 
 bool GramSolver::factor(const Eigen::VectorXd& q) {
-  factor_.compute(matrix_.at(q));
+  matrix_.at(q, S_);
+  factor_.compute(S_);
   factored_at_ = q;
   ++n_factorizations_;
   return factor_.info() == Eigen::Success;
@@ -146,7 +152,7 @@ double GramSolver::factorization_cost() const {
 
 mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                          double enough, Eigen::VectorXd& lambda) {
-  const ReactionsBetween S(*space_, q1, q0);
+  ReactionsBetween S(*space_, q1, q0);
   int n_iterations = 0;
   const auto dependent = [&]() -> mechanics::SolveReport {
     return {mechanics::Status::failure("the constraints on the volume have become dependent: use a smaller step"),
@@ -161,33 +167,32 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
   return {{}, n_iterations};
 }
 
-bool GramSolver::iterate(const ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
+bool GramSolver::iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                          int& n_iterations) {
   constexpr double part = 1e-4;
-  constexpr int max_iterations = 12;
   const double sought = std::max(part * r.lpNorm<Eigen::Infinity>(), enough);
-  std::array<Eigen::VectorXd, max_iterations> z, y;
-  Eigen::VectorXd residual = r;
+  residual_ = r;
   lambda.setZero();
   for (int k = 0; k < max_iterations; ++k) {
     ++n_iterations;
     if (k > 0) spent_ += iteration_cost();
-    z[k] = factor_.solve(residual);
-    y[k].resize(r.size());
-    S.multiply(z[k], y[k]);
+    Eigen::VectorXd &z = z_[k], &y = y_[k];
+    z = residual_;
+    factor_.solveInPlace(z);
+    S.multiply(z, y);
     for (int j = 0; j < k; ++j) {
-      const double beta = y[j].dot(y[k]);
-      y[k] -= beta * y[j];
-      z[k] -= beta * z[j];
+      const double beta = y_[j].dot(y);
+      y -= beta * y_[j];
+      z -= beta * z_[j];
     }
-    const double norm = y[k].norm();
-    if (!(norm > 0) || !std::isfinite(norm)) return residual.lpNorm<Eigen::Infinity>() <= sought;
-    y[k] /= norm;
-    z[k] /= norm;
-    const double alpha = y[k].dot(residual);
-    lambda += alpha * z[k];
-    residual -= alpha * y[k];
-    if (residual.lpNorm<Eigen::Infinity>() <= sought) return true;
+    const double norm = y.norm();
+    if (!(norm > 0) || !std::isfinite(norm)) return residual_.lpNorm<Eigen::Infinity>() <= sought;
+    y /= norm;
+    z /= norm;
+    const double alpha = y.dot(residual_);
+    lambda += alpha * z;
+    residual_ -= alpha * y;
+    if (residual_.lpNorm<Eigen::Infinity>() <= sought) return true;
   }
   return false;
 }

@@ -30,7 +30,7 @@ class GramMatrix {
   /// G(q): one row a pressure function, one column an entry of q.
   Eigen::MatrixXd constraint_matrix(const Eigen::VectorXd& q) const;
   /// The lower triangle of S(q, q).
-  Eigen::MatrixXd at(const Eigen::VectorXd& q) const;
+  void at(const Eigen::VectorXd& q, Eigen::MatrixXd& S) const;
 
  private:
   template <class Visitor>
@@ -63,7 +63,7 @@ class GramSolver {
   bool factor(const Eigen::VectorXd& q);
   bool ensure_factor(const Eigen::VectorXd& q0);
   /// False where it does not converge.
-  bool iterate(const ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
+  bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                int& n_iterations);
   double iteration_cost() const;
   double factorization_cost() const;
@@ -74,7 +74,11 @@ class GramSolver {
   bool is_known_ = false;        ///< position_ is one
   double spent_ = 0;             ///< on iterations since
   Eigen::VectorXd factored_at_;  ///< of what is in factor_; empty: nothing
+  Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
+  static constexpr int max_iterations = 12;
+  std::array<Eigen::VectorXd, max_iterations> z_, y_;
+  Eigen::VectorXd residual_;
   long n_factorizations_ = 0;
 };
 

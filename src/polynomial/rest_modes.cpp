@@ -66,10 +66,14 @@ Mode classified(const PolynomialSpace& space, double omega, Eigen::VectorXd shap
       if (least < 0) least = l;
       largest = l;
     }
-  const bool radial = least == 1 && largest == 1 && space.affine_part(shape).trace() != 0 &&
-                      std::abs(space.affine_part(shape).trace()) > 1e-3 * space.affine_part(shape).norm();
-  if (radial) return {omega, true, 0, std::move(shape)};
-  return {omega, largest > least, (least + largest) / 2, std::move(shape)};
+  if (least != 1 || largest != 1) return {omega, largest > least, (least + largest) / 2, std::move(shape)};
+  // A radial motion, S0, has a dilation. Of degree 1, whose functions end at l = 1, a deformation is S2. The rest is
+  // T1.
+  const Eigen::Matrix3d A = space.affine_part(shape);  // of order 1, or round-off
+  constexpr double round_off = 1e-6;
+  if (std::abs(A.trace()) > round_off) return {omega, true, 0, std::move(shape)};
+  if ((A + A.transpose()).norm() > round_off) return {omega, true, 2, std::move(shape)};
+  return {omega, false, 1, std::move(shape)};
 }
 
 /// Adds the modes of a parity.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,12 +11,15 @@
 
 #include "app/polynomial/body_setup.h"
 #include "app/run/nonaffine_watch.h"
+#include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/tension_watch.h"
 #include "app/search/deformation_trace.h"
+#include "io/ball_blocks.h"
 #include "io/csv.h"
 #include "io/trajectory.h"
 #include "mechanics/steps/step_size.h"
+#include "polynomial/fields.h"
 #include "polynomial/observe.h"
 
 namespace pseudorigid::app {
@@ -96,6 +100,20 @@ class PolynomialModel {
   }
   void take_remarks(std::span<const double> remarks) { nonaffine_.take_remarks(remarks.first<3>()); }
 
+  mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
+                                Workspace& workspace) {
+    Eigen::VectorXd lambda;
+    if constexpr (!mechanics::unconstrained<System>) {
+      lambda = body_.make_multiplier();
+      if (auto status = mechanics::multiplier_of_motion(body_, state, workspace, lambda); !status) return status;
+    }
+    if (!picture_) picture_.emplace(body_.space());
+    mechanics::BodyFields fields;
+    if (auto status = picture_->at.fields(body_, state.q, state.v, lambda, fields); !status) return status;
+    write_picture(context_, path, time, picture_->ball.blocks, fields);
+    return {};
+  }
+
   template <class MethodWorkspace>
   void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
     auto& c = statistics.counters;
@@ -114,6 +132,12 @@ class PolynomialModel {
   }
 
  private:
+  /// Cut into cells, a quarter of a circle is 8 straight edges.
+  struct Picture {
+    explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
+    io::BallBlocks ball;
+    polynomial::FieldsAtPoints at;
+  };
   Eigen::Matrix3d affine_part(const Eigen::VectorXd& x) const {
     return body_.space().affine_part(x.head(body_.space().n_unknowns()));
   }
@@ -129,6 +153,7 @@ class PolynomialModel {
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
+  std::optional<Picture> picture_;  ///< from the first one on
 };
 
 }  // namespace pseudorigid::app

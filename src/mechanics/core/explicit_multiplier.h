@@ -57,6 +57,12 @@ class ExplicitMultiplier {
     typename S::Workspace system;
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
+
+    /// What a solver of Gram systems remembers.
+    template <class Visit>
+    void visit_memory(Visit&& visit) {
+      if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
+    }
   };
 
   explicit ExplicitMultiplier(const S& system) : system_(system) {}

@@ -69,6 +69,7 @@ struct DormandPrince8Workspace {
   /// Hands out what belongs to the state of the computation and must survive a checkpoint.
   template <class Visit>
   void visit_memory(Visit&& visit) {
+    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
     visit(h);
     visit(t_start);
     visit(h_last);

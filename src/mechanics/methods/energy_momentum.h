@@ -111,6 +111,7 @@ struct EnergyMomentumWorkspace {
   /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
+    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
     visit(acceleration);
     history.visit_memory(visit);
     visit(energy_gained);
