@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iostream>
 #include <numbers>
 
 #include "analysis/order_fit.h"
@@ -86,7 +85,6 @@ TEST(BodyGravity, ForceOfBentBodiesConvergesInThePoints) {
     const BodyGravity gravity(G, space, n);
     of_force.push_back({1.0 / n, (force(gravity, q) - exact).norm()});
     of_energy.push_back({1.0 / n, std::abs(gravity.energy(q) - energy)});
-    std::cerr << "points " << n << " " << of_force.back().error << " " << of_energy.back().error << "\n";
   }
   EXPECT_GT(analysis::fit_order(of_force).order, 4);
   EXPECT_GT(analysis::fit_order(of_energy).order, 4);
@@ -136,7 +134,6 @@ TEST(FluidEllipsoid, StaysAffineAndFollowsThePseudoRigidBody) {
     of_Q = std::max(of_Q, (body.space().affine_part(r.states[k].q) - expected.states[k].q).norm());
     nonaffine = std::max(nonaffine, nonaffine_part(body, r.states[k].q));
   }
-  std::cerr << "fluid " << of_Q << " " << nonaffine << "\n";
   EXPECT_GT((expected.last().q - Q).norm(), 0.05);
   EXPECT_LT(of_Q, 1e-7);
   EXPECT_LT(nonaffine, 1e-3);

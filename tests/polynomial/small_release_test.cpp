@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <iostream>
-
 #include "analysis/order_fit.h"
 #include "polynomial/motions.h"
 
@@ -39,7 +37,6 @@ TEST(SmallRelease, ErrorsOfTheResponseFallWithTheDegree) {
     for (const auto& [time, exact] : exact_response)
       squares += std::pow(h[static_cast<std::size_t>(std::lround(2 * time))] - exact, 2);
     points.push_back({1.0 / N, std::sqrt(squares / std::size(exact_response))});
-    std::cerr << "N " << N << " " << points.back().error << "\n";
   }
   const double rate = std::log(points.front().error / points.back().error) / std::log(11.0 / 3);
   EXPECT_GT(rate, 2);
