@@ -98,6 +98,8 @@ struct ModelDescription {
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
   /// first.
   std::vector<std::string> rungs{};
+  /// How many runs of the model the scene asks for; empty: one.
+  std::function<std::size_t(const Scene&)> n_runs{};
   /// The header of its CSV file.
   std::function<std::vector<std::string>(const Quantities&)> header{};
   /// The line for people of a scene that runs it, and of one that does not.

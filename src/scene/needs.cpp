@@ -48,6 +48,13 @@ void describe_stabilization(const Scene& scene, Needs& needs) {
                : "volumetric stabilisation: neither self-gravity nor a confining tidal matrix");
 }
 
+/// Runs whose results are compared: those of every model.
+std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
+  std::size_t n = 0;
+  for (const ModelDescription* model : needs.models) n += model->n_runs ? model->n_runs(scene) : 1;
+  return n;
+}
+
 loads::BodyFacts facts_of_body(const Scene& scene) {
   const auto& [radius, density, incompressible, a, inertia] = scene.body;
   const double volume = 4 * std::numbers::pi / 3 * radius * radius * radius * a[0] * a[1] * a[2];
@@ -78,8 +85,9 @@ void describe_models(const Scene& scene, Needs& needs) {
   sort_out(needs, loads::constant_forcing(scene.loads).dissipative(), "dissipation, and the energy that it takes",
            "dissipation: neither viscosity nor drag");
   sort_out(needs, needs.comparison,
-           fmt::format("comparison of the {} models",
-                       needs.models.size() == 2 ? "two" : std::to_string(needs.models.size())),
+           needs.models.size() == 2 && n_runs_of_models(scene, needs) == 2
+               ? "comparison of the two models"
+               : fmt::format("comparison of {} runs with the last", n_runs_of_models(scene, needs) - 1),
            "comparison: only one model runs");
   describe_error_estimate(scene, needs);
 }
@@ -179,7 +187,7 @@ Needs needs(const Scene& scene) {
   needs.constraint = scene.body.incompressible;
   needs.pressure_space =
       std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine) && scene.body.incompressible;
-  needs.comparison = needs.models.size() > 1 && scene.analysis == Analysis::motion;
+  needs.comparison = n_runs_of_models(scene, needs) > 1 && scene.analysis == Analysis::motion;
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
   const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);

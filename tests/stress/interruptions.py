@@ -16,6 +16,7 @@ from program_test import ProgramTest  # noqa: E402
 KINDS = ("control_c", "kill", "full_disk", "another_method", "far_too_large_step", "velocity_that_no_mesh_stands")
 REDUCED = {"Models": "reduced", "Initial state/Velocity": "0.1, 0.3, 0; -0.2, 0.1, 0; 0, 0, -0.2", "Time/End": 50,
            "Time/Method": "rattle-4", "Time/Step": 0.01, "Output/Samples": 2000, "Output/Graphics": "vtu", "Output/Frames": 5}
+POLYNOMIAL = {**REDUCED, "Models": "polynomial", "Polynomial/Degree": 3, "Time/End": 10, "Time/Step": 0.02}
 CONTINUUM = {"Models": "continuum", "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0; 0, 0, -0.2", "Time/End": 2,
              "Continuum/Degree": 2, "Time/Method": "rattle", "Time/Step": 0.01, "Output/Samples": 200,
              "Output/Graphics": "vtu", "Output/Frames": 3}
@@ -77,7 +78,7 @@ class SmallDisk:
 
 
 def full_disks(program, rng, number, with_continuum):
-    scenes = {"reduced": REDUCED, **({"continuum": CONTINUUM} if with_continuum else {})}
+    scenes = {"reduced": REDUCED, "polynomial": POLYNOMIAL, **({"continuum": CONTINUUM} if with_continuum else {})}
     for model, entries in scenes.items():
         whole = program.run(entries, "whole")
         total = sum(path.stat().st_size for path in whole.files(".csv") + whole.files(".vtu"))
@@ -100,7 +101,7 @@ def faults_of_full_disk(run):
 
 def after_more_space(program, disk, folder, model, whole):
     """Taken up again where there is a checkpoint, begun anew where there is none yet, the run gives the results of one that
-    was not disturbed: the reduced model to the last bit, and a continuum, which does not save its caches, to 1e-11."""
+    was not disturbed: reduced and polynomial models to the last bit, and a continuum, which does not save its caches, to 1e-11."""
     disk.grow()
     resume = ["--resume"] if (folder / f"checkpoint-{model}.bin").exists() else []
     run = program.call("run", "whole.prm", "--output", folder, *resume, folder=folder)

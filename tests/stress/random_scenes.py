@@ -118,9 +118,21 @@ def ball(rng, with_continuum):
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
+    if rng.random() < 0.3:
+        bend(rng, entries)
     choose_method(rng, entries, 1 / rate, reduced_only)
     ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
     return entries, ranks
+
+
+def bend(rng, entries):
+    """Polynomial bodies in place of the pseudo-rigid one, or beside the models of the scene."""
+    others = entries["Models"].split(", ")
+    entries["Models"] = ", ".join(name for name in ("reduced", "polynomial", "continuum")
+                                  if name == "polynomial" or (name in others and rng.random() < 0.6))
+    entries["Polynomial/Degree"] = rng.choices(("1", "2", "3", "4", "5", "1, 3", "auto"), (2, 2, 6, 1, 2, 2, 1))[0]
+    entries["Polynomial/Tolerance"] = repr(10 ** rng.uniform(-2.5, -1))
+    entries["Time/End"] = repr(0.2 * float(entries["Time/End"]))
 
 
 def choose_method(rng, entries, time_unit, cheap):

@@ -26,6 +26,10 @@ SCENES = {
     "reduced fluid": {"Models": "reduced", **START, "Gravity/Constant": 1, "Material/Law": "none"},
     "reduced with loads and dissipation": {"Models": "reduced", **START, **LOADS},
     "reduced, compressible": {"Models": "reduced", **START, "Body/Incompressible": "false", "Material/Lame lambda": 2.5},
+    "polynomial": {"Models": "polynomial", "Polynomial/Degree": 3, **START},
+    "polynomial with gravity": {"Models": "polynomial", "Polynomial/Degree": 3, **START, "Gravity/Constant": 1.5},
+    "polynomial with loads and dissipation": {"Models": "polynomial", "Polynomial/Degree": 3, **RELEASE, **LOADS},
+    "polynomial, compressible": {"Models": "polynomial", "Polynomial/Degree": 3, **START, "Body/Incompressible": "false"},
     "both models": {"Models": "reduced, continuum", **RELEASE},
     "both models with gravity": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1.5},
     "both models, a fluid": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1, "Material/Law": "none"},
@@ -53,7 +57,7 @@ def scales_of(length, mass, time):
 
 
 def tables(run, scales):
-    """Of both models, divided by their units."""
+    """Of all models, divided by their units."""
     result = {}
     for path in run.files(".csv"):
         if path.stem == "comparison":

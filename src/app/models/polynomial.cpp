@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "app/models/ball_models.h"
@@ -84,6 +85,7 @@ scene::ModelDescription polynomial_description() {
           .has_modes = true,
           .columns = io::documented_columns<Observables>(),
           .rungs = rungs(),
+          .n_runs = [](const Scene& scene) { return std::max<std::size_t>(scene.polynomial.degrees.size(), 1); },
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
           .needed = polynomial_needed,
           .skipped = polynomial_skipped,

@@ -1,0 +1,121 @@
+"""Runs of the model polynomial: several degrees in one scene, a degree from a tolerance, modes, pictures, sweeps, resumed
+runs, and what is refused. No finite elements."""
+import unittest
+
+from program_test import STOPPED, WRONG_INPUT, ProgramTest, overrides
+
+RELEASE = {"Models": "polynomial", "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6", "Time/End": 2,
+           "Time/Tolerance": 1e-4, "Output/Samples": 20}
+
+
+class PolynomialRun(ProgramTest):
+    def run_release(self, entries=(), *options):
+        self.scene({**RELEASE, **dict(entries)})
+        return self.run_done("run", "scene.prm", *options)
+
+    def test_degree_one_is_the_pseudo_rigid_body(self):
+        self.run_release({"Models": "reduced, polynomial", "Polynomial/Degree": 1, "Time/Method": "rattle-4",
+                          "Time/Step": 0.02})
+        reduced, polynomial = (self.table(f"output/scene/{name}.csv") for name in ("reduced", "polynomial"))
+        for name in reduced.header:
+            for a, b in zip(reduced.column(name), polynomial.column(name)):
+                self.assertAlmostEqual(a, b, delta=1e-12, msg=name)
+
+    def test_several_degrees_are_compared_with_the_last(self):
+        result = self.run_release({"Polynomial/Degree": "1, 3, 5"})
+        overview = self.json("output/scene/comparison.json")
+        self.assertEqual(overview["reference"], "polynomial")
+        self.assertEqual(list(overview["models"]), ["polynomial-1", "polynomial-3"])
+        apart = [overview["models"][name]["model_difference"]["value"] for name in overview["models"]]
+        self.assertGreater(apart[0], 5 * apart[1])
+        self.assertIn("polynomial-3", result.stdout)
+        for name in ("polynomial-1", "polynomial-3", "polynomial"):
+            self.assertTrue(self.table(f"output/scene/{name}.csv").is_finite())
+
+    def test_degree_from_a_tolerance(self):
+        result = self.run_release({"Polynomial/Degree": "auto", "Polynomial/Tolerance": 1e-2})
+        counters = self.json("output/scene/manifest.json")["models"]["polynomial"]["counters"]
+        self.assertLess(counters["estimated_space_error"], 1e-2)
+        self.assertIn("estimated error of Q", result.stderr)
+        got = self.table("output/scene/polynomial.csv").column("Q33")
+        self.run_release({"Polynomial/Degree": 11}, "--output", "finer")
+        finer = self.table("finer/polynomial.csv").column("Q33")
+        self.assertLess(max(abs(a - b) for a, b in zip(got, finer)), 1e-2)
+
+    def test_the_octant_is_the_whole_ball(self):
+        self.run_release({"Polynomial/Degree": 3, "Time/Step": 0.02, "Time/Method": "rattle"})
+        self.run_release({"Polynomial/Degree": 3, "Time/Step": 0.02, "Time/Method": "rattle", "Continuum/Symmetry": "none"},
+                         "--output", "whole")
+        octant, whole = self.table("output/scene/polynomial.csv"), self.table("whole/polynomial.csv")
+        for name in ("Q11", "Q33", "elastic", "multiplier", "nonaffine_displacement", "volume_ratio"):
+            for a, b in zip(octant.column(name), whole.column(name)):
+                self.assertAlmostEqual(a, b, delta=1e-11, msg=name)
+
+    def test_energy_and_momenta_of_a_sheared_spinning_body(self):
+        self.run_release({"Polynomial/Degree": 3, "Gravity/Constant": 1, "Time/Tolerance": 1e-6, "Time/Method": "rattle-4",
+                          "Initial state/Velocity": "0.1, -0.6, 0.1; 0.5, -0.2, 0.2; 0, -0.1, 0.1"})
+        table = self.table("output/scene/polynomial.csv")
+        energy = table.column("energy")
+        self.assertLess(max(abs(x - energy[0]) for x in energy), 1e-4 * abs(energy[0]))
+        for name in ("J1", "J2", "J3"):
+            column = table.column(name)
+            self.assertLess(max(abs(x - column[0]) for x in column), 1e-13)
+
+    def test_modes_are_those_of_the_sphere(self):
+        self.scene({"Models": "polynomial", "Analysis": "modes", "Polynomial/Degree": 7, "Modes/Number": 3})
+        self.run_done("run", "scene.prm")
+        table = self.table("output/scene/modes.csv")
+        self.assertEqual(table.column("multiplicity"), [5, 5, 7])
+        for omega, exact in zip(table.column("omega"), table.column("exact")):
+            self.assertAlmostEqual(omega / exact, 1, delta=1e-5)
+        self.assertAlmostEqual(table.column("omega")[1], 2.665622189236, delta=1e-7)
+
+    def test_a_resumed_run_is_the_whole_one(self):
+        entries = {**RELEASE, "Polynomial/Degree": 3, "Time/Method": "rattle-4", "Time/Step": 0.02}
+        self.scene(entries)
+        self.run_done("run", "scene.prm", "--output", "whole")
+        self.run_done("run", "scene.prm", "--output", "half", *overrides({"Time/End": 1, "Output/Samples": 10}))
+        self.run_done("run", "scene.prm", "--output", "half", "--resume")
+        self.assertEqual((self.scratch / "whole/polynomial.csv").read_bytes(),
+                         (self.scratch / "half/polynomial.csv").read_bytes())
+
+    def test_a_sweep_over_the_degree(self):
+        self.scene({**RELEASE, "Polynomial/Degree": "$(N)", "Sweep/Parameters": "N: 1, 3, 5"})
+        self.run_done("run", "scene.prm")
+        self.assertEqual(len(self.table("output/scene/sweep.csv")), 3)
+
+    def test_pictures_show_the_body(self):
+        self.run_release({"Polynomial/Degree": 3, "Output/Graphics": "vtu", "Output/Frames": 2})
+        folder = self.scratch / "output/scene"
+        self.assertEqual(self.pvd(folder / "polynomial.pvd"),
+                         [(0, "graphics/polynomial-000000.vtu"), (2, "graphics/polynomial-000001.vtu")])
+
+    def test_a_violent_motion_stops_with_a_sentence(self):
+        self.scene({**RELEASE, "Polynomial/Degree": 3, "Initial state/Velocity": "40, 0, 0; 0, 40, 0; 0, 0, -80",
+                    "Time/Method": "rattle", "Time/Step": 0.02})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, STOPPED)
+        self.assertIn("polynomial stopped at t = ", result.stderr)
+
+    def test_what_is_refused(self):
+        for entries, words in (({"Polynomial/Degree": 0}, "from 1 to 13"), ({"Polynomial/Degree": 14}, "from 1 to 13"),
+                               ({"Polynomial/Degree": "3, 1"}, "must rise"),
+                               ({"Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1"}, "Body/Inertia"),
+                               ({"Body/Incompressible": "false", "Gravity/Constant": 1}, "Gravity/Constant"),
+                               ({"Polynomial/Tolerance": 0}, "Polynomial/Tolerance")):
+            with self.subTest(entries):
+                self.scene({**RELEASE, **entries})
+                result = self.run_program("run", "scene.prm")
+                self.assertEqual(result.returncode, WRONG_INPUT, result.stderr)
+                self.assertIn(words, result.stderr)
+                self.assertFalse((self.scratch / "output").exists())
+
+    def test_a_section_of_the_ball_is_refused_for_other_systems(self):
+        self.scene({"System": "torus", "Polynomial/Degree": 3})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, WRONG_INPUT)
+        self.assertIn("Polynomial/Degree", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
