@@ -94,8 +94,8 @@ class DegreeOne : public ::testing::Test {
       const double V = reduced.body().potential_energies(s.A).gravitational;
       expected -= V / 3 * s.A.inverse().transpose() * space.inertia().cwiseInverse().asDiagonal();
     }
-    // Laws are sums of terms several times their size, and 8 points are added.
-    EXPECT_LT((space.affine_part(f) - expected).norm(), 2e-13 * (1 + expected.norm()));
+    // Stresses of a few times μ + λ cancel in part, and are multiplied by Vol/m̄ = 5.
+    EXPECT_LT((space.affine_part(f) - expected).norm(), 1e-13 * (1 + expected.norm()));
 
     forcing += loads::driving(loads, time);
     const Vector3d of_center = forcing.acceleration - forcing.quadratic * c - forcing.drag * c_rate;
@@ -143,8 +143,9 @@ class DegreeOne : public ::testing::Test {
     return largest;
   }
 
-  /// Round-off of a force, about 1e-15, adds up at random to 1e-15 √(h end) = 4e-15 in the velocity. What that makes of
-  /// Q depends on the motion, and is measured by a change of the first velocity. Two and a half times that are allowed.
+  /// Round-off of a force, 2e-15, adds up at random to 2e-15 √(h end) = 1e-14 in the velocity. What that makes of Q
+  /// depends on the motion, and is measured by a change of the first velocity. Where that is small, Q is
+  /// within 1.4e-13.
   static void compare_motions(const Twins<GroupType>& twins, const AffineState& s, const Matrix3d& direction) {
     const auto of_twin = [&](const VectorXd& q) { return twins.polynomial.space().affine_part(q); };
     const auto of_reduced = [](const auto& q) { return Matrix3d(q.template leftCols<3>()); };
@@ -156,7 +157,7 @@ class DegreeOne : public ::testing::Test {
     const auto changed = motion(twins.reduced, {s.A, s.velocity + change * s.A * direction});
     const double sensitivity = difference(changed, r, of_reduced, of_reduced) / change;
     const double d = difference(p, r, of_twin, of_reduced);
-    EXPECT_LT(d, std::max(2e-13, 1e-14 * sensitivity));
+    EXPECT_LT(d, std::max(3e-13, 1e-14 * sensitivity));
   }
 };
 using Groups = ::testing::Types<Group<true>, Group<false>>;

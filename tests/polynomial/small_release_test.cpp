@@ -40,7 +40,7 @@ TEST(SmallRelease, ErrorsOfTheResponseFallWithTheDegree) {
   }
   const double rate = std::log(points.front().error / points.back().error) / std::log(11.0 / 3);
   EXPECT_GT(rate, 2);
-  EXPECT_LT(points.back().error, 3e-3);
+  EXPECT_LT(points.back().error, 2e-3);
 }
 
 /// cos √10τ: 1.5 away from the exact response within the time.
