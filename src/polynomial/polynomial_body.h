@@ -62,7 +62,7 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// Of the loads that do not depend on time; not finite where some det F ≤ 0.
+  /// Of loads that depend on time, those at t = 0; not finite where some det F ≤ 0.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
   /// The turns of space about axes that the symmetry planes leave free, where no load depends on the direction.
