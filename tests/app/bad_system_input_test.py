@@ -78,8 +78,8 @@ class BadSystemInput(RefusedInputTest):
         for form in ("euler", "lagrange"):
             self.refused_entries({"Rigid body/Springs": "1, 0, 0, 2, 0, 0, 1, 0"}, "Rigid body/Springs: ", f"Form = {form}",
                                  base={**free, **tilted, "Rigid body/Form": form})
-        self.refused_entries({"Rigid body/Form": "lagrange"}, f"{rotation}: ", "not vertical", "Form = euler",
-                             base={**free, rotation: "0.8, -0.6, 0; 0.6, 0.8, 0; 0, 0, 1"})
+        self.refused_entries({rotation: "0.8, -0.6, 0; 0.6, 0.8, 0; 0, 0, 1"}, f"{rotation}: ", "not vertical", "Form = euler",
+                             base={**free, **tilted, "Rigid body/Form": "lagrange"})
 
     def test_moving_frame(self):
         self.refused_by_system(

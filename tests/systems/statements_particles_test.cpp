@@ -153,8 +153,8 @@ TEST(Statement_5_5_1, AngularMomentumAboutAnyPointFollowsTheExternalTorque) {
     }
     return sum;
   };
-  constexpr int n = 800;
-  constexpr double end = 8, h = end / n;
+  constexpr int n = 400;
+  constexpr double end = 2, h = end / n;  // before a point comes close to the centre
   const mechanics::ExplicitMultiplier field(points);
   const auto states = integrate_samples(field, four_points(), end, n, 1e-13);
   ASSERT_EQ(states.size(), n + 1u);
@@ -164,7 +164,7 @@ TEST(Statement_5_5_1, AngularMomentumAboutAnyPointFollowsTheExternalTorque) {
   const Eigen::Vector3d change = points.angular_momentum(states.back().q, states.back().v, c) -
                                  points.angular_momentum(states[0].q, states[0].v, c);
   EXPECT_GT(change.norm(), 1);
-  EXPECT_LT((change - gained).norm(), 1e-6) << "Simpson's rule: h⁴/180 times the fourth derivative of the torque";
+  EXPECT_LT((change - gained).norm(), 1e-7) << "Simpson's rule: h⁴/180 times the fourth derivative of the torque";
 }
 
 /// The double pendulum in Lagrange form, (5.44) with the right sign and (5.45), for (θ, φ).
@@ -228,7 +228,7 @@ TEST(Statement_5_5_2, ReactionsArePairedBySpatialMetric) {
   ASSERT_TRUE(pendulum.force(0, s.q, s.v, w, F));
   pendulum.apply_mass(a, mu_a);
   pendulum.apply_mass(R, kinetic);
-  const Eigen::Vector4d u(0.3, -0.8, 0.5, 0.7);
+  const Eigen::Vector4d u(0.9, -2.4, 1.5, 2.1);
   const double work = (mu_a - F).dot(u);
   EXPECT_GT(std::abs(work), 0.1);
   EXPECT_NEAR(R.dot(u), work, 1e-14);

@@ -70,7 +70,8 @@ TEST(Statement_5_6_15, EnergyAndMomentumAreIndependentOnTheTorus) {
     const FreeTop exact(b.moments, b.K, b.L);
     const FixedPointBody body({systems::second_moment(b.moments.asDiagonal()), {}});
     for (int k = 0; k < 8; ++k) {
-      const auto motion = exact.at(exact.period() * k / 8);
+      // Not at whole quarters of the period, where Boost's elliptic functions lose all but two digits.
+      const auto motion = exact.at(exact.period() * (k + 0.3) / 8);
       EXPECT_GT(smallest_singular_value(body, motion.Omega), 0.01);
       const auto s = systems::turning(motion.R, motion.Omega);
       EXPECT_NEAR(body.kinetic_energy(s.v), b.K, 1e-13);
