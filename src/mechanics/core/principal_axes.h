@@ -5,7 +5,8 @@
 /// orthogonal; then A = diag(a)Vᵀ and a_i = |A_i|. Small axes keep their accuracy cond(F)·ε, which the eigenvalues of C
 /// would lose, and rows that are orthogonal already are left as they are, bit for bit. Three things make it fast:
 ///
-/// - The start is the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and q = |det B|/(2p³), the
+/// - The start is the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and q = |det B|/(2p³),
+/// the
 ///   eigenvalue λ of B farthest from the others is ±2p cos(⅓ arccos q). Its eigenvector is a column of adj(B − λ Id), and
 ///   a plane rotation diagonalizes B on the complement.
 /// - The small angles θ_ij = A_i·A_j/(|A_j|² − |A_i|²) that remain are removed together by one Cayley rotation, which
