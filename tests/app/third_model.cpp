@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   catalogue.models.insert(catalogue.models.begin() + 1, copy_description());
   return run_program(argc, argv,
                      {.models = {{"reduced", run_reduced}, {"copy", run_copy}, {"continuum", run_continuum}},
+                      .together = {},
                       .libraries = {},
                       .runs_discretized = true,
                       .catalogue = &catalogue});

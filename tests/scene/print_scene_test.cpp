@@ -105,7 +105,16 @@ Scene any_scene(std::mt19937_64& random) {
                   static_cast<int>(1 + random() % 10'000'000),
                   {coin(), coin(), coin(), coin(), coin(), coin()},
                   coin() ? Graphics::none : Graphics::vtu,
-                  static_cast<int>(1 + random() % 1'000'000)};
+                  static_cast<int>(1 + random() % 1'000'000),
+                  {},
+                  coin() ? Cells::linear : Cells::lagrange,
+                  coin()};
+  for (const auto& [name, member] : fields_kind.table) scene.output.fields.*member = coin();
+  scene.polynomial = {{1 + static_cast<int>(random() % 3), 4, 5 + static_cast<int>(random() % 9)},
+                      std::uniform_real_distribution<>(1e-10, 0.1)(random),
+                      static_cast<int>(2 + random() % 23)};
+  if (coin()) scene.polynomial.degrees.clear();
+  if (coin()) scene.polynomial.gravity_points.reset();
   return scene;
 }
 
