@@ -132,16 +132,17 @@ INSTANTIATE_TEST_SUITE_P(
                  "set System = triple pendulum",
                  {},
                  "scene.prm:1: System: expected ball or top, got \"triple pend"},
-        BadInput{
-            "model",
-            "set Models = reduced, continum",
-            {},
-            "scene.prm:1: Models: expected a comma-separated list out of reduced, continuum, got \"continum\"; did "
-            "you mean \"continuum\"?"},
-        BadInput{"model_comma",
-                 "set Models = reduced,",
+        BadInput{"model",
+                 "set Models = reduced, continum",
                  {},
-                 "scene.prm:1: Models: expected a comma-separated list out of reduced, continuum, got nothing"},
+                 "scene.prm:1: Models: expected a comma-separated list out of reduced, polynomial, continuum, got "
+                 "\"continum\"; did "
+                 "you mean \"continuum\"?"},
+        BadInput{
+            "model_comma",
+            "set Models = reduced,",
+            {},
+            "scene.prm:1: Models: expected a comma-separated list out of reduced, polynomial, continuum, got nothing"},
         BadInput{"quantity",
                  entry("Output", "Quantities = state, energy"),
                  {},

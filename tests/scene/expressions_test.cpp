@@ -35,8 +35,8 @@ TEST(Expressions, NameTheParametersThatThereAre) {
   EXPECT_EQ(message("$(2*spin_)", {{"spin", 3.0}, {"a", 1.0}}),
             "\"2*spin_\" cannot be evaluated: nothing is called \"spin_\"; did you mean \"spin\"?; the parameters of "
             "the sweep are a, spin");
-  EXPECT_EQ(message("$(c)", {{"a", 3.0}}),
-            "\"c\" cannot be evaluated: nothing is called \"c\"; the parameters of the sweep are a");
+  EXPECT_EQ(message("$(width)", {{"a", 3.0}}),
+            "\"width\" cannot be evaluated: nothing is called \"width\"; the parameters of the sweep are a");
   EXPECT_EQ(message("$(c)", {}),
             "\"c\" cannot be evaluated: nothing is called \"c\"; Sweep/Parameters declares no parameter");
 }
