@@ -4,7 +4,7 @@ import math
 
 from program_test import DONE, ProgramTest, main
 
-SCENE = {"Models": "reduced, copy, continuum", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
+SCENE = {"Models": "reduced, copy, polynomial, continuum", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
          "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 5, "Output/Samples": 50,
          "Output/Report": "true", "Output/Graphics": "vtu", "Output/Frames": 2}
 
