@@ -1,5 +1,6 @@
 #include "app/run/model_files.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -93,9 +94,11 @@ void ModelFiles::create_shapes(const std::vector<std::string>& columns) {
 void ModelFiles::resume_shapes(const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
-    // Those written so far, which to an earlier end were others than the schedule says.
+    // Those written so far, which to an earlier end were others than the schedule says; the start is always among them.
     const auto path = context_.directory.csv("shapes");
-    shapes_csv_.emplace(io::CsvWriter::resume(path, columns, io::n_rows_before(path, next_time(n_samples_taken))));
+    const std::int64_t least = n_samples_taken > 0 ? 1 : 0;
+    shapes_csv_.emplace(
+        io::CsvWriter::resume(path, columns, std::max(io::n_rows_before(path, next_time(n_samples_taken)), least)));
   });
 }
 
