@@ -180,7 +180,8 @@ class Validator {
     if (has_mesh_file(scene_)) refuse(mesh_path, "modes are those of the ball; set Mesh = builtin");
     const auto with_modes = names_where(scene_, [](const auto& model) { return model.has_modes; });
     if (std::ranges::none_of(models_of(scene_), &ModelDescription::has_modes))
-      refuse("Analysis", fmt::format("modes are offered for {}; set Models = {}", the_models(with_modes), with_modes.back()));
+      refuse("Analysis",
+             fmt::format("modes are offered for {}; set Models = {}", the_models(with_modes), with_modes.back()));
     const auto& state = scene_.initial_state;
     if (state.deformation != identity3 || state.equilibrium != Family::none)
       refuse(deformation_path, "modes are small motions about rest, Q0 = 1; leave the entry out");
