@@ -52,7 +52,20 @@ Part part_of(const PolynomialSpace& space, Parity parity) {
   return part;
 }
 
-/// Kind and degree from the share of each l in the coefficients, and whether the motion has a part along ξ.
+/// ∫(u·ξ)² over ∫|u|²|ξ|².
+double radial_share(const PolynomialSpace& space, const Eigen::VectorXd& shape) {
+  const PointValues u = space.values_at_points(shape);
+  double radial = 0, whole = 0;
+  for (int p = 0; p < space.n_points(); ++p) {
+    const Eigen::RowVector3d xi(space.points()[p].data());
+    radial += space.weights()[p] * std::pow(u.row(p).dot(xi), 2);
+    whole += space.weights()[p] * u.row(p).squaredNorm() * xi.squaredNorm();
+  }
+  return radial / whole;
+}
+
+/// Toroidal motions of degree n have no part along ξ, and l = n. Spheroidal ones have l = n ± 1; of the highest degrees
+/// the polynomials hold only l = n − 1, and a radial motion, n = 0, has l = 1 alone.
 Mode classified(const PolynomialSpace& space, double omega, Eigen::VectorXd shape) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   Eigen::VectorXd share = Eigen::VectorXd::Zero(space.degree() + 2);
@@ -66,14 +79,11 @@ Mode classified(const PolynomialSpace& space, double omega, Eigen::VectorXd shap
       if (least < 0) least = l;
       largest = l;
     }
-  if (least != 1 || largest != 1) return {omega, largest > least, (least + largest) / 2, std::move(shape)};
-  // A radial motion, S0, has a dilation. Of degree 1, whose functions end at l = 1, a deformation is S2. The rest is
-  // T1.
-  const Eigen::Matrix3d A = space.affine_part(shape);  // of order 1, or round-off
-  constexpr double round_off = 1e-6;
-  if (std::abs(A.trace()) > round_off) return {omega, true, 0, std::move(shape)};
-  if ((A + A.transpose()).norm() > round_off) return {omega, true, 2, std::move(shape)};
-  return {omega, false, 1, std::move(shape)};
+  if (radial_share(space, shape) < absent) return {omega, false, least, std::move(shape)};
+  if (largest > least) return {omega, true, (least + largest) / 2, std::move(shape)};
+  const double dilation = std::abs(space.affine_part(shape).trace());  // of order 1, or round-off
+  const bool is_radial = least == 1 && dilation > 1e-6;
+  return {omega, true, is_radial ? 0 : least + 1, std::move(shape)};
 }
 
 /// Adds the modes of a parity.

@@ -71,6 +71,21 @@ TEST(PolynomialModes, ConvergeExponentially) {
     for (int n = 1; n <= 4; ++n) EXPECT_LT((before[{spheroidal, n}]), 2e-5) << spheroidal << n;
 }
 
+/// Of all motions on ker G the three shifts and the three turns alone have no frequency, and every mode has its copies.
+TEST(PolynomialModes, NoneIsMissing) {
+  for (const int N : {1, 2, 3, 4, 5}) {
+    const auto dimension = [](int degree) { return (degree + 1) * (degree + 2) * (degree + 3) / 6; };
+    std::vector<RestFrequency> found;
+    ASSERT_TRUE(rest_frequencies({.degree = N}, true, 10000, found));
+    int n_modes = 0;
+    for (const RestFrequency& f : found) {
+      n_modes += 2 * f.degree + 1;
+      EXPECT_LT((f.largest - f.least) / f.omega, 1e-12) << "N = " << N << ", omega = " << f.omega;
+    }
+    EXPECT_EQ(n_modes, 3 * dimension(N) - dimension(N - 1) - 6) << "N = " << N;
+  }
+}
+
 /// The copies agree to round-off: the spaces are invariant under turns, and the quadrature does not see them.
 TEST(PolynomialModes, CopiesAgree) {
   for (const auto& [kind, f] : fundamentals({.degree = 5}, true))
