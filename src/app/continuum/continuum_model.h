@@ -13,6 +13,7 @@
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
 #include "app/search/continuum_run.h"
+#include "app/search/trace_recorder.h"
 #include "continuum/output/material_faces.h"
 #include "continuum/output/nodal_fields.h"
 #include "continuum/output/observe.h"
@@ -36,7 +37,7 @@ class ContinuumModel {
 
   ContinuumModel(const RunContext& context, const ContinuumTask& task)
       : context_(context),
-        trace_(task.trace),
+        trace_(context, task.trace),
         law_(internal_law(context.scene)),
         ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree,
               stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points),
@@ -77,7 +78,7 @@ class ContinuumModel {
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = continuum::observe(ball_, state, workspace, request_, observables_); !status) return status;
     trajectory_.row(time, observables_, row);
-    if (trace_) (*trace_)[sample_at(time)] = configuration(state);
+    trace_.note(time, [&] { return configuration(state); });
     nonaffine_.look(time, observables_.nonaffine_displacement);
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     wrinkling_.look(time, ball_.space(), state.q);
@@ -86,10 +87,7 @@ class ContinuumModel {
   void take_up(const io::Table& rows) {
     if (tension_.watches() && rows.has_column("multiplier"))
       tension_.take_up(rows.column("time"), rows.column("multiplier"));
-    if (!trace_ || !rows.has_column("Q11")) return;
-    const std::size_t first = rows.column_index("Q11");
-    for (std::size_t n = 0; n < rows.n_rows(); ++n)
-      (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
+    trace_.take_up(rows);
   }
 
   std::vector<double> remarks() const {
@@ -155,9 +153,6 @@ class ContinuumModel {
   }
 
  private:
-  long sample_at(double time) const {
-    return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
-  }
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
@@ -178,7 +173,7 @@ class ContinuumModel {
   }
 
   const RunContext& context_;
-  DeformationTrace* trace_;  ///< null: nobody asks for it
+  TraceRecorder trace_;
   materials::AnyLaw law_;
   System ball_;
   continuum::RankOrder rank_order_;

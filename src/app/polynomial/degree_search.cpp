@@ -6,45 +6,26 @@
 #include <array>
 #include <filesystem>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 
 #include "analysis/space_error.h"
 #include "app/run/model_checkpoint.h"
+#include "app/search/silent_run.h"
 #include "io/checkpoint.h"
 #include "scene/discretization.h"
-#include "scene/entries.h"
 
 namespace pseudorigid::app {
 namespace {
 
 /// Part of Polynomial/Tolerance that the error in time may be.
-constexpr double time_part = 0.05;
-
-/// A run of which only the trace is wanted: no observables, no files and no messages.
-ModelOutcome run_silently(const PolynomialRun& run, const RunContext& context, const scene::Scene& scene,
-                          const PolynomialTask& task) {
-  scene::Needs needs = context.needs;
-  needs.graphics = false;
-  for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
-  RunContext silent = derived(context, scene, needs);
-  silent.log = io::make_logger(io::Verbosity::silent, {});
-  silent.sink_of = [](const RunContext&, const char*) { return std::make_unique<ModelSink>(); };
-  return run(silent, task);
-}
-
-double work_of_degree(const ModelOutcome& outcome) {
-  const auto& c = outcome.statistics.counters;
-  const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };
-  return count("unknowns") * (count("forces") + count("pilot_forces"));
-}
+constexpr double part_for_time = 0.05;
 
 class DegreeSearch {
  public:
   DegreeSearch(const RunContext& context, const PolynomialRun& run)
       : context_(context), run_(run), scene_(context.scene), tolerance_(context.scene.polynomial.tolerance) {
-    scene_.time.tolerance = std::min(scene_.time.tolerance, time_part * tolerance_);
+    scene_.time.tolerance = std::min(scene_.time.tolerance, part_for_time * tolerance_);
   }
 
   ModelOutcome run() {
@@ -71,12 +52,12 @@ class DegreeSearch {
     ModelOutcome outcome;
     for (degree_ = 1;; degree_ += 2) {
       DeformationTrace trace;
-      outcome = run_silently(run_, context_, scene_, {.degree = degree_, .trace = &trace});
+      outcome = run_silently(run_, context_, scene_, PolynomialTask{.degree = degree_, .trace = &trace});
       if (outcome.end == mechanics::Outcome::interrupted) {
         outcome.message = "polynomial interrupted while looking for the degree";
         return outcome;
       }
-      work_ += work_of_degree(outcome);
+      work_ += work(outcome);
       ++n_runs_;
       const TraceDifference apart = difference(trace, before);
       errors.add(degree_, apart.largest);

@@ -14,7 +14,7 @@
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/tension_watch.h"
-#include "app/search/deformation_trace.h"
+#include "app/search/trace_recorder.h"
 #include "io/ball_blocks.h"
 #include "io/csv.h"
 #include "io/trajectory.h"
@@ -40,7 +40,7 @@ class PolynomialModel {
       : name_(task.name),
         name(name_.c_str()),
         context_(context),
-        trace_(task.trace),
+        trace_(context, task.trace),
         body_(body_setup(context.scene, context.needs.sector.reflect, task.degree)),
         request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
@@ -79,7 +79,7 @@ class PolynomialModel {
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
     if (auto status = polynomial::observe(body_, state, workspace, request_, observables_); !status) return status;
     trajectory_.row(time, observables_, row);
-    if (trace_) (*trace_)[sample_at(time)] = configuration(state);
+    trace_.note(time, [&] { return configuration(state); });
     nonaffine_.look(time, observables_.nonaffine_displacement);
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     return {};
@@ -88,10 +88,7 @@ class PolynomialModel {
   void take_up(const io::Table& rows) {
     if (tension_.watches() && rows.has_column("multiplier"))
       tension_.take_up(rows.column("time"), rows.column("multiplier"));
-    if (!trace_ || !rows.has_column("Q11")) return;
-    const std::size_t first = rows.column_index("Q11");
-    for (std::size_t n = 0; n < rows.n_rows(); ++n)
-      (*trace_)[sample_at(rows.row(n)[0])] = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + first);
+    trace_.take_up(rows);
   }
 
   std::vector<double> remarks() const {
@@ -141,12 +138,9 @@ class PolynomialModel {
   Eigen::Matrix3d affine_part(const Eigen::VectorXd& x) const {
     return body_.space().affine_part(x.head(body_.space().n_unknowns()));
   }
-  long sample_at(double time) const {
-    return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
-  }
 
   const RunContext& context_;
-  DeformationTrace* trace_;  ///< null: nobody asks for it
+  TraceRecorder trace_;
   System body_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

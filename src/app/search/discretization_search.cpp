@@ -83,7 +83,7 @@ bool DiscretizationSearch::writes() const {
 }
 
 ModelOutcome DiscretizationSearch::run_rung(DeformationTrace& trace) {
-  if (!writes()) return run_silently(run_, context_, silent_scene_, {rung(), silent_stepping(), &trace});
+  if (!writes()) return run_silently(run_, context_, silent_scene_, ContinuumTask{rung(), silent_stepping(), &trace});
   context_.log->info("continuum: {}", scene::describe(rung()));
   return run_(derived(context_, written_scene_, context_.needs), {.discretization = rung(), .trace = &trace});
 }

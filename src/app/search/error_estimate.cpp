@@ -14,7 +14,7 @@ ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& ru
   if (!context.needs.companion || outcome.end != mechanics::Outcome::finished) return outcome;
 
   const scene::Discretization other = scene::companion(discretization);
-  ModelOutcome companion = run_silently(run, context, context.scene, {other, outcome.stepping, &coarse});
+  ModelOutcome companion = run_silently(run, context, context.scene, ContinuumTask{other, outcome.stepping, &coarse});
   if (companion.end == mechanics::Outcome::interrupted) {
     outcome.end = companion.end;
     outcome.message = "interrupted while the discretisation error was estimated";

@@ -1,0 +1,31 @@
+#pragma once
+/// Runs of a model of which only the trace is wanted: no observables, no files and no messages.
+
+#include <memory>
+
+#include "app/run/run_context.h"
+#include "io/log.h"
+#include "scene/entries.h"
+
+namespace pseudorigid::app {
+
+/// `scene`: that of the context, but for what may differ in its section Time.
+template <class Run, class Task>
+ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
+  scene::Needs needs = context.needs;
+  needs.graphics = needs.surface_watch = false;
+  for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
+  RunContext silent = derived(context, scene, needs);
+  silent.log = io::make_logger(io::Verbosity::silent, {});
+  silent.sink_of = [](const RunContext&, const char*) { return std::make_unique<ModelSink>(); };
+  return run(silent, task);
+}
+
+/// Unknowns times evaluations of the force, those of pilots included: what a run has cost, whatever the machine.
+inline double work(const ModelOutcome& outcome) {
+  const auto& c = outcome.statistics.counters;
+  const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };
+  return count("unknowns") * (count("forces") + count("pilot_forces"));
+}
+
+}  // namespace pseudorigid::app
