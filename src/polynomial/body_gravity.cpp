@@ -181,8 +181,10 @@ void BodyGravity::add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd
   add_affine_force(AffineEnergy{ellipsoid_, S}.second_derivative(space_->affine_part(q), space_->affine_part(u)), f);
   if (is_affine()) return;
   add_surface_force_rate(1, q, u, f);
+  const Eigen::VectorXd affine_rate = affine_coefficients(u);
+  if (affine_rate.isZero(0)) return;
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
-  add_surface_force_rate(-1, affine_coefficients(q), affine_coefficients(u), of_affine);
+  add_surface_force_rate(-1, affine_coefficients(q), affine_rate, of_affine);
   f.head(space_->n_unknowns()) += affine_coefficients(of_affine);
 }
 

@@ -28,11 +28,13 @@
 
 #include <string>
 
+#include "mechanics/core/bracketed_root.h"
 #include "mechanics/core/status.h"
-#include "reduced/bracketed_root.h"
 #include "reduced/steady_motion.h"
 
 namespace pseudorigid::reduced {
+
+using mechanics::bracketed_root;
 
 /// E_ij
 inline Eigen::Matrix3d unit_matrix(int i, int j) {

@@ -13,12 +13,14 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/equilibria/special_points.h"
 #include "reduced/ellipsoidal_motions.h"
 #include "reduced/equilibrium_point.h"
-#include "reduced/special_points.h"
 #include "reduced/steady_curve.h"
 
 namespace pseudorigid::reduced {
+
+using mechanics::SpecialKind, mechanics::SpecialPoint, mechanics::StabilityAlong;
 
 /// n values from first to last, both included; n = 1: first alone.
 struct ParameterRange {

@@ -83,6 +83,13 @@ struct SystemDescription {
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
+/// The table of relative equilibria that a model writes.
+struct EquilibriaTable {
+  std::string_view file;  ///< without ".csv"
+  std::string_view introduction;
+  std::vector<Column> columns;
+};
+
 /// A model of the ball, one word of the entry Models.
 struct ModelDescription {
   std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
@@ -94,6 +101,7 @@ struct ModelDescription {
   bool discretized = false;
   bool has_nonaffine = false;  ///< it moves in other ways than x = QX: sectors and the columns `nonaffine` concern it
   bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
+  EquilibriaTable equilibria{};                    ///< where they are offered
   std::vector<Column> columns{};                   ///< of all groups, as documented
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
   /// first.
@@ -120,8 +128,6 @@ struct Catalogue {
   std::vector<SystemDescription> systems{};
   /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
   std::vector<Column> equilibria{};
-  /// Those of the ball's relative equilibria.
-  std::vector<Column> ball_equilibria{};
 
   /// Null for the ball.
   const SystemDescription* system(std::string_view name) const {

@@ -45,7 +45,9 @@ void visit_problem(S& scene, Visit& visit) {
               "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
               "lowest frequencies of small motions about rest, of the continuum or a polynomial body, see "
               "Modes/Number. equilibrium (equilibria.csv): of the reduced model a family of relative equilibria "
-              "with their stability, see Equilibrium/Family; of the other systems the critical points of the "
+              "with their stability, see Equilibrium/Family, and of polynomial bodies the same "
+              "(equilibria-polynomial.csv) where its figures turn as a whole; of the other systems the critical points "
+              "of the "
               "potential with their Morse indices, the rates of small motions, and the dimensions of the stable "
               "and unstable manifolds under the system's own dissipation or, where it has none, under a unit "
               "friction."});

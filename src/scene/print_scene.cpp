@@ -132,10 +132,9 @@ std::string columns_tables(const Catalogue& catalogue) {
                           "Of the systems beside the ball: the critical points of the potential (Analysis = "
                           "equilibrium), a row each.",
                           catalogue.equilibria);
-  if (!catalogue.ball_equilibria.empty())
-    text +=
-        columns_table("equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
-                      catalogue.ball_equilibria);
+  for (const ModelDescription& model : catalogue.models)
+    if (const auto& [file, introduction, columns] = model.equilibria; model.has_equilibria)
+      text += columns_table(file, std::string(introduction), columns);
   return text;
 }
 

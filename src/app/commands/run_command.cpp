@@ -10,7 +10,6 @@
 #include "app/commands/sweep.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/on_all_ranks.h"
-#include "app/reduced/ball_equilibria.h"
 #include "app/run/model_files.h"
 #include "app/run/run_models.h"
 #include "app/run/scene_to_model.h"
@@ -136,7 +135,8 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   if (needs.system)
     content.columns[content.system + ".csv"] = needs.system->columns;
   else if (scene.analysis == scene::Analysis::equilibrium)
-    content.columns["equilibria.csv"] = ball_equilibria_columns();
+    for (const scene::ModelDescription* model : needs.models)
+      content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;
   else
     for (const scene::ModelDescription* model : needs.models)
       content.columns[std::string(model->name) + ".csv"] = columns_of(*model, needs.quantities);

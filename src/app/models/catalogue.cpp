@@ -1,7 +1,6 @@
 #include "app/models/catalogue.h"
 
 #include "app/models/ball_models.h"
-#include "app/reduced/ball_equilibria.h"
 #include "app/reduced/reduced_scene.h"
 #include "app/systems/equilibria.h"
 #include "app/systems/system_run.h"
@@ -18,11 +17,7 @@ constexpr bool for_discretized =
     mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, ElasticBody<true>>();
 
 scene::Catalogue make_catalogue() {
-  scene::Catalogue catalogue{.methods = {},
-                             .models = {},
-                             .systems = {},
-                             .equilibria = equilibria_columns({}, 1),
-                             .ball_equilibria = ball_equilibria_columns()};
+  scene::Catalogue catalogue{.methods = {}, .models = {}, .systems = {}, .equilibria = equilibria_columns({}, 1)};
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_discretized<Method>});
   });

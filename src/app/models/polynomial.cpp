@@ -4,6 +4,8 @@
 #include <string>
 
 #include "app/models/ball_models.h"
+#include "app/polynomial/equilibrium_rows.h"
+#include "app/polynomial/run_equilibria.h"
 #include "io/trajectory.h"
 #include "scene/discretization.h"
 #include "scene/models.h"
@@ -24,6 +26,8 @@ std::string polynomial_needed(const Scene& scene) {
                             scene::print_number(scene.polynomial.tolerance));
   if (scene.analysis == scene::Analysis::modes)
     return fmt::format("polynomial body: {}, the whole ball in all its parities", of_degree);
+  if (scene.analysis == scene::Analysis::equilibrium)
+    return fmt::format("polynomial body: {}, figures in one octant, small motions of the whole ball", of_degree);
   const scene::Sector sector = scene::sector(scene);
   return fmt::format("polynomial body: {}, {}, one of {} ({})", of_degree, sector.name(), sector.n_images(),
                      sector.reason);
@@ -68,6 +72,7 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 std::optional<Refusal> refuses(const Scene& scene) {
   if (auto refusal = refuses_body(scene)) return refusal;
   if (auto refusal = refuses_modes(scene)) return refusal;
+  if (auto refusal = refuses_polynomial_equilibria(scene)) return refusal;
   return refuses_motion(scene);
 }
 
@@ -75,21 +80,27 @@ std::optional<Refusal> refuses(const Scene& scene) {
 
 scene::ModelDescription polynomial_description() {
   using Observables = mechanics::ContinuumObservables;
-  return {.name = "polynomial",
-          .adjective = "polynomial",
-          .documentation =
-              "A body whose positions are polynomials of degree N in the reference positions: between the pseudo-rigid "
-              "body, N = 1, and the continuum.",
-          .by_default = false,
-          .has_nonaffine = true,
-          .has_modes = true,
-          .columns = io::documented_columns<Observables>(),
-          .rungs = rungs(),
-          .n_runs = [](const Scene& scene) { return std::max<std::size_t>(scene.polynomial.degrees.size(), 1); },
-          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-          .needed = polynomial_needed,
-          .skipped = polynomial_skipped,
-          .refuses = refuses};
+  return {
+      .name = "polynomial",
+      .adjective = "polynomial",
+      .documentation =
+          "A body whose positions are polynomials of degree N in the reference positions: between the pseudo-rigid "
+          "body, N = 1, and the continuum.",
+      .by_default = false,
+      .has_nonaffine = true,
+      .has_modes = true,
+      .has_equilibria = true,
+      .equilibria = {"equilibria-polynomial",
+                     "Of polynomial bodies: a family of figures that turn as a whole (Equilibrium/Family), for each "
+                     "degree of the scene, a row each.",
+                     polynomial_equilibria_columns()},
+      .columns = io::documented_columns<Observables>(),
+      .rungs = rungs(),
+      .n_runs = [](const Scene& scene) { return std::max<std::size_t>(scene.polynomial.degrees.size(), 1); },
+      .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+      .needed = polynomial_needed,
+      .skipped = polynomial_skipped,
+      .refuses = refuses};
 }
 
 }  // namespace pseudorigid::app

@@ -1,4 +1,5 @@
 #include "app/models/ball_models.h"
+#include "app/reduced/ball_equilibria.h"
 #include "app/reduced/reduced_scene.h"
 #include "app/run/refuses_method.h"
 #include "io/trajectory.h"
@@ -45,6 +46,8 @@ scene::ModelDescription reduced_description() {
           .adjective = "pseudo-rigid",
           .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 where it is incompressible.",
           .has_equilibria = true,
+          .equilibria = {"equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
+                         ball_equilibria_columns()},
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
           .needed = reduced_needed,

@@ -1,4 +1,5 @@
 #include "app/polynomial/degree_search.h"
+#include "app/polynomial/run_equilibria.h"
 #include "app/polynomial/run_modes.h"
 #include "app/run/run_models.h"
 
@@ -14,6 +15,7 @@ ModelOutcome run_body(const RunContext& context, const PolynomialTask& task) {
 
 ModelOutcome run_polynomial(const RunContext& context) {
   if (context.scene.analysis == scene::Analysis::modes) return run_polynomial_modes(context);
+  if (context.scene.analysis == scene::Analysis::equilibrium) return run_polynomial_equilibria(context);
   const std::vector<int>& degrees = context.scene.polynomial.degrees;
   if (degrees.empty()) return run_degree_search(context, run_body);
   if (degrees.size() > 1) return run_listed_degrees(context, run_body);

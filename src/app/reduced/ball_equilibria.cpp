@@ -120,6 +120,8 @@ void write_family(const EquilibriumFamily& family, const RunContext& context) {
   csv.flush();
 }
 
+}  // namespace
+
 std::string parameter_name(Family family) {
   switch (family) {
     case Family::maclaurin:
@@ -132,8 +134,6 @@ std::string parameter_name(Family family) {
       return "a2/a1";
   }
 }
-
-}  // namespace
 
 std::vector<scene::Column> ball_equilibria_columns() {
   std::vector<scene::Column> columns{
@@ -199,7 +199,7 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
                                       [](const EquilibriumPoint& p) { return p.stability.stable; });
   context.log->info("{} equilibria, {} of them stable", family.points.size(), n_stable);
   for (const auto& special : family.special)
-    context.log->info("  {} at {} = {:.10g}", reduced::name_of(special.kind), name, special.point.parameter);
+    context.log->info("  {} at {} = {:.10g}", mechanics::name_of(special.kind), name, special.point.parameter);
   outcome.statistics.counters["equilibria"] = static_cast<double>(family.points.size());
   outcome.statistics.counters["special_points"] = static_cast<double>(family.special.size());
   if (interrupted) {
@@ -211,18 +211,24 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   return outcome;
 }
 
+mechanics::Status figure_of_family(const scene::Scene& scene, Family family, double parameter,
+                                   reduced::SteadyMotion& figure) {
+  const EquilibriumFamily found =
+      FamilyMaker(scene).make(family, {parameter, parameter, 1}, scene.equilibria.ratio, units_of(scene).time);
+  if (found.points.empty())
+    return mechanics::Status::failure(found.missing.empty() ? "the family is empty" : found.missing.front().reason);
+  figure = found.points.front().motion;
+  return {};
+}
+
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins) {
   auto& initial = scene.initial_state;
   if (initial.equilibrium == Family::none) return scene;
   const io::Units units = units_of(scene);
-  const double parameter = initial.equilibrium_parameter;
-  const EquilibriumFamily family =
-      FamilyMaker(scene).make(initial.equilibrium, {parameter, parameter, 1}, scene.equilibria.ratio, units.time);
-  if (family.points.empty())
+  reduced::SteadyMotion m;
+  if (const auto status = figure_of_family(scene, initial.equilibrium, initial.equilibrium_parameter, m); !status)
     throw UserError(fmt::format("{}: Initial state/Equilibrium parameter: there is no such equilibrium: {}",
-                                origins.of("Initial state/Equilibrium parameter"),
-                                family.missing.empty() ? "the family is empty" : family.missing.front().reason));
-  const reduced::SteadyMotion& m = family.points.front().motion;
+                                origins.of("Initial state/Equilibrium parameter"), status.reason()));
   const Eigen::Matrix3d D = to_eigen(initial.deformation), Q = D * m.A,
                         Qdot = D * m.co_moving_velocity() / units.time + to_eigen(initial.velocity);
   for (std::size_t i = 0; i < 3; ++i)

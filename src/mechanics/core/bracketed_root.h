@@ -1,18 +1,20 @@
 #pragma once
 /// The zero of a continuous function between two points where it has opposite signs: inverse quadratic interpolation
 /// where it is safe, halving elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145), until neighbouring numbers
-/// bracket the zero or the function vanishes.
+/// bracket the zero, or numbers as near as asked for, or the function vanishes.
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::mechanics {
 
 /// Nothing, where f(a) and f(b) have the same sign or f is not finite somewhere. f changes its sign at a jump too.
+/// `resolution`: relative width of the last bracket.
 template <class Function>
-std::optional<double> bracketed_root(const Function& f, double a, double b) {
+std::optional<double> bracketed_root(const Function& f, double a, double b,
+                                     double resolution = std::numeric_limits<double>::epsilon()) {
   constexpr int max_evaluations = 200;
   double fa = f(a), fb = f(b);
   if (fa == 0) return a;
@@ -29,7 +31,7 @@ std::optional<double> bracketed_root(const Function& f, double a, double b) {
     }
     a = x, fa = fx;
     const double best = std::abs(fa) < std::abs(fb) ? a : b;
-    const double least = std::numeric_limits<double>::epsilon() * std::abs(best) / std::abs(b - a);
+    const double least = resolution * std::abs(best) / std::abs(b - a);
     if (fa == 0 || least > 0.5) return best;
     const double xi = (a - b) / (c - b), phi = (fa - fb) / (fc - fb);
     t = 0.5;
@@ -40,4 +42,4 @@ std::optional<double> bracketed_root(const Function& f, double a, double b) {
   return a;
 }
 
-}  // namespace pseudorigid::reduced
+}  // namespace pseudorigid::mechanics

@@ -1,10 +1,10 @@
 /// The zero of a function between two points.
 
-#include "reduced/bracketed_root.h"
+#include "mechanics/core/bracketed_root.h"
 
 #include <gtest/gtest.h>
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::mechanics {
 namespace {
 
 TEST(BracketedRoot, IsFoundToTheLastDigit) {
@@ -23,4 +23,4 @@ TEST(BracketedRoot, IsNothingWithoutAChangeOfSignOrWhereTheFunctionIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace pseudorigid::reduced
+}  // namespace pseudorigid::mechanics

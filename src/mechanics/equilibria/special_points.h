@@ -1,5 +1,5 @@
 #pragma once
-/// Where something happens along a family of steady motions, located to round-off of a smooth test function:
+/// Where something happens along a family of relative equilibria, located to round-off of a smooth test function:
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
@@ -19,14 +19,15 @@
 /// energy (the sign of ½x̄ᵀSx for the vector x of a rate) only pass each other and are left out.
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
-#include "reduced/bracketed_root.h"
-#include "reduced/linear_stability.h"
+#include "mechanics/core/bracketed_root.h"
+#include "mechanics/equilibria/linear_stability.h"
 
-namespace pseudorigid::reduced {
+namespace pseudorigid::mechanics {
 
 enum class SpecialKind { fold, branch_point, index, instability };
 
@@ -54,7 +55,7 @@ inline double collision(const LinearStability& stability) {
   double largest = 0;
   for (const Rate& r : stability.rates) largest = std::max(largest, std::abs(r.s));
   if (largest == 0) return 0;
-  const double tolerance = detail::zero_growth * largest;
+  const double tolerance = zero_growth * largest;
   const auto imaginary = [&](const Rate& r) { return std::abs(r.s.real()) <= tolerance; };
   double delta = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < stability.rates.size(); ++i) {
@@ -75,9 +76,10 @@ inline double collision(const LinearStability& stability) {
 /// Stability along a curve of motions s ↦ motion(s); nothing where there is no motion.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
-/// Appends the changes of index and of stability between a and b.
+/// Appends the changes of index and of stability between a and b, as exactly as `resolution` says of bracketed_root.
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
-                                        std::vector<SpecialPoint>& found) {
+                                        std::vector<SpecialPoint>& found,
+                                        double resolution = std::numeric_limits<double>::epsilon()) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const auto at_a = stability(a), at_b = stability(b);
   if (!at_a || !at_b || at_a->second_variation.size() != at_b->second_variation.size()) return;
@@ -89,9 +91,9 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       const auto r = stability(s);
       if (!r || r->second_variation.size() != size) return nan;
       const double x = r->second_variation[k];
-      return std::abs(x) <= detail::zero_variation ? 0 : x;
+      return std::abs(x) <= zero_variation ? 0 : x;
     };
-    const auto s = bracketed_root(eigenvalue, a, b);
+    const auto s = bracketed_root(eigenvalue, a, b, resolution);
     // Not a jump, and not the partner of one that has been found (pairs vanish together on spheroids).
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
@@ -101,8 +103,8 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
     const auto r = stability(s);
     return r ? collision(*r) : nan;
   };
-  if (const auto s = bracketed_root(delta, a, b); s && std::abs(delta(*s)) < 1e-6)
+  if (const auto s = bracketed_root(delta, a, b, resolution); s && std::abs(delta(*s)) < 1e-6)
     found.push_back({SpecialKind::instability, *s});
 }
 
-}  // namespace pseudorigid::reduced
+}  // namespace pseudorigid::mechanics

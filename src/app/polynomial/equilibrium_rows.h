@@ -1,0 +1,43 @@
+#pragma once
+/// The rows of equilibria-polynomial.csv.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "entries/units.h"
+#include "mechanics/core/body_observables.h"
+#include "polynomial/incompressible_body.h"
+#include "polynomial/rotation_family.h"
+#include "scene/catalogue.h"
+
+namespace pseudorigid::app {
+
+std::vector<scene::Column> polynomial_equilibria_columns();
+
+/// What a class of motions is called: "even in z, m = 2".
+std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
+
+/// The class of the fastest growth; null where nothing grows.
+const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
+
+class EquilibriumRows {
+ public:
+  EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible, const polynomial::RotationSpectrum& spectrum,
+                  const io::Units& units);
+
+  /// `special`: null for a member. The parameter is in the unit of the family.
+  mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
+                        std::vector<double>& row) const;
+
+ private:
+  using Body = std::variant<polynomial::IncompressibleBody, polynomial::CompressibleBody>;
+
+  mechanics::Status observe(const Eigen::VectorXd& x, double spin, mechanics::ContinuumObservables& observables) const;
+
+  Body body_;
+  const polynomial::RotationSpectrum& spectrum_;
+  io::Units units_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,81 @@
+#pragma once
+/// A family of steady rotations (steady_rotation.h) over a range of its parameter, with the stability of its members
+/// (rotation_spectrum.h) and its special points: where its spin has an extremum (fold), where the energy at fixed
+/// momenta gains or loses a negative direction in a class of motions (index: a branch may leave, and dissipation
+/// decides), and where a growth rate begins or ends in it (instability; mechanics/equilibria/special_points.h).
+///
+/// Each member is followed from the nearest that is known: the first of spheroids from the ball at rest, the first of
+/// ellipsoids from a figure that the caller knows.
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mechanics/equilibria/special_points.h"
+#include "polynomial/rotation_spectrum.h"
+
+namespace pseudorigid::polynomial {
+
+struct RotationMember {
+  double parameter = 0;
+  SteadyRotation rotation;
+  std::vector<ClassStability> classes;
+};
+
+struct SpecialRotation {
+  mechanics::SpecialKind kind;
+  MotionClass motions;  ///< in which it happens; of a fold: those of the family
+  RotationMember member;
+};
+
+struct NoRotation {
+  double parameter;
+  std::string reason;
+};
+
+struct RotationFamily {
+  std::vector<RotationMember> members;
+  std::vector<SpecialRotation> special;  ///< by rising parameter between any two members
+  std::vector<NoRotation> missing;
+};
+
+/// An affine figure near the one asked for.
+struct NearbyFigure {
+  Eigen::Vector3d a;
+  double spin_squared;
+};
+
+struct FamilyOfRotations {
+  Figure figure;
+  std::function<FigureCondition(double parameter)> condition;
+  /// Of ellipsoids.
+  std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
+};
+
+class RotationFinder {
+ public:
+  RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
+
+  /// The members at these parameters. `give_up` is asked before each figure; the family ends there.
+  RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
+  /// One of them.
+  mechanics::Status member(double parameter, RotationMember& member);
+
+  const RotationSpectrum& spectrum() const { return spectrum_; }
+
+ private:
+  bool gives_up() const { return give_up_ && give_up_(); }
+  mechanics::Status first(double parameter, SteadyRotation& rotation) const;
+  mechanics::Status find(double parameter, SteadyRotation& rotation);
+  void locate_special(double a, double b, std::vector<SpecialRotation>& special);
+
+  FamilyOfRotations family_;
+  SteadyRotations rotations_;
+  RotationSpectrum spectrum_;
+  std::function<bool()> give_up_{};
+  std::map<double, SteadyRotation> known_;    ///< by the value of the condition
+  std::map<double, RotationMember> members_;  ///< by the parameter
+};
+
+}  // namespace pseudorigid::polynomial

@@ -1,0 +1,246 @@
+#include "polynomial/rotation_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <variant>
+
+#include "materials/fluid.h"
+#include "mechanics/core/dense_algebra.h"
+#include "polynomial/constraint.h"
+#include "polynomial/gram_solver.h"
+#include "polynomial/octant_quadrature.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+constexpr int n_parities = 8;
+constexpr Parity half_turn = 3;  // changes the parity in x and in y
+
+/// Singular values of G and of the symmetries below this part of the largest count as zero.
+constexpr double dependent = 1e-8;
+
+/// Coefficients of each parity of the motion, 0 that of the octant, without those of uniform motions.
+std::array<std::vector<int>, n_parities> coefficients_by_parity(const PolynomialSpace& space) {
+  std::array<std::vector<int>, n_parities> places;
+  for (const Block& block : space.blocks())
+    for (int a = 0; a < block.n(); ++a)
+      if (block.functions[a] > 0)  // the first function is the constant
+        places[block.parity ^ 1U << block.component].push_back(block.offset + a);
+  return places;
+}
+
+/// [axis](b, a): ∫φ_b (e × X)·∇φ_a of a ball, by the points of integration, which are exact for it.
+std::array<Eigen::MatrixXd, 3> turns_of_functions(const PolynomialSpace& space) {
+  const Eigen::Index n = space.n_functions();
+  std::array<Eigen::MatrixXd, 3> turns;
+  turns.fill(Eigen::MatrixXd::Zero(n, n));
+  for (int p = 0; p < space.n_points(); ++p) {
+    if (space.weights()[p] == 0) continue;
+    const auto& xi = space.points()[p];
+    const Eigen::Vector3d X = space.semi_axes().cwiseProduct(Eigen::Vector3d(xi[0], xi[1], xi[2]));
+    const std::vector<Jet> functions = space.functions_at(xi);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis).cross(X);
+      for (Eigen::Index a = 0; a < n; ++a) {
+        const auto& gradient = functions[a].gradient;
+        const double rate = along[0] * gradient[0] + along[1] * gradient[1] + along[2] * gradient[2];
+        for (Eigen::Index b = 0; b < n; ++b) turns[axis](b, a) += space.weights()[p] * functions[b].value * rate;
+      }
+    }
+  }
+  return turns;
+}
+
+Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
+
+/// The rows that are more than round-off: a class has only the constraints of its own symmetry.
+Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index i = 0; i < A.rows(); ++i)
+    if (A.row(i).norm() > round_off) kept.push_back(i);
+  return A(kept, Eigen::all);
+}
+
+}  // namespace
+
+RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure)
+    : incompressible_(incompressible), is_fluid_(std::holds_alternative<materials::Fluid>(setup.law)) {
+  BodySetup whole = conservative_setup(setup, incompressible);
+  whole.reflect = {};
+  body_ = std::make_shared<CompressibleBody>(whole);
+  octant_ = std::make_shared<PolynomialSpace>(setup.degree, std::array<bool, 3>{true, true, true}, setup.semi_axes);
+  turns_of_functions_ = turns_of_functions(space());
+  for (const bool odd_in_z : {false, true})
+    for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
+}
+
+/// The class, or on a spheroid its parts by m: the turn of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m².
+void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
+  const auto by_parity = coefficients_by_parity(space());
+  const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
+  std::vector<int> places = by_parity[first];
+  places.insert(places.end(), by_parity[first ^ half_turn].begin(), by_parity[first ^ half_turn].end());
+  const auto n = static_cast<Eigen::Index>(places.size());
+  if (n == 0) return;
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(space().n_unknowns(), n);
+  for (Eigen::Index k = 0; k < n; ++k) all(places[k], k) = 1;
+  std::map<int, std::vector<Eigen::Index>> of_m;
+  if (figure == Figure::spheroid) {
+    Eigen::MatrixXd turn(space().n_unknowns(), n);
+    for (Eigen::Index k = 0; k < n; ++k) turn.col(k) = turned(2, all.col(k)) - reference_turned(2, all.col(k));
+    const auto squares = mechanics::symmetric_spectrum(turn.transpose() * turn);
+    for (Eigen::Index k = 0; k < n; ++k)
+      of_m[static_cast<int>(std::lround(std::sqrt(std::max(squares.values[k], 0.0))))].push_back(k);
+    all = all * squares.vectors;
+  } else {
+    for (Eigen::Index k = 0; k < n; ++k) of_m[odd_under_half_turn ? 1 : 0].push_back(k);
+  }
+  for (const auto& [m, members] : of_m) {
+    Part part{{odd_in_z, m}, columns(all, members), {}};
+    part.exchanges = exchanges(part.fields);
+    parts_.push_back(std::move(part));
+  }
+}
+
+/// The fields w of a class without divergence in the ball and without a part across its surface.
+Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
+  if (!is_fluid_) return Eigen::MatrixXd(fields.rows(), 0);
+  const Eigen::VectorXd X = body_->affine(Eigen::Matrix3d::Identity());
+  const Eigen::MatrixXd divergence = constraint_matrix(space(), X) * fields;
+  Eigen::MatrixXd squares = divergence.transpose() * divergence;
+  for (const SurfacePoint& point : octant_surface_points(space().degree() + 2))  // exact for the degree 2N + 2
+    for (int image = 0; image < n_parities; ++image) {
+      std::array<double, 3> xi = point.xi;
+      for (int i = 0; i < 3; ++i)
+        if (image >> i & 1) xi[i] = -xi[i];
+      const std::vector<Jet> functions = space().functions_at(xi);
+      Eigen::RowVectorXd normal(fields.rows());
+      for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < space().n_functions(); ++a) normal[space().place(i, a)] = xi[i] * functions[a].value;
+      const Eigen::RowVectorXd of_fields = normal * fields;
+      squares += point.weight * of_fields.transpose() * of_fields;
+    }
+  const auto spectrum = mechanics::symmetric_spectrum(squares);
+  constexpr double none = 1e-10;  // others are of order 1
+  return fields * spectrum.vectors.leftCols((spectrum.values.array() < none).count());
+}
+
+Eigen::VectorXd RotationSpectrum::whole(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(space().n_unknowns());
+  for (int i = 0; i < 3; ++i)
+    for (int a = 0; a < space().n_functions(); ++a)
+      if (const int at = octant_->place(i, a); at >= 0) all[space().place(i, a)] = x[at];
+  return all;
+}
+
+Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda) const {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(space().n_pressures());
+  for (int b = 0; b < space().n_functions(); ++b)
+    if (const int at = octant_->pressure_place(b); at >= 0) all[space().pressure_place(b)] = lambda[at];
+  return all;
+}
+
+/// ê×x
+Eigen::VectorXd RotationSpectrum::turned(int axis, const Eigen::VectorXd& x) const {
+  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
+  Eigen::VectorXd turned = Eigen::VectorXd::Zero(x.size());
+  for (int a = 0; a < space().n_functions(); ++a) {
+    turned[space().place(j, a)] = -x[space().place(k, a)];
+    turned[space().place(k, a)] = x[space().place(j, a)];
+  }
+  return turned;
+}
+
+/// ∂x/∂X (ê×X)
+Eigen::VectorXd RotationSpectrum::reference_turned(int axis, const Eigen::VectorXd& x) const {
+  const Eigen::Index n = space().n_functions();
+  Eigen::VectorXd turned(x.size());
+  for (int i = 0; i < 3; ++i) {
+    Eigen::VectorXd component(n);
+    for (Eigen::Index a = 0; a < n; ++a) component[a] = x[space().place(i, static_cast<int>(a))];
+    component = turns_of_functions_[axis] * component;
+    for (Eigen::Index a = 0; a < n; ++a) turned[space().place(i, static_cast<int>(a))] = component[a];
+  }
+  return turned;
+}
+
+/// The turns of space (ζ×x, −(ω×ζ)×x), ω = Ω ê₃, and those of the ball.
+mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
+  mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
+  for (int axis = 0; axis < 3; ++axis) {
+    N.y.col(axis) = turned(axis, x);
+    N.y.col(3 + axis) = reference_turned(axis, x);
+  }
+  N.rate.col(0) = -spin * turned(1, x);
+  N.rate.col(1) = spin * turned(0, x);
+  return N;
+}
+
+/// Motions of different parity are put into one call, and their images taken apart again.
+Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) const {
+  const Eigen::VectorXd x = whole(rotation.x), lambda = whole_multiplier(rotation.lambda);
+  const auto places = coefficients_by_parity(space());
+  std::size_t n_calls = 0;
+  for (const auto& of_parity : places) n_calls = std::max(n_calls, of_parity.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
+  for (std::size_t call = 0; call < n_calls; ++call) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(x.size());
+    for (const auto& of_parity : places)
+      if (call < of_parity.size()) u[of_parity[call]] = 1;
+    Eigen::VectorXd image = rotation.spin_squared * across_axis_3(space(), u);
+    body_->add_force_rate(x, u, image);
+    if (incompressible_) add_reaction_rate(space(), x, u, lambda, image);
+    for (const auto& of_parity : places)
+      if (call < of_parity.size())
+        for (const int i : of_parity) K(i, of_parity[call]) = -image[i];
+  }
+  return 0.5 * (K + K.transpose());
+}
+
+/// Those of a class, in the basis T of its motions.
+mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
+                                                           const Eigen::Matrix3d& A,
+                                                           const mechanics::SymmetryDirections& turns) const {
+  constexpr double absent = 1e-6;  // of a turn, in other classes than its own
+  const Eigen::MatrixXd y = T.transpose() * turns.y;
+  std::vector<Eigen::Index> present;
+  for (Eigen::Index k = 0; k < y.cols(); ++k)
+    if (y.col(k).norm() > absent * turns.y.col(k).norm()) present.push_back(k);
+  Eigen::MatrixXd exchanged = part.exchanges;  // A w
+  for (int i = 0; i < 3; ++i)
+    for (int a = 0; a < space().n_functions(); ++a) exchanged.row(space().place(i, a)) *= A(i, i);
+  const auto n_turns = static_cast<Eigen::Index>(present.size());
+  mechanics::SymmetryDirections N{Eigen::MatrixXd::Zero(T.cols(), n_turns + exchanged.cols()),
+                                  Eigen::MatrixXd::Zero(T.cols(), n_turns + exchanged.cols())};
+  N.y.leftCols(n_turns) = columns(y, present);
+  N.rate.leftCols(n_turns) = T.transpose() * columns(turns.rate, present);
+  N.y.rightCols(exchanged.cols()) = T.transpose() * exchanged;
+  return N;
+}
+
+mechanics::Status RotationSpectrum::analyse(const SteadyRotation& rotation,
+                                            std::vector<ClassStability>& classes) const {
+  const Eigen::VectorXd x = whole(rotation.x);
+  const double spin = std::sqrt(std::max(rotation.spin_squared, 0.0));
+  const Eigen::MatrixXd K = stiffness(rotation);
+  const Eigen::MatrixXd G = incompressible_ ? constraint_matrix(space(), x) : Eigen::MatrixXd();
+  const mechanics::SymmetryDirections of_body = turns(x, spin);
+  classes.clear();
+  for (const Part& part : parts_) {
+    Eigen::MatrixXd T = part.fields;
+    if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
+    if (T.cols() == 0) continue;
+    Eigen::MatrixXd coriolis(T.rows(), T.cols());
+    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin * turned(2, T.col(k));
+    ClassStability of_class{part.motions, {}};
+    const auto system = mechanics::reduce(T.transpose() * K * T, T.transpose() * coriolis,
+                                          symmetries(part, T, space().affine_part(x), of_body), dependent);
+    if (auto status = mechanics::analyse_stability(system, of_class.stability); !status) return status;
+    classes.push_back(std::move(of_class));
+  }
+  return {};
+}
+
+}  // namespace pseudorigid::polynomial
