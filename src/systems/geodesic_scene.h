@@ -126,11 +126,12 @@ struct GeodesicScene {
     using System = Field<Chart>;
     System system;
     mechanics::State<System> initial;
+    double origin = 0;  ///< of the first coordinate
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
       const Chart& chart = system.chart();
-      row.insert(row.end(), {state.q[0], state.q[1], state.v[0], state.v[1]});
+      row.insert(row.end(), {origin + state.q[0], state.q[1], state.v[0], state.v[1]});
       if constexpr (requires { chart.embedding(state.q); }) {
         const Eigen::Vector3d x = chart.embedding(state.q);
         row.insert(row.end(), x.begin(), x.end());
@@ -144,14 +145,16 @@ struct GeodesicScene {
 
   template <class Run>
   auto with_model(Run&& run) const {
-    const auto on = [&](const auto& chart) {
+    const auto on = [&](const auto& chart, double origin = 0) {
       using Chart = std::decay_t<decltype(chart)>;
-      return run(
-          Model<Chart>{Field<Chart>(chart), {0, Eigen::Vector2d(point.data()), Eigen::Vector2d(velocity.data())}});
+      return run(Model<Chart>{
+          Field<Chart>(chart), {0, {point[0] - origin, point[1]}, Eigen::Vector2d(velocity.data())}, origin});
     };
     switch (surface) {
-      case Surface::torus:
-        return on(TorusSurface{R, r});
+      case Surface::torus: {
+        const TorusCircle circle(point[0]);
+        return on(TorusSurface{R, r, circle.outward()}, circle.angle());
+      }
       case Surface::ellipsoid:
         return on(Ellipsoid{semi_axes[0], semi_axes[1], semi_axes[2]});
       case Surface::paraboloid:

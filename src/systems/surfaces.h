@@ -40,14 +40,19 @@ struct Sphere {
 
 /// The torus of revolution about the x axis (5.8.8): x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w,
 /// ds² = r² dw² + ρ² du².
+///
+/// Its symmetric circles are w = 0, outside, and w = π, inside. A motion that a symmetry keeps on one of them stays
+/// there in floating-point arithmetic where its own angle is 0: π is no number of double precision, and sin of the
+/// nearest one is not 0. So the first coordinate is w − w₀ with w₀ = 0 or π (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;
+  double outward = 1;  // cos w₀: 1 where the angle is measured from outside, −1 from inside
 
   template <class T>
   SurfaceMetric<T> metric(const SurfacePoint<T>& q) const {
     using std::cos;
-    const T rho = R + r * cos(q[0]);
+    const T rho = R + outward * r * cos(q[0]);
     SurfaceMetric<T> g;
     g << T(r * r), T(0.0), T(0.0), T(rho * rho);
     return g;
@@ -55,10 +60,21 @@ struct TorusSurface {
   template <class T>
   SpacePoint<T> embedding(const SurfacePoint<T>& q) const {
     using std::cos, std::sin;
-    const T rho = R + r * cos(q[0]);
-    return {r * sin(q[0]), rho * sin(q[1]), rho * cos(q[1])};
+    const T rho = R + outward * r * cos(q[0]);
+    return {outward * r * sin(q[0]), rho * sin(q[1]), rho * cos(q[1])};
   }
   Eigen::Vector2d periods() const { return Eigen::Vector2d::Constant(2 * std::numbers::pi); }
+};
+
+/// The symmetric circle w₀ = kπ of a torus that is nearest to an angle w.
+class TorusCircle {
+ public:
+  explicit TorusCircle(double w) : half_turns_(std::round(w / std::numbers::pi)) {}
+  double angle() const { return half_turns_ * std::numbers::pi; }
+  double outward() const { return std::fmod(half_turns_, 2) == 0 ? 1 : -1; }
+
+ private:
+  double half_turns_;
 };
 
 /// x = (a sin θ cos φ, b sin θ sin φ, c cos θ) with any semi-axes. Singular at the poles.

@@ -4,7 +4,8 @@
 ///
 ///   dE/dt = ⟨D(v), v⟩ = −c |v|².
 ///
-/// The four critical points have Morse indices 0, 1, 1, 2 for every tilt.
+/// The four critical points have Morse indices 0, 1, 1, 2 for every tilt. The motion is computed in the angle from the
+/// symmetric circle that is nearest to its start (surfaces.h); entries and columns have w, which is 0 outside.
 
 #include <algorithm>
 #include <cmath>
@@ -73,24 +74,32 @@ struct TorusScene {
     using System = mechanics::ChartField<Torus>;
     System system;
     mechanics::State<System> initial;
+    TorusCircle circle;
 
     mechanics::Status row(const mechanics::State<System>& state, System::Workspace&, std::vector<double>& row) const {
       const Torus& torus = system.chart();
       const Eigen::Vector3d x = torus.embedding(state.q);
       const double K = mechanics::kinetic_energy(torus, state.q, state.v), V = torus.potential(state.q);
       const Eigen::Vector2d D = torus.dissipation(state.q, state.v);
-      row.insert(row.end(), {state.q[0], state.q[1], state.v[0], state.v[1], x[0], x[1], x[2], K, V, K + V,
-                             -D.dot(mechanics::apply_mass(torus, state.q, state.v))});
+      row.insert(row.end(), {circle.angle() + state.q[0], state.q[1], state.v[0], state.v[1], x[0], x[1], x[2], K, V,
+                             K + V, -D.dot(mechanics::apply_mass(torus, state.q, state.v))});
       return {};
     }
-    auto landscape() const { return mechanics::ChartLandscape<Torus>(system.chart()); }
+    /// Of w itself.
+    auto landscape() const {
+      Torus torus = system.chart();
+      torus.outward = 1;
+      return mechanics::ChartLandscape<Torus>(torus);
+    }
     std::vector<Column> coordinates() const { return {{"w", "", ""}, {"u", "", ""}}; }
   };
 
   template <class Run>
   auto with_model(Run&& run) const {
-    return run(Model{mechanics::ChartField(Torus{{R, r}, gravity, damping, tilt}),
-                     {0, Eigen::Vector2d(angles.data()), Eigen::Vector2d(rates.data())}});
+    const TorusCircle circle(angles[0]);
+    return run(Model{mechanics::ChartField(Torus{{R, r, circle.outward()}, gravity, damping, tilt}),
+                     {0, {angles[0] - circle.angle(), angles[1]}, Eigen::Vector2d(rates.data())},
+                     circle});
   }
 };
 

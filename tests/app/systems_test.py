@@ -160,6 +160,21 @@ class SystemScenes(SystemTest):
     def vectors(table, prefix):
         return list(zip(*(table.column(prefix + axis) for axis in "xyz")))
 
+    def test_inner_circle_of_the_torus(self):
+        """5.8.8: w = pi is invariant: the particle stays on it, though every other motion leaves the lower saddle."""
+        for turns in (0, 1, -1, 50):
+            w = math.pi * (2 * turns + 1)
+            table = self.motion("torus", {"Time/End": 1000, "Torus/Angles": f"{w!r}, 0.01"})
+            self.assertEqual(set(table.column("w")), {w})
+            self.assertAlmostEqual(table.column("u")[-1], math.pi, delta=1e-9)
+            self.assertAlmostEqual(table.column("z")[-1], -2, delta=1e-12)
+        beside = self.motion("torus", {"Time/End": 200, "Torus/Angles": f"{math.nextafter(math.pi, 4)!r}, 0.01"})
+        self.assertAlmostEqual(beside.column("z")[-1], -4, delta=1e-9, msg="4e-16 beside it there is the sink")
+        geodesic = self.motion("geodesic", {"Geodesic/Point": f"{math.pi!r}, 0", "Geodesic/Velocity": "0, 0.5",
+                                            "Time/End": 200})
+        self.assertEqual(set(geodesic.column("q1")), {math.pi}, "an unstable geodesic")
+        self.assertAlmostEqual(geodesic.column("q2")[-1], 100, delta=1e-6)
+
     def test_torus(self):
         table = self.motion("torus", {"Output/Samples": 4000})
         self.assertAlmostEqual(table.column("z")[0], 2, delta=1e-3)

@@ -84,6 +84,37 @@ TEST(Torus, TiltedCriticalPoints) {
   }
 }
 
+/// The angle from another symmetric circle is the same torus: place, energy and acceleration at w = w₀ + q₀.
+TEST(Torus, AnglesFromTheInnerCircleAreTheSameTorus) {
+  for (const double w : {3.0, -3.5, 0.2, 9.3, -6.4}) {
+    const systems::TorusCircle circle(w);
+    EXPECT_LE(std::abs(w - circle.angle()), pi / 2);
+    EXPECT_NEAR(circle.outward(), std::cos(circle.angle()), 1e-14);
+    const Torus from_outside{{3, 1}, 1.3, 0.4, 0.2}, from_circle{{3, 1, circle.outward()}, 1.3, 0.4, 0.2};
+    const Vector2d q(w, 0.7), shifted(w - circle.angle(), 0.7), v(0.4, -0.6);
+    EXPECT_LT((from_outside.embedding(q) - from_circle.embedding(shifted)).norm(), 1e-14);
+    const ChartField field(from_outside), same(from_circle);
+    EXPECT_NEAR(field.energy(q, v), same.energy(shifted, v), 1e-13);
+    auto work = field.make_workspace();
+    auto other = same.make_workspace();
+    Vector2d a, b;
+    ASSERT_TRUE(field.acceleration(0, q, v, work, a));
+    ASSERT_TRUE(same.acceleration(0, shifted, v, other, b));
+    EXPECT_LT((a - b).norm(), 1e-13);
+  }
+}
+
+/// On the inner circle nothing pushes across, not even round-off.
+TEST(Torus, InnerCircleIsInvariantExactly) {
+  const ChartField field(Torus{{3, 1, -1}, 1.3, 0.4, 0});
+  auto work = field.make_workspace();
+  for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 20)) {
+    Vector2d a;
+    ASSERT_TRUE(field.acceleration(0, {0, q[1]}, {0, v[1]}, work, a));
+    EXPECT_EQ(a[0], 0);
+  }
+}
+
 /// Motions come to rest at the lowest point.
 TEST(Torus, MotionsEndInTheSink) {
   const ChartField field(Torus{});
