@@ -65,7 +65,7 @@ class OlivaPage(ProgramTest):
                     self.assertIn(word, known, row)
 
     def test_tests_and_corrections_exist(self):
-        suites = set(re.findall(r"`(\w+)\.\w+`", (SOURCE / "docs/statements.md").read_text()))
+        suites = set(re.findall(r"`((?:Statement|Correction)_\w+)` `", (SOURCE / "docs/statements.md").read_text()))
         corrections = set()
         for row in rows():
             for suite in quoted(row[TEST]):

@@ -4,6 +4,7 @@ A page is read from top to bottom. Its blocks of the language `console` are run:
 
     $ command            a line of shell; a backslash at its end continues it
     output               what it prints, on stdout and stderr; a line … stands for any number of lines
+    ↪ more of it         goes on with the line before, which is too long for a page
 
 <!-- file: name --> above any block says that the block is a file of that name, written before what follows. Blocks of
 other languages are for the reader.
@@ -11,12 +12,14 @@ other languages are for the reader.
 import dataclasses
 import re
 import subprocess
+import textwrap
 
 from program_test import SOURCE, TIME_LIMIT
 
 BLOCK = re.compile(r"(?:<!-- file: (?P<file>\S+) -->\n\n?)?^```(?P<language>\w*)\n(?P<text>.*?)^```$",
                    re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+WIDTH, GOES_ON = 100, "↪ "  # a page of GitHub shows about 110 columns of a block
 DURATION = re.compile(r"\b\d+(?:\.\d+)?(?:e-?\d+)? s\b")
 # Processors and compilers round differently: numbers agree to three units of the last printed digit or to nine digits,
 # and below 1e-11 a number says only that it is round-off.
@@ -76,10 +79,20 @@ def commands(text):
             command = Command(line[2:], [])
             while command.text.endswith("\\"):
                 command.text += "\n" + next(lines)
+        elif line.startswith(GOES_ON):
+            command.expected[-1] += " " + line.removeprefix(GOES_ON)
         else:
             command.expected.append(line)
     if command:
         yield command
+
+
+def folded(line):
+    """The line, in pieces that a page shows whole."""
+    if len(line) <= WIDTH:
+        return [line]
+    indent = re.match(" *", line)[0]
+    return textwrap.wrap(line.strip(), WIDTH, initial_indent=indent, subsequent_indent=GOES_ON, break_long_words=False, break_on_hyphens=False)
 
 
 def printed_anew(page, folder):
@@ -92,7 +105,8 @@ def printed_anew(page, folder):
         lines = []
         for command in commands(block["text"]):
             output = [line.rstrip() for line in command.run(folder)]
-            lines += [f"$ {command.text}", *(command.expected if "…" in command.expected else output)]
+            printed = command.expected if "…" in command.expected else output
+            lines += [f"$ {command.text}", *(piece for line in printed for piece in folded(line))]
         return "```console\n" + "\n".join(lines) + "\n```"
     return BLOCK.sub(of_block, page)
 
