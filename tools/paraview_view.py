@@ -21,6 +21,7 @@ from run_directory import fail, read_pvd
 TITLES = {"continuum": "Elastic ball", "reduced": "Pseudo-rigid ball"}
 SIZE = (1280, 720)
 FRAMES_PER_SECOND = 8
+SUBDIVISION = 3  # of curved cells (Output/Cells = lagrange): 8 straight pieces along an edge
 RUN = "PSEUDORIGID_RUN"  # the run directory, for this file as a script of ParaView's own
 
 
@@ -75,6 +76,7 @@ def show_model(simple, directory, model, view):
     reader = simple.PVDReader(registrationName=TITLES[model], FileName=str(directory / f"{model}.pvd"))
     display = simple.Show(reader, view)
     display.SetRepresentationType("Surface")
+    display.NonlinearSubdivisionLevel = SUBDIVISION
     simple.ColorBy(display, ("POINTS", FIELD))
     display.Ambient, display.Diffuse, display.Specular = 0.65, 0.35, 0.0
     label(simple, simple.Text(Text=TITLES[model]), view, "Upper Center", 22, Bold=1)
