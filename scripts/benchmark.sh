@@ -6,6 +6,7 @@
 # README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
 #   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
+#   ladder      the release by polynomial bodies and finite elements, whole processes
 #   gravity     the release under the ball's own gravity; what the pairs of surface points cost
 #   lamb        small affine release against the exact modes
 #   frequency   the lowest frequency of the ball
@@ -23,7 +24,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(methods release gravity lamb frequency auto kernels steps skipping peers)
+all_parts=(methods release ladder gravity lamb frequency auto kernels steps skipping peers)
 parts=()
 quick=()
 output=
@@ -78,6 +79,8 @@ measure_methods() {
 }
 
 measure_release() { into ball_release.csv "$root/benchmarks/ball_release.py" "$program" "${quick[@]}"; }
+
+measure_ladder() { into ladder.csv "$root/benchmarks/ladder.py" "$program" "${quick[@]}"; }
 
 # Degree, refinements, steps.
 gravity_cases=("4 0 200" "4 1 100" "4 2 40" "4 3 10")

@@ -139,6 +139,37 @@ def draw_release(data, images):
     return save(figure, images / "benchmark_ball_release.svg")
 
 
+def draw_ladder(data, images):
+    """Error against the time of the whole process, each rung by the cheapest of its runs with nearly its least error."""
+    rows = read_rows(data, "ladder.csv")
+    if not rows:
+        return None
+    figure, axes = make()
+    for model, colour, marker, label, letter in (
+            ("polynomial", "#D55E00", "o", "polynomial bodies of degree N", "N"),
+            ("continuum", "#0072B2", "s", "finite elements of degree k", "k")):
+        rungs = defaultdict(list)
+        for row in rows:
+            if row["model"] == model:
+                rungs[int(row["degree"])].append((float(row["seconds"]), float(row["error"])))
+        points = []
+        for degree, runs in sorted(rungs.items()):
+            least = min(error for _, error in runs)
+            points.append((*min(run for run in runs if run[1] <= 1.1 * least), degree))
+        axes.loglog([p[0] for p in points], [p[1] for p in points], color=colour, marker=marker, markersize=6,
+                    linewidth=1.4, label=label)
+        for seconds, error, degree in points:
+            axes.annotate(f"{letter} = {degree}", (seconds, error), xytext=(7, 4), textcoords="offset points", fontsize=9,
+                          color=colour)
+    draw_uncertainty(axes, data)
+    plain_numbers(axes.xaxis)
+    axes.set_xlabel("processor time from the start of the process to its end (s)")
+    axes.set_ylabel("largest error of $Q_{33}$, 0 ≤ t ≤ 5")
+    axes.set_title("ladder of models: nonlinear release of the ball", loc="left", fontsize=12)
+    finish(axes)
+    return save(figure, images / "benchmark_ladder.svg")
+
+
 def draw_summary(data, images):
     """The picture of README.md, which is shown small: no more than the two fronts of the release."""
     own, peers = errors_of(data, "ball_release.csv"), errors_of(data, "fenicsx_release.csv")

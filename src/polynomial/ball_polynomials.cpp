@@ -51,6 +51,14 @@ std::vector<std::vector<Jet>> polar_factors(int N, const Jet& z, const Jet& r2) 
   return factor;
 }
 
+struct Variables {
+  Jet x, y, z, r2;
+};
+Variables variables(const std::array<double, 3>& xi) {
+  const Jet x{xi[0], {1, 0, 0}}, y{xi[1], {0, 1, 0}}, z{xi[2], {0, 0, 1}};
+  return {x, y, z, x * x + y * y + z * z};
+}
+
 }  // namespace
 
 std::vector<BallPolynomial> ball_polynomials(int N) {
@@ -61,22 +69,37 @@ std::vector<BallPolynomial> ball_polynomials(int N) {
   return functions;
 }
 
-std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi) {
-  const Jet x{xi[0], {1, 0, 0}}, y{xi[1], {0, 1, 0}}, z{xi[2], {0, 0, 1}};
-  const Jet r2 = x * x + y * y + z * z;
+Jet radial_factor(int n, int l, double r) {
+  const Jet radius{r, {1, 0, 0}};
+  Jet value =
+      std::sqrt(2.0 * n + 3) * jacobi_polynomials((n - l) / 2, l + 0.5, 2 * radius * radius + constant(-1)).back();
+  for (int k = 0; k < l; ++k) value = value * radius;
+  return value;
+}
+
+std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi) {
+  const auto& [x, y, z, r2] = variables(xi);
   std::vector<Jet> real{constant(1)}, imaginary{constant(0)};  // of (x + iy)^m
   for (int m = 1; m <= N; ++m) {
     real.push_back(x * real[m - 1] + (-1.0) * y * imaginary[m - 1]);
     imaginary.push_back(x * imaginary[m - 1] + y * real[m - 1]);
   }
   const auto factor = polar_factors(N, z, r2);
+  std::vector<std::vector<Jet>> solid(N + 1);
+  for (int l = 0; l <= N; ++l)
+    for (int m = -l; m <= l; ++m) solid[l].push_back(factor[l][std::abs(m)] * (m < 0 ? imaginary[-m] : real[m]));
+  return solid;
+}
+
+std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi) {
+  const auto solid = solid_harmonics(N, xi);
   std::vector<std::vector<Jet>> radial;  // [l][s]
-  for (int l = 0; l <= N; ++l) radial.push_back(jacobi_polynomials((N - l) / 2, l + 0.5, 2 * r2 + constant(-1)));
+  for (int l = 0; l <= N; ++l)
+    radial.push_back(jacobi_polynomials((N - l) / 2, l + 0.5, 2 * variables(xi).r2 + constant(-1)));
 
   std::vector<Jet> values;
   for (const auto& [n, l, m] : ball_polynomials(N))
-    values.push_back(std::sqrt(2.0 * n + 3) * radial[l][(n - l) / 2] * factor[l][std::abs(m)] *
-                     (m < 0 ? imaginary[-m] : real[m]));
+    values.push_back(std::sqrt(2.0 * n + 3) * radial[l][(n - l) / 2] * solid[l][l + m]);
   return values;
 }
 

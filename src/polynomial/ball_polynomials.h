@@ -8,7 +8,7 @@
 /// Cartesian coordinates, so nothing is singular at the poles or the centre, and the basis has a condition of 1 at any
 /// degree. P_N has C(N+3, 3) of them, those of P_{N−1} first.
 ///
-/// Each is even or odd in each coordinate.
+/// Each is even or odd in each coordinate, and the product R_nl(r) Y_lm of a radial and an angular factor.
 
 #include <array>
 #include <vector>
@@ -39,5 +39,10 @@ struct Jet {
 
 /// Values and gradients of all of P_N at a point, in the order of ball_polynomials.
 std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi);
+
+/// R_nl(r) = √(2n+3) P_s(2r² − 1) r^l, with its derivative in gradient[0].
+Jet radial_factor(int n, int l, double r);
+/// |ξ|^l Y_lm up to l = N with their gradients, at [l][l + m].
+std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi);
 
 }  // namespace pseudorigid::polynomial

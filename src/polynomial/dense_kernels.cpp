@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <variant>
 
 #include "mechanics/core/lanes.h"
@@ -39,62 +40,56 @@ static_assert(point_block % n_lanes == 0);
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
 
-/// n_vectors vectors of y at e = first, …
-template <int n_vectors>
-[[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
-                                                 int first) {
-  L sums[n_vectors];
-  for (L& sum : sums) sum = 0;
-  for (int a = 0; a < n; ++a) {
-    const double* row = table + static_cast<long>(a) * length + first;
-    const L factor = c[a];
-    for (int k = 0; k < n_vectors; ++k) sums[k] += factor * load(row + k * n_lanes);
-  }
-  for (int k = 0; k < n_vectors; ++k) store(sums[k], y + first + k * n_lanes);
-}
-
-/// Rows a = first, …, n_rows of them.
-template <int n_rows>
-[[gnu::always_inline]] inline void contract_rows(const double* table, int length, const double* y, double* c,
-                                                 int first) {
-  L sums[n_rows];
-  for (L& sum : sums) sum = 0;
-  for (int e = 0; e < length; e += n_lanes) {
-    const L value = load(y + e);
-    for (int k = 0; k < n_rows; ++k) sums[k] += value * load(table + static_cast<long>(first + k) * length + e);
-  }
-  for (int k = 0; k < n_rows; ++k) c[first + k] += sums[k].sum(n_lanes);
-}
+/// The arguments of `multiply`.
+struct Product {
+  const double* A;
+  int stride;
+  const double* R;
+  int n_points, width;
+  double* C;
+  bool add;
+};
 
 /// C for n_rows rows of A and n_vectors vectors of columns.
 template <int n_rows, int n_vectors>
-[[gnu::always_inline]] inline void multiply_block(const double* A, const double* R, int n_points, int width, double* C,
-                                                  int row, int column) {
+[[gnu::always_inline]] inline void multiply_block(const Product& of, int row, int column) {
+  double* C = of.C + static_cast<long>(row) * of.width + column;
   L sums[n_rows][n_vectors];
   for (int i = 0; i < n_rows; ++i)
     for (int k = 0; k < n_vectors; ++k)
-      sums[i][k] = load(C + static_cast<long>(row + i) * width + column + k * n_lanes);
-  for (int p = 0; p < n_points; ++p) {
-    const double* at = R + static_cast<long>(p) * width + column;
+      sums[i][k] = of.add ? load(C + static_cast<long>(i) * of.width + k * n_lanes) : L(0.0);
+  const double* A = of.A + static_cast<long>(row) * of.stride;
+  for (int p = 0; p < of.n_points; ++p) {
+    const double* at = of.R + static_cast<long>(p) * of.width + column;
     L r[n_vectors];
     for (int k = 0; k < n_vectors; ++k) r[k] = load(at + k * n_lanes);
     for (int i = 0; i < n_rows; ++i) {
-      const L a = A[static_cast<long>(row + i) * n_points + p];
+      const L a = A[static_cast<long>(i) * of.stride + p];
       for (int k = 0; k < n_vectors; ++k) sums[i][k] += a * r[k];
     }
   }
   for (int i = 0; i < n_rows; ++i)
-    for (int k = 0; k < n_vectors; ++k)
-      store(sums[i][k], C + static_cast<long>(row + i) * width + column + k * n_lanes);
+    for (int k = 0; k < n_vectors; ++k) store(sums[i][k], C + static_cast<long>(i) * of.width + k * n_lanes);
 }
 
 template <int n_rows>
-void multiply_rows(const double* A, const double* R, int n_points, int width, double* C, int row) {
+void multiply_rows(const Product& of, int row) {
   constexpr int n_vectors = 2;
   int column = 0;
-  for (; column + n_vectors * n_lanes <= width; column += n_vectors * n_lanes)
-    multiply_block<n_rows, n_vectors>(A, R, n_points, width, C, row, column);
-  for (; column < width; column += n_lanes) multiply_block<n_rows, 1>(A, R, n_points, width, C, row, column);
+  for (; column + n_vectors * n_lanes <= of.width; column += n_vectors * n_lanes)
+    multiply_block<n_rows, n_vectors>(of, row, column);
+  for (; column < of.width; column += n_lanes) multiply_block<n_rows, 1>(of, row, column);
+}
+
+/// So many rows at a time that their sums, in two vectors each, fit into the registers: 32 with AVX-512, otherwise 16.
+constexpr int max_rows = n_lanes == 8 ? 8 : 4;
+
+template <int n_rows = max_rows>
+void multiply_some_rows(const Product& of, int row, int n) {
+  if (n == n_rows)
+    multiply_rows<n_rows>(of, row);
+  else if constexpr (n_rows > 1)
+    multiply_some_rows<n_rows - 1>(of, row, n);
 }
 
 /// Calls visitor(law, p) for the first point p of every vector.
@@ -120,26 +115,94 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
              L(0.5 * kappa) * (J - 1.0 / J) * materials::cofactor_derivative(F, H));
 }
 
-void combine(const double* table, int n, int length, const double* c, double* y) {
-  constexpr int n_vectors = 4;
-  int first = 0;
-  for (; first + n_vectors * n_lanes <= length; first += n_vectors * n_lanes)
-    combine_block<n_vectors>(table, n, length, c, y, first);
-  for (; first < length; first += n_lanes) combine_block<1>(table, n, length, c, y, first);
+void combine_radially(const double* A, int n_levels, int n_radii, int n, const double* c, double* u) {
+  for (int j = 0; j < n_radii; ++j)
+    for (int g = 0; g < n; g += n_lanes) {
+      L sum = 0;
+      for (int k = 0; k < n_levels; ++k)
+        sum += load(A + (static_cast<long>(k) * n_radii + j) * n + g) * load(c + static_cast<long>(k) * n + g);
+      store(sum, u + static_cast<long>(j) * n + g);
+    }
 }
 
-void contract(const double* table, int n, int length, const double* y, double* c) {
-  constexpr int n_rows = 4;
-  int a = 0;
-  for (; a + n_rows <= n; a += n_rows) contract_rows<n_rows>(table, length, y, c, a);
-  for (; a < n; ++a) contract_rows<1>(table, length, y, c, a);
+void contract_radially(const double* A, int n_levels, int n_radii, int n, const double* u, double* c) {
+  for (int k = 0; k < n_levels; ++k)
+    for (int g = 0; g < n; g += n_lanes) {
+      L sum = load(c + static_cast<long>(k) * n + g);
+      for (int j = 0; j < n_radii; ++j)
+        sum += load(A + (static_cast<long>(k) * n_radii + j) * n + g) * load(u + static_cast<long>(j) * n + g);
+      store(sum, c + static_cast<long>(k) * n + g);
+    }
 }
 
-void multiply(const double* A, int m, const double* R, int n_points, int width, double* C) {
-  constexpr int n_rows = 4;
-  int i = 0;
-  for (; i + n_rows <= m; i += n_rows) multiply_rows<n_rows>(A, R, n_points, width, C, i);
-  for (; i < m; ++i) multiply_rows<1>(A, R, n_points, width, C, i);
+/// Calls visitor(s, n) for pieces of n numbers from s on that cover 0 … length: whole vectors, the last of which goes
+/// over numbers of the one before again, or single numbers where there is no whole vector.
+template <class Visitor>
+[[gnu::always_inline]] inline void for_each_piece(int length, Visitor&& visitor) {
+  using Single = std::integral_constant<int, 1>;
+  using Vector = std::integral_constant<int, n_lanes>;
+  if (length < n_lanes) {
+    for (int s = 0; s < length; ++s) visitor(s, Single());
+    return;
+  }
+  int s = 0;
+  for (; s + n_lanes <= length; s += n_lanes) visitor(s, Vector());
+  if (s < length) visitor(length - n_lanes, Vector());
+}
+template <int n>
+[[gnu::always_inline]] inline auto load_piece(const double* x) {
+  if constexpr (n == 1)
+    return *x;
+  else
+    return load(x);
+}
+template <int n>
+[[gnu::always_inline]] inline void store_piece(const auto& value, double* x) {
+  if constexpr (n == 1)
+    *x = value;
+  else
+    store(value, x);
+}
+
+void fields_of_terms(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y) {
+  const long term = static_cast<long>(n_radii) * width;
+  for_each_piece(n_directions, [&]<int n>(int s, std::integral_constant<int, n>) {
+    for (int f = 0; f < 3; ++f) {
+      const double* row = D + 3L * f * width + s;
+      const auto d0 = load_piece<n>(row), d1 = load_piece<n>(row + width), d2 = load_piece<n>(row + 2L * width);
+      for (int j = 0; j < n_radii; ++j) {
+        const double* at = z + static_cast<long>(j) * width + s;
+        store_piece<n>(d0 * load_piece<n>(at) + d1 * load_piece<n>(at + term) + d2 * load_piece<n>(at + 2 * term),
+                       y[f] + static_cast<long>(j) * n_directions + s);
+      }
+    }
+  });
+}
+
+void terms_of_fields(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z) {
+  const long term = static_cast<long>(n_radii) * n_directions;
+  for_each_piece(n_directions, [&]<int n>(int s, std::integral_constant<int, n>) {
+    for (int t = 0; t < 3; ++t) {
+      const double* column = D + static_cast<long>(t) * width + s;
+      const auto d0 = load_piece<n>(column), d1 = load_piece<n>(column + 3L * width),
+                 d2 = load_piece<n>(column + 6L * width);
+      for (int j = 0; j < n_radii; ++j) {
+        const long at = static_cast<long>(j) * n_directions + s;
+        store_piece<n>(d0 * load_piece<n>(y[0] + at) + d1 * load_piece<n>(y[1] + at) + d2 * load_piece<n>(y[2] + at),
+                       z + t * term + at);
+      }
+    }
+  });
+}
+
+/// In parts of nearly the same number of rows.
+void multiply(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add) {
+  const Product of{A, stride, R, n_points, width, C, add};
+  for (int n_parts = (m + max_rows - 1) / max_rows, row = 0; n_parts > 0; --n_parts) {
+    const int n = (m - row + n_parts - 1) / n_parts;
+    multiply_some_rows(of, row, n);
+    row += n;
+  }
 }
 
 void combine_at_points(const double* A0, const double* A1, const double* A2, const double* T, int n_points, int width,
@@ -268,8 +331,10 @@ void transform_images(double* slots, int n_images, int length) {
 }  // namespace pseudorigid::polynomial
 
 namespace polynomial = pseudorigid::polynomial;
-extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine = polynomial::combine,
-                                                               .contract = polynomial::contract,
+extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine_radially = polynomial::combine_radially,
+                                                               .contract_radially = polynomial::contract_radially,
+                                                               .fields_of_terms = polynomial::fields_of_terms,
+                                                               .terms_of_fields = polynomial::terms_of_fields,
                                                                .multiply = polynomial::multiply,
                                                                .combine_at_points = polynomial::combine_at_points,
                                                                .stress = polynomial::stress,

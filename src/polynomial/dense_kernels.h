@@ -1,8 +1,6 @@
 #pragma once
 /// The inner loops of polynomial bodies, compiled for several sets of instructions (mechanics/core/kernel_builds.h):
-/// sums over functions at the points of a table, the reverse, and what happens at the points. Plain arrays only.
-///
-/// A table holds n rows of `length` numbers, one row a function. Lengths are whole numbers of `point_block`.
+/// sums over functions at the points of a grid, the reverse, and what happens at the points. Plain arrays only.
 
 #include "materials/law_table.h"
 #include "mechanics/core/kernel_builds.h"
@@ -11,19 +9,29 @@ namespace pseudorigid::polynomial {
 
 /// Points come in blocks of so many, filled up with points of weight 0.
 inline constexpr int point_block = 8;
+constexpr int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
 struct EnergySums {
   double elastic, volumetric;
 };
 
 struct DenseKernels {
-  /// y_e = Σ_a c_a T_ae
-  void (*combine)(const double* table, int n, int length, const double* c, double* y);
-  /// c_a ← c_a + Σ_e T_ae y_e
-  void (*contract)(const double* table, int n, int length, const double* y, double* c);
-  /// C ← C + A R, of row-major A (m × n_points), R (n_points × width), C (m × width). The width is a whole number of
-  /// blocks.
-  void (*multiply)(const double* A, int m, const double* R, int n_points, int width, double* C);
+  /// Sums over radial functions (point_tables.h): level k, radius j, and n groups side by side, filled up.
+
+  /// u_jg = Σ_k A_kjg c_kg
+  void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
+  /// c_kg ← c_kg + Σ_j A_kjg u_jg
+  void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
+
+  /// Fields at the points (radius j, direction s) from terms, by the entries D_ft(s) of a 3 × 3 matrix for each
+  /// direction, at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
+  void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
+  /// The transposed map, z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], the terms one after the other.
+  void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
+
+  /// C ← A R, or C + A R where `add`, of row-major A (m × n_points in rows of `stride`), R (n_points × width), C (m ×
+  /// width). The width is a whole number of blocks.
+  void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
   /// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
   /// and A_k at n_points.
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,

@@ -20,30 +20,29 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   const PointTables& tables = space.pressures();
   const int stride = tables.stride(), n_points = tables.n_points();
   std::vector<double> rows(static_cast<std::size_t>(space.n_pressures()) * n_points);
-  for (const Block& block : space.pressure_blocks()) {
-    const std::vector<double>& table = tables.rows(block.parity);
-    for (int b = 0; b < block.n(); ++b)
+  for (const Block& block : space.pressure_blocks())
+    for (int b = 0; b < block.n(); ++b) {
+      const std::vector<double> values = tables.row(block, b, 0);
       for (int image = 0; image < space.n_images(); ++image)
         for (int p = 0; p < stride; ++p) {
           const int point = image * stride + p;
           rows[static_cast<std::size_t>(block.offset + b) * n_points + point] =
-              sign(image, block.slot) * table[static_cast<std::size_t>(b) * stride + p] * factor[point];
+              sign(image, block.slot) * values[p] * factor[point];
         }
-  }
+    }
   return rows;
 }
-
-int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
 /// The gradients of the functions of a block with those of a point side by side, [k][point of the octant][function].
 std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
-  const std::vector<double>& rows = tables.rows(block.parity);
   const int stride = tables.stride(), width = filled_up(block.n());
   std::vector<double> by_point(static_cast<std::size_t>(3) * stride * width, 0.0);
   for (int a = 0; a < block.n(); ++a)
-    for (int kp = 0; kp < 3 * stride; ++kp)
-      by_point[static_cast<std::size_t>(kp) * width + a] = rows[static_cast<std::size_t>(a) * 3 * stride + kp];
+    for (int k = 0; k < 3; ++k) {
+      const std::vector<double> values = tables.row(block, a, k);
+      for (int p = 0; p < stride; ++p) by_point[(static_cast<std::size_t>(k) * stride + p) * width + a] = values[p];
+    }
   return by_point;
 }
 
@@ -87,8 +86,7 @@ void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) cons
     reactions_at_points(*space_, block, gradients_[block.parity], A, R);
     ScratchArray numbers(static_cast<std::size_t>(n_pressures) * width);
     Eigen::Map<RowMajor> columns(numbers, n_pressures, width);
-    columns.setZero();
-    dense().multiply(weighted_pressures_.data(), n_pressures, R, n_points, width, columns.data());
+    dense().multiply(weighted_pressures_.data(), n_points, n_pressures, R, n_points, width, columns.data(), false);
     visitor(block, columns);
   }
 }
@@ -139,10 +137,11 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
 
 /// Multiplications and additions of a product with S and of a solution with its factor; those at the points weigh more.
 double GramSolver::iteration_cost() const {
-  const double n = space_->n_pressures(), stride = space_->gradients().stride();
-  double functions = 0;
-  for (const Block& block : space_->blocks()) functions += block.n();
-  return 2 * stride * (3 * functions + n) + n * n + 60.0 * space_->n_points();
+  const double n = space_->n_pressures();
+  double of_tables = 0;
+  for (const Block& block : space_->blocks()) of_tables += space_->gradients().n_multiplications(block);
+  for (const Block& block : space_->pressure_blocks()) of_tables += space_->pressures().n_multiplications(block);
+  return 2 * of_tables + n * n + 60.0 * space_->n_points();
 }
 /// The same of a factorisation.
 double GramSolver::factorization_cost() const {

@@ -19,6 +19,7 @@ struct HalfGaussRule {
 };
 HalfGaussRule half_gauss_rule(int q);
 
+/// Radius by radius, in the directions of octant_surface_points.
 struct WeightedPoint {
   std::array<double, 3> xi;
   double weight;  ///< of the octant

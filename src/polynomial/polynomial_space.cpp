@@ -13,8 +13,6 @@ namespace {
 
 int quadrature_order(int degree) { return (degree + 4) / 2; }  // ⌈(N + 3)/2⌉
 
-int filled_up(std::size_t n) { return (static_cast<int>(n) + point_block - 1) / point_block * point_block; }
-
 /// R ξ, with the reflections of the slot's bits.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
@@ -30,12 +28,14 @@ std::vector<int> axes_without_plane(const std::array<bool, 3>& reflect) {
 }
 
 /// The last point again, with weight 0.
-template <class Point>
-void fill_up(std::vector<Point>& points) {
-  Point last = points.back();
+void fill_up(std::vector<WeightedPoint>& points) {
+  WeightedPoint last = points.back();
   last.weight = 0;
-  points.resize(filled_up(points.size()), last);
+  points.resize(filled_up(static_cast<int>(points.size())), last);
 }
+
+/// The points of octant_points(q).
+PointGrid octant_grid(int q) { return {half_gauss_rule(q).nodes, octant_surface_points(q)}; }
 
 }  // namespace
 
@@ -47,27 +47,20 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
       free_axes_(axes_without_plane(reflect)),
       n_images_(1 << free_axes_.size()),
       functions_(ball_polynomials(degree)),
-      gradients_(0, 1, {}),
-      values_(0, 1, {}),
-      pressures_(0, 1, {}) {
+      blocks_(make_blocks(3, degree, places_, n_unknowns_)),
+      pressure_blocks_(make_blocks(1, degree - 1, pressure_places_, n_pressures_)),
+      gradients_(make_tables(Fields::gradient, octant_grid(quadrature_order(degree)), blocks_)),
+      values_(make_tables(Fields::value, octant_grid(quadrature_order(degree)), blocks_)),
+      pressures_(
+          make_tables(Fields::value, octant_grid(quadrature_order(degree)), pressure_blocks_)) {  // ψ = φ as ρ = 1
   inertia_ = volume_ / 5 * semi_axes.cwiseAbs2();
-  blocks_ = make_blocks(3, degree, places_, n_unknowns_);
-  std::vector<std::vector<int>> pressure_places;
-  pressure_blocks_ = make_blocks(1, degree - 1, pressure_places, n_pressures_);
-  pressure_places_ = pressure_places.front();
-
   std::vector<WeightedPoint> octant = octant_points(quadrature_order(degree));
   fill_up(octant);
-  const int stride = static_cast<int>(octant.size());
   for (int slot = 0; slot < n_images_; ++slot)
     for (const WeightedPoint& point : octant) {
       points_.push_back(image(point.xi, slot, free_axes_));
       weights_.push_back(point.weight * semi_axes.prod() * n_mirrors());
     }
-  gradients_ = make_tables(blocks_, true, stride);
-  values_ = make_tables(blocks_, false, stride);
-  pressures_ = make_tables(pressure_blocks_, false, stride);  // ψ_a = φ_a, as ρ = 1
-
   integrated_gradients_ = Eigen::MatrixXd::Zero(3, static_cast<Eigen::Index>(functions_.size()));
   for (const WeightedPoint& point : octant) {
     const std::vector<Jet> jets = functions_at(point.xi);
@@ -100,45 +93,12 @@ std::vector<Block> PolynomialSpace::make_blocks(int n_components, int degree, st
   return blocks;
 }
 
-PointTables PolynomialSpace::make_tables(const std::vector<Block>& blocks, bool gradients, int stride) const {
-  std::vector<int> shift(gradients ? 3 : 1, 0);
-  if (gradients)
-    for (std::size_t b = 0; b < free_axes_.size(); ++b) shift[free_axes_[b]] = 1 << b;
-  PointTables tables(stride, n_images_, shift);
-  std::vector<std::vector<Jet>> jets;
-  for (int p = 0; p < stride; ++p) jets.push_back(functions_at(points_[p]));
-  for (const Block& block : blocks) {
-    std::vector<double> rows;
-    for (const int a : block.functions)
-      for (std::size_t field = 0; field < shift.size(); ++field)
-        for (int p = 0; p < stride; ++p) rows.push_back(gradients ? jets[p][a].gradient[field] : jets[p][a].value);
-    tables.set(block.parity, std::move(rows));
-  }
-  return tables;
+PointTables PolynomialSpace::make_tables(Fields fields, const PointGrid& grid, const std::vector<Block>& blocks) const {
+  return {degree_, fields, semi_axes_, grid, free_axes_, blocks};
 }
 
 PointTables PolynomialSpace::surface_tables(int q) const {
-  std::vector<SurfacePoint> octant = octant_surface_points(q);
-  fill_up(octant);
-  const int stride = static_cast<int>(octant.size());
-  PointTables tables(stride, n_images_, {0, 0, 0});
-  std::vector<std::vector<Jet>> jets;
-  for (const SurfacePoint& point : octant) jets.push_back(functions_at(point.xi));
-  const auto along = [&](const Jet& jet, const std::array<double, 3>& tangent) {
-    double derivative = 0;
-    for (int k = 0; k < 3; ++k) derivative += jet.gradient[k] * semi_axes_[k] * tangent[k];
-    return derivative;
-  };
-  for (const Block& block : blocks_) {
-    std::vector<double> rows;
-    for (const int a : block.functions) {
-      for (int p = 0; p < stride; ++p) rows.push_back(jets[p][a].value);
-      for (int p = 0; p < stride; ++p) rows.push_back(along(jets[p][a], octant[p].e_theta));
-      for (int p = 0; p < stride; ++p) rows.push_back(along(jets[p][a], octant[p].e_phi));
-    }
-    tables.set(block.parity, std::move(rows));
-  }
-  return tables;
+  return make_tables(Fields::surface, {{1.0}, octant_surface_points(q)}, blocks_);
 }
 
 std::vector<Jet> PolynomialSpace::functions_at(const std::array<double, 3>& xi) const {

@@ -73,7 +73,7 @@ class PolynomialSpace {
   /// Position of the coefficient of a function of ball_polynomials(degree) in a component, −1 where it has none.
   int place(int component, int function) const { return places_[component][function]; }
   /// The same of a pressure function.
-  int pressure_place(int function) const { return pressure_places_[function]; }
+  int pressure_place(int function) const { return pressure_places_.front()[function]; }
   /// Values and gradients by X of all φ_a at X = S ξ.
   std::vector<Jet> functions_at(const std::array<double, 3>& xi) const;
   /// x, and ∂x/∂X, from functions_at.
@@ -81,13 +81,12 @@ class PolynomialSpace {
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// The field at the points of integration.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// Tables of the position and its derivatives along e_θ and e_φ (by ξ) at the surface points of the octant, filled
-  /// up.
+  /// Tables of the position and its derivatives along e_θ and e_φ (by ξ) at the surface points of the octant.
   PointTables surface_tables(int q) const;
 
  private:
+  PointTables make_tables(Fields fields, const PointGrid& grid, const std::vector<Block>& blocks) const;
   std::vector<Block> make_blocks(int n_components, int degree, std::vector<std::vector<int>>& places, int& size) const;
-  PointTables make_tables(const std::vector<Block>& blocks, bool gradients, int stride) const;
   int linear_function(int axis) const;
 
   int degree_;
@@ -97,12 +96,11 @@ class PolynomialSpace {
   std::vector<int> free_axes_;
   int n_images_, n_unknowns_ = 0, n_pressures_ = 0;
   std::vector<BallPolynomial> functions_;
-  std::vector<std::vector<int>> places_;
-  std::vector<int> pressure_places_;
+  std::vector<std::vector<int>> places_, pressure_places_;  ///< [component][function]
   std::vector<Block> blocks_, pressure_blocks_;
+  PointTables gradients_, values_, pressures_;
   std::vector<std::array<double, 3>> points_;
   std::vector<double> weights_;
-  PointTables gradients_, values_, pressures_;
   Eigen::MatrixXd integrated_gradients_;  ///< [k][function]: ∫∂φ_a/∂X_k dX
 };
 

@@ -187,8 +187,9 @@ void visit_time(S& scene, Visit& visit) {
               "their configuration, in the system's own unit of length."});
   visit(constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
         About{"Time/Constraint tolerance", "",
-              "Largest mean of |ln J| over a cell that a step of the incompressible continuum may leave. The next "
-              "step starts from it, so it does not accumulate. At samples it also bounds the rate of this mean. "
+              "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
+              "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
+              "the rate of this mean. "
               "auto: 1e-4 of Tolerance where the step is found from Tolerance, 1e-13 where Step is given. The "
               "reduced body keeps its volume to round-off."});
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -13,7 +14,9 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-constexpr int n_functions = 11, n_points = 3 * polynomial::point_block;
+constexpr int n_levels = 3, n_groups = polynomial::point_block, n_radii = 5, n_directions = 9,
+              width = 2 * polynomial::point_block;
+constexpr int n_points = 3 * polynomial::point_block;
 
 Numbers wave(int size, double phase) {
   Numbers values(size);
@@ -29,17 +32,30 @@ Numbers deformation() {
 }
 
 std::vector<Numbers> results(const polynomial::DenseKernels& kernels) {
-  const Numbers table = wave(n_functions * n_points, 0), c = wave(n_functions, 1), y = wave(n_points, 2);
+  const Numbers radial = wave(n_levels * n_radii * n_groups, 0), c = wave(n_levels * n_groups, 1);
+  const Numbers D = wave(9 * width, 5), terms = wave(3 * n_radii * width, 6),
+                fields = wave(3 * n_radii * n_directions, 7);
   const Numbers w(n_points, 0.7), F = deformation(), H = wave(9 * n_points, 3);
   const materials::AnyLaw law = materials::CiarletGeymonat{1.2, 0.8};
-  Numbers at_points(n_points), coefficients(n_functions), P(9 * n_points), rate(9 * n_points), logarithm(n_points);
-  kernels.combine(table.data(), n_functions, n_points, c.data(), at_points.data());
-  kernels.contract(table.data(), n_functions, n_points, y.data(), coefficients.data());
+  Numbers at_radii(n_radii * n_groups), coefficients(n_levels * n_groups), P(9 * n_points), rate(9 * n_points),
+      logarithm(n_points);
+  Numbers of_terms(3 * n_radii * n_directions), of_fields(3 * n_radii * n_directions);
+  kernels.combine_radially(radial.data(), n_levels, n_radii, n_groups, c.data(), at_radii.data());
+  kernels.contract_radially(radial.data(), n_levels, n_radii, n_groups, at_radii.data(), coefficients.data());
+  Numbers product = wave(n_levels * n_groups, 8);
+  kernels.multiply(radial.data(), n_groups, n_levels, D.data(), n_groups, n_groups, product.data(), true);
+  const int field = n_radii * n_directions;
+  std::array<double*, 3> y{of_terms.data(), of_terms.data() + field, of_terms.data() + 2 * field};
+  kernels.fields_of_terms(D.data(), n_radii, n_directions, width, terms.data(), y.data());
+  const std::array<const double*, 3> x{fields.data(), fields.data() + field, fields.data() + 2 * field};
+  kernels.terms_of_fields(D.data(), n_radii, n_directions, width, x.data(), of_fields.data());
   const double least = kernels.stress(law, 0.3, n_points, w.data(), F.data(), P.data());
   kernels.stress_rate(law, 0.3, n_points, w.data(), F.data(), H.data(), rate.data());
   const double least_of_log = kernels.log_jacobian(n_points, w.data(), F.data(), logarithm.data());
   const auto sums = kernels.energy(law, 0.3, n_points, w.data(), F.data());
-  return {at_points, coefficients, P, rate, logarithm, {least, least_of_log, sums.elastic, sums.volumetric}};
+  return {at_radii, coefficients, product,
+          of_terms, of_fields,    P,
+          rate,     logarithm,    {least, least_of_log, sums.elastic, sums.volumetric}};
 }
 
 TEST(DenseKernelsOfLevels, AgreeToRoundOff) {

@@ -161,7 +161,8 @@ class ModelRun {
       workspace.tolerance = position_.local_tolerance;
       workspace.h_max = position_.step;
     }
-    if constexpr (distributed && has_constraints)
+    if constexpr (has_constraints && mechanics::has_costly_force<System> &&
+                  requires { workspace.constraint_tolerance; })
       workspace.constraint_tolerance =
           std::max(workspace.constraint_tolerance, stepping_.constraint_tolerance() * model_.constraint_scale());
     const mechanics::SampleTimes times{sample == times_.n_samples ? times_.end : times_[sample], sample};

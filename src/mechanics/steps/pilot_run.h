@@ -119,7 +119,7 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
   return {
       id, Method::order, Method::n_stages, Method::stability_limit, [&](double window, long n_samples, long n_steps) {
         return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps, [&](auto& workspace) {
-          if constexpr (requires { workspace.constraint_tolerance; } && !VectorSpace<typename S::Vector>::dense)
+          if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
             workspace.constraint_tolerance =
                 std::max(workspace.constraint_tolerance,
                          pilot_constraint * (error_safety * request.tolerance) * pilot_window(request) / request.end);
