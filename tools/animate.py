@@ -12,11 +12,14 @@ import argparse
 import pathlib
 import tempfile
 
-import numpy as np
-import PIL.Image
-
 import render
-from run_directory import Run, fail
+from run_directory import Run, fail, missing
+
+try:
+    import numpy as np
+    import PIL.Image
+except ImportError as error:
+    missing(error, "python3-pil")
 
 N_COLOURS, N_REFINEMENTS = 48, 2  # more colours are hardly seen and make the file larger
 ALMOST_WHITE = 245

@@ -15,13 +15,16 @@ import argparse
 import pathlib
 import re
 
-import matplotlib
-import numpy as np
+from run_directory import Run, fail, missing
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+try:
+    import matplotlib
+    import numpy as np
 
-from run_directory import Run, fail  # noqa: E402
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+except ImportError as error:
+    missing(error, "python3-matplotlib")
 
 # Okabe and Ito's colours: distinct with every kind of colour vision.
 STYLES = [{"color": "#0072B2", "linestyle": "-"}, {"color": "#D55E00", "linestyle": "--"}, {"color": "#009E73", "linestyle": "-."}]

@@ -23,13 +23,22 @@ import pathlib
 import sys
 import xml.etree.ElementTree
 
-import numpy as np
-
 
 def fail(message):
     """The user can mend it: one sentence, exit code 2, as pseudorigid does."""
     print(f"error: {message}", file=sys.stderr)
     raise SystemExit(2)
+
+
+def missing(error, packages):
+    """Likewise where `import` has failed, as with another Python than Debian's."""
+    fail(f"{error}; this tool needs Debian's {packages}, and to run with /usr/bin/python3")
+
+
+try:
+    import numpy as np
+except ImportError as failure:
+    missing(failure, "python3-numpy")
 
 
 def existing(directory, name, remedy):
