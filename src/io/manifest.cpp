@@ -72,9 +72,11 @@ Json to_json(const Manifest& content) {
   json["warnings"] = content.warnings;
   for (const auto& [file, columns] : content.columns) json["columns"][file] = to_json(columns, content.units);
   if (content.units) json["unit_of_time"] = content.units->time;
-  for (const auto* model : content.ball)
+  for (const auto& [run, discretized, affine] : content.ball) {
     json["ball"].push_back(
-        {{"name", model->name}, {"adjective", model->adjective}, {"discretized", model->discretized}});
+        {{"name", run.name}, {"adjective", run.adjective}, {"discretized", discretized}, {"affine", affine}});
+    if (run.finds_degree) json["ball"].back()["finds_degree"] = true;
+  }
   json["models"] = Json::object();
   for (const auto& [name, model] : content.models)
     json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};

@@ -16,6 +16,13 @@
 
 namespace pseudorigid::io {
 
+/// A run of a model of the ball, as readers of the manifest want to know it.
+struct BallRun {
+  scene::ModelRun run;
+  bool discretized = false;
+  bool affine = false;  ///< it moves as x = QX
+};
+
 struct Manifest {
   struct Model {
     std::map<std::string, double> counters, timers;  ///< counts; seconds
@@ -28,11 +35,11 @@ struct Manifest {
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< by file, without the time
-  std::optional<Units> units;                        ///< of a ball: what the scene's own units are in the files
-  std::map<std::string, std::string> libraries;      ///< name → version
-  std::string instructions;                          ///< that the kernels are compiled for; empty without any
-  std::vector<const scene::ModelDescription*> ball;  ///< the models of the ball that are to run
-  std::map<std::string, Model> models;               ///< what has run, by name
+  std::optional<Units> units;                    ///< of a ball: what the scene's own units are in the files
+  std::map<std::string, std::string> libraries;  ///< name → version
+  std::string instructions;                      ///< that the kernels are compiled for; empty without any
+  std::vector<BallRun> ball;                     ///< the runs of models of the ball, in their order
+  std::map<std::string, Model> models;           ///< what has run, by name
 };
 
 /// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by

@@ -24,18 +24,25 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page with an element for the file of each that moves, in place of the one that stands for all.
+/// The page with the elements for the files of each that moves, in place of those that stand for all.
 std::string page_of(std::span<const std::string> movers) {
-  constexpr std::string_view element = "<script type=\"text/csv\" data-file=\"", name = "{mover}";
-  const std::string_view page = report_page();
-  const std::size_t at = page.find(name), begin = page.rfind(element, at), end = page.find('\n', at) + 1;
-  std::string text(page.substr(0, begin));
-  for (const std::string& mover : movers) {
-    text += element;
-    text += mover;
-    text += page.substr(at + name.size(), end - at - name.size());
+  constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
+  std::string text;
+  std::string_view rest = report_page();
+  while (!rest.empty()) {
+    const std::string_view line = rest.substr(0, rest.find('\n') + 1);
+    rest.remove_prefix(line.size());
+    const std::size_t at = line.find(of_mover);
+    if (at == line.npos || line.find(name) == line.npos) {
+      text += line;
+      continue;
+    }
+    for (const std::string& mover : movers) {
+      text += line.substr(0, at);
+      text += mover;
+      text += line.substr(at + of_mover.size());
+    }
   }
-  text += page.substr(end);
   return text;
 }
 

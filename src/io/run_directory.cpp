@@ -50,9 +50,9 @@ void remove_files(const fs::path& directory, const Owned& owned) {
 bool owns(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_of = [&](const std::string& mover) {
-    return name == mover + ".csv" || name == mover + ".pvd" || name == "comparison-" + mover + ".csv" ||
-           name == "modes-" + mover + ".csv" || name == "equilibria-" + mover + ".csv" ||
-           name == "comparison-" + mover + ".json";
+    return name == mover + ".csv" || name == mover + ".pvd" || name == "shapes-" + mover + ".csv" ||
+           name == "comparison-" + mover + ".csv" || name == "modes-" + mover + ".csv" ||
+           name == "equilibria-" + mover + ".csv" || name == "comparison-" + mover + ".json";
   };
   return std::ranges::find(owned_names, name) != owned_names.end() || std::ranges::any_of(movers, is_of) ||
          matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");

@@ -90,6 +90,13 @@ struct EquilibriaTable {
   std::vector<Column> columns;
 };
 
+/// One run of a model of the ball.
+struct ModelRun {
+  std::string name;           ///< of its files
+  std::string adjective;      ///< of its ball in sentences: "polynomial N = 3"
+  bool finds_degree = false;  ///< the run finds its degree N, its counter `degree`, which belongs to the adjective
+};
+
 /// A model of the ball, one word of the entry Models.
 struct ModelDescription {
   std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
@@ -106,8 +113,8 @@ struct ModelDescription {
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
   /// first.
   std::vector<std::string> rungs{};
-  /// How many runs of the model the scene asks for; empty: one.
-  std::function<std::size_t(const Scene&)> n_runs{};
+  /// The runs of the model that the scene asks for, the poorest in motions first; empty: one, of the model's name.
+  std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// The header of its CSV file.
   std::function<std::vector<std::string>(const Quantities&)> header{};
   /// The line for people of a scene that runs it, and of one that does not.
@@ -115,6 +122,11 @@ struct ModelDescription {
   /// What is wrong with a sound scene for this model, if anything.
   std::function<std::optional<Refusal>(const Scene&)> refuses{};
 };
+
+inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene& scene) {
+  if (model.runs) return model.runs(scene);
+  return {{std::string(model.name), std::string(model.adjective)}};
+}
 
 struct NamedMethod {
   std::string_view name, documentation;

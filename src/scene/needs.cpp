@@ -51,7 +51,7 @@ void describe_stabilization(const Scene& scene, Needs& needs) {
 /// Runs whose results are compared: those of every model.
 std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   std::size_t n = 0;
-  for (const ModelDescription* model : needs.models) n += model->n_runs ? model->n_runs(scene) : 1;
+  for (const ModelDescription* model : needs.models) n += runs_of(*model, scene).size();
   return n;
 }
 
@@ -146,10 +146,13 @@ std::optional<std::string> warning_of_law(const Scene& scene) {
 
 void describe_report(const Scene& scene, Needs& needs) {
   needs.report = scene.output.report;
+  std::vector<std::string_view> with_shapes;
+  for (const ModelDescription* model : needs.models)
+    if (model->has_nonaffine) with_shapes.push_back(model->name);
   sort_out(needs, needs.report,
-           needs.discretized && scene.analysis == Analysis::motion
-               ? fmt::format("report: report.html, and for it shapes of the {} (shapes.csv)", needs.models.back()->name)
-               : "report: report.html",
+           with_shapes.empty() || scene.analysis != Analysis::motion || !scene.sweep.empty()
+               ? "report: report.html"
+               : fmt::format("report: report.html, and for it shapes of {}", the_models(with_shapes)),
            "report: Output/Report is false");
 }
 

@@ -1,4 +1,5 @@
 """report.html of runs that need no continuum, `pseudorigid report`, and tools/paraview_view.py when it is misused."""
+import math
 import os
 import signal
 import subprocess
@@ -43,6 +44,55 @@ class Report(ReportTest, RefusedInputTest):
     def test_sweep(self):
         page = self.run_reported({**SCENE, "Time/End": 1, "Output/Samples": 4, "Material/Shear modulus": "$(m)", "Sweep/Parameters": "m: 1, 2"})
         self.check_samples(page, "sweep.csv")
+        self.assertIn("energy_drift", page.files["sweep.csv"].splitlines()[0].split(","))
+
+    def test_polynomial_bodies(self):
+        """Every run has its own rows and its own points; degree 1 moves as x = QX, degree 3 does not."""
+        page = self.run_reported({"Models": "reduced, polynomial", "Polynomial/Degree": "1, 3", "Time/End": 1, "Output/Samples": 20,
+                                  "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6", "Body/Radius": 2, "Continuum/Symmetry": "none"})
+        for name in ("reduced", "polynomial-1", "polynomial", "shapes-polynomial-1", "shapes-polynomial", "comparison-polynomial-1"):
+            self.check_samples(page, f"{name}.csv")
+        for model, is_affine in ("polynomial-1", True), ("polynomial", False):
+            rows, shapes = self.table(f"output/scene/{model}.csv"), self.table(f"output/scene/shapes-{model}.csv")
+            self.assertEqual(shapes.header, ["time", "face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"])
+            samples = {row[0]: dict(zip(rows.header, row)) for row in rows.rows}
+            self.assertEqual(sorted(set(shapes.column("time"))), [rows.rows[k][0] for k in (0, 3, 6, 9, 14, 20)])
+            off = {time: 0 for time in samples}
+            for time, _, plane, *point in shapes.rows:
+                X, x = point[:3], point[3:]
+                self.assertAlmostEqual(math.hypot(*X), 2, delta=1e-14) if plane == 0 else self.assertEqual(X[int(plane) - 1], 0)
+                for i in range(3):
+                    QX = sum(samples[time][f"Q{i + 1}{j + 1}"] * X[j] for j in range(3))
+                    off[time] = max(off[time], abs(x[i] - QX))
+            self.assertLess(off[0], 1e-13)
+            (self.assertLess if is_affine else self.assertGreater)(max(off.values()), 1e-12 if is_affine else 1e-3)
+        names = [(ball["name"], ball["adjective"], ball["affine"]) for ball in self.json("output/scene/manifest.json")["ball"]]
+        self.assertEqual(names, [("reduced", "pseudo-rigid", True), ("polynomial-1", "polynomial N = 1", False), ("polynomial", "polynomial N = 3", False)])
+        for model in "reduced", "polynomial-1":
+            self.assertIn("polynomial N = 3 ball", self.json(f"output/scene/comparison-{model}.json")["summary"])
+
+    def test_shapes_of_a_resumed_polynomial_body(self):
+        entries = {"Models": "polynomial", "Polynomial/Degree": 3, "Time/End": 1, "Output/Samples": 20, "Time/Method": "rattle",
+                   "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6"}
+        self.run_reported({**entries, "Time/Step": 1e-3})
+        whole = self.table("output/scene/shapes-polynomial.csv")
+        self.scene({**entries, **REPORTED, "Time/Step": 1e-3})
+        self.run_done("run", "scene.prm", "--output", "half", "--set", "Time/End=0.5", "--set", "Output/Samples=10")
+        self.run_done("run", "scene.prm", "--output", "half", "--resume")
+        page = self.check_page("half")
+        self.check_samples(page, "shapes-polynomial.csv", "half")
+        rows = {tuple(row[:3] + row[3:6]): row for row in whole.rows}
+        half = self.table("half/shapes-polynomial.csv")
+        last = [row for row in half.rows if row[0] == 1]
+        self.assertEqual(len(last), len(half) // len(set(half.column("time"))))
+        for row in last:
+            self.assertEqual(row, rows[tuple(row[:6])])
+
+    def test_a_found_degree_is_named(self):
+        self.run_reported({"Models": "reduced, polynomial", "Polynomial/Degree": "auto", "Polynomial/Tolerance": 0.1, "Time/End": 1,
+                           "Output/Samples": 20, "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0; 0, 0, -0.2"})
+        degree = self.json("output/scene/manifest.json")["models"]["polynomial"]["counters"]["degree"]
+        self.assertIn(f"polynomial N = {degree} ball", self.json("output/scene/comparison.json")["summary"])
 
     def test_a_report_changes_no_other_file(self):
         self.assertEqual(self.check_nothing_else_changes({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 3}), {"report.html"})
@@ -154,6 +204,13 @@ class Report(ReportTest, RefusedInputTest):
         environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
         return subprocess.run([sys.executable, str(SOURCE / "tools/paraview_view.py"), *map(str, arguments)], cwd=self.scratch,
                               capture_output=True, text=True, env=environment)
+
+    def test_tools_name_a_missing_package(self):
+        # -S: without the folder of Debian's packages, as with another Python.
+        for tool in "plot_comparison", "render", "animate":
+            result = subprocess.run([sys.executable, "-S", SOURCE / f"tools/{tool}.py", "nowhere"], capture_output=True, text=True)
+            self.assert_refused(result, "No module named", "this tool needs Debian's python3-numpy")
+            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
 
     def test_paraview_tool_refuses(self):
         self.assert_refused(self.run_paraview_tool("nowhere"), "nowhere holds no pictures", "Output/Graphics=vtu")

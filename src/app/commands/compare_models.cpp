@@ -1,5 +1,7 @@
 #include "app/commands/compare_models.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -18,21 +20,26 @@ namespace {
 struct Run {
   const scene::ModelDescription* model;
   std::string name;  ///< of its files
+  std::string adjective;
   const io::Manifest::Model* statistics;
   io::Table table;
 };
 
+/// As the ball of a run is called, with the degree that the run has found.
+std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics) {
+  const auto degree = statistics.counters.find("degree");
+  if (!run.finds_degree || degree == statistics.counters.end()) return run.adjective;
+  return fmt::format("{} N = {}", run.adjective, degree->second);
+}
+
 /// Those of which there is a file, with the samples that all of them reached; a model that stopped early has fewer.
 std::vector<Run> runs_to_compare(const RunContext& context, const io::Manifest& manifest) {
   std::vector<Run> runs;
-  const auto take = [&](const scene::ModelDescription* model, const std::string& name) {
-    if (const auto ran = manifest.models.find(name); ran != manifest.models.end())
-      runs.push_back({model, name, &ran->second, io::read_csv(context.directory.csv(name))});
-  };
-  for (const scene::ModelDescription* model : context.needs.models) {
-    for (const std::string& rung : model->rungs) take(model, rung);
-    take(model, std::string(model->name));
-  }
+  for (const scene::ModelDescription* model : context.needs.models)
+    for (const scene::ModelRun& run : scene::runs_of(*model, context.scene))
+      if (const auto ran = manifest.models.find(run.name); ran != manifest.models.end())
+        runs.push_back({model, run.name, adjective_of(run, ran->second), &ran->second,
+                        io::read_csv(context.directory.csv(run.name))});
   std::size_t n_common = runs.empty() ? 0 : runs.front().table.n_rows();
   for (const Run& run : runs) n_common = std::min(n_common, run.table.n_rows());
   for (Run& run : runs) run.table.values.resize(n_common * run.table.columns.size());
@@ -59,9 +66,7 @@ analysis::Comparison compare(const RunContext& context, const Run& run, const Ru
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
   take_errors(*run.statistics, options);
   take_errors(*reference.statistics, options);
-  const auto named = [](const Run& r) {
-    return analysis::ModelRunTable{r.name, std::string(r.model->adjective), r.table};
-  };
+  const auto named = [](const Run& r) { return analysis::ModelRunTable{r.name, r.adjective, r.table}; };
   return analysis::compare(named(run), named(reference), options);
 }
 
@@ -75,8 +80,8 @@ std::string summarize_run(const RunContext& context) {
   if (!std::filesystem::exists(path)) return {};
   const io::Table table = io::read_csv(path);
   if (table.n_rows() < 2) return {};
-  const analysis::ModelRunTable run{name, is_system ? name : std::string(context.needs.models.front()->adjective),
-                                    table};
+  const analysis::ModelRunTable run{
+      name, is_system ? name : scene::runs_of(*context.needs.models.front(), context.scene).back().adjective, table};
   try {
     io::print(analysis::terminal_table(is_system ? analysis::summarize_system(run)
                                                  : analysis::summarize_motion(run, context.scene.time.tolerance)));

@@ -130,7 +130,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .units = {},
                        .libraries = executable.libraries,
                        .instructions = std::string(executable.instructions()),
-                       .ball = needs.models,
+                       .ball = {},
                        .models = {}};
   if (needs.system)
     content.columns[content.system + ".csv"] = needs.system->columns;
@@ -139,7 +139,11 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
       content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;
   else
     for (const scene::ModelDescription* model : needs.models)
-      content.columns[std::string(model->name) + ".csv"] = columns_of(*model, needs.quantities);
+      for (const scene::ModelRun& run : scene::runs_of(*model, scene))
+        content.columns[run.name + ".csv"] = columns_of(*model, needs.quantities);
+  for (const scene::ModelDescription* model : needs.models)
+    for (const scene::ModelRun& run : scene::runs_of(*model, scene))
+      content.ball.push_back({run, model->discretized, !model->has_nonaffine});
   if (!needs.system) content.units = units_of(scene);
   return content;
 }

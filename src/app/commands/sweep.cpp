@@ -16,6 +16,7 @@
 #include "app/run/scene_to_model.h"
 #include "entries/entry_kinds.h"
 #include "io/signals.h"
+#include "scene/scales.h"
 #include "scene/user_error.h"
 
 namespace pseudorigid::app {
@@ -48,6 +49,22 @@ std::set<int> corners(const scene::Sweep& sweep) {
   return runs;
 }
 
+/// Names of the ball's columns that no run of the sweep changes but by its error, judged by the ends of the parameters'
+/// ranges: a value and a drift say all of them.
+std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
+  bool is_free = true, incompressible = true;
+  for (const int k : corners(raw.scene.sweep)) {
+    const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
+    if (scene.system != scene::ball) return {};
+    is_free = is_free && scene::is_free(scene);
+    incompressible = incompressible && scene.body.incompressible;
+  }
+  std::set<std::string> names{"energy"};  // what loads and dissipation give and take is a part of it
+  if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
+  if (incompressible) names.insert("volume_ratio");
+  return names;
+}
+
 /// What one run has to say.
 struct RunResult {
   io::Table rows;
@@ -61,6 +78,7 @@ class SweepRun {
         run_(run),
         together_(raw.scene.sweep_lanes ? together : nullptr),
         context_(context),
+        conserved_(conserved_columns(raw)),
         silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
   RunResult run(int k) const {
@@ -97,7 +115,10 @@ class SweepRun {
     names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
     if (has_frequencies()) names.insert(names.end(), {"frequency", "amplitude"});
     for (std::size_t i = 1; i < of_model.size(); ++i)
-      for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
+      if (conserved_.contains(of_model[i]))
+        names.insert(names.end(), {of_model[i], of_model[i] + "_drift"});
+      else
+        for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
     return names;
   }
 
@@ -128,7 +149,10 @@ class SweepRun {
         least = std::min(least, table.row(i)[c]);
         most = std::max(most, table.row(i)[c]);
       }
-      row.insert(row.end(), {n > 0 ? table.row(n - 1)[c] : 0, least, most});
+      if (conserved_.contains(table.columns[c]))
+        row.insert(row.end(), {n > 0 ? table.row(0)[c] : 0, most - least});
+      else
+        row.insert(row.end(), {n > 0 ? table.row(n - 1)[c] : 0, least, most});
     }
     return row;
   }
@@ -157,6 +181,7 @@ class SweepRun {
   RunModel run_;
   RunTogether together_;
   const RunContext& context_;
+  std::set<std::string> conserved_;
   std::shared_ptr<io::Logger> silent_;
 };
 

@@ -2,9 +2,11 @@
 /// A sweep: the scene once for every combination of its parameters (scene/sweep.h), all cores, no files but sweep.csv
 /// with a row for each run:
 ///
-///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error, of the ball frequency
-///   and amplitude (of the component of C = QᵀQ that varies most, 0 where there is none; of C, as analysis/motion.h has
-///   it), and of every column c of the model's own CSV file  c_end, c_min, c_max  over the samples.
+///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error;
+///   of the ball, frequency (of the component of C = QᵀQ that varies most, 0 where there is none) and amplitude of C, as
+///   in analysis/motion.h;
+///   of every column c of the model's own CSV file  c_end, c_min, c_max  over the samples, or of one that the motion
+///   conserves  c  at the start and  c_drift = c_max − c_min.
 ///
 /// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
 /// last row.

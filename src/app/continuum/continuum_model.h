@@ -113,6 +113,7 @@ class ContinuumModel {
     return {};
   }
 
+  std::string shape_file() const { return "shapes"; }
   std::vector<std::string> shape_columns() const {
     std::vector<std::string> columns{"time"};
     columns.insert(columns.end(), continuum::MaterialFaces::columns.begin(), continuum::MaterialFaces::columns.end());

@@ -35,11 +35,22 @@ std::string polynomial_needed(const Scene& scene) {
 
 std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
 
-/// A run of each degree but the highest of a list.
+/// Of a run for a degree that is not the highest of a list.
+std::string rung(int N) { return fmt::format("polynomial-{}", N); }
+
 std::vector<std::string> rungs() {
   std::vector<std::string> names;
-  for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(fmt::format("polynomial-{}", N));
+  for (int N = 1; N < scene::largest_polynomial_degree; ++N) names.push_back(rung(N));
   return names;
+}
+
+std::vector<scene::ModelRun> runs(const Scene& scene) {
+  const auto& degrees = scene.polynomial.degrees;
+  if (degrees.empty()) return {{"polynomial", "polynomial", true}};
+  std::vector<scene::ModelRun> runs;
+  for (const int N : degrees)
+    runs.push_back({N == degrees.back() ? "polynomial" : rung(N), fmt::format("polynomial N = {}", N)});
+  return runs;
 }
 
 /// What other models have and polynomial bodies have not.
@@ -96,7 +107,7 @@ scene::ModelDescription polynomial_description() {
                      polynomial_equilibria_columns()},
       .columns = io::documented_columns<Observables>(),
       .rungs = rungs(),
-      .n_runs = [](const Scene& scene) { return std::max<std::size_t>(scene.polynomial.degrees.size(), 1); },
+      .runs = runs,
       .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
       .needed = polynomial_needed,
       .skipped = polynomial_skipped,

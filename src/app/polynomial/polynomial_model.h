@@ -20,6 +20,7 @@
 #include "io/trajectory.h"
 #include "mechanics/steps/step_size.h"
 #include "polynomial/fields.h"
+#include "polynomial/material_faces.h"
 #include "polynomial/observe.h"
 
 namespace pseudorigid::app {
@@ -111,6 +112,23 @@ class PolynomialModel {
     return {};
   }
 
+  std::string shape_file() const { return "shapes-" + name_; }
+  std::vector<std::string> shape_columns() const {
+    std::vector<std::string> columns{"time"};
+    columns.insert(columns.end(), polynomial::MaterialFaces::columns.begin(), polynomial::MaterialFaces::columns.end());
+    return columns;
+  }
+  std::vector<std::vector<double>> shape(double time, const State& state) const {
+    if (!faces_) faces_.emplace(body_.space());
+    std::vector<std::vector<double>> rows = faces_->rows(state.q);
+    for (std::vector<double>& row : rows) {
+      for (std::size_t c = polynomial::MaterialFaces::first_length; c < row.size(); ++c)
+        row[c] *= context_.units.length;
+      row.insert(row.begin(), time);
+    }
+    return rows;
+  }
+
   template <class MethodWorkspace>
   void report([[maybe_unused]] const MethodWorkspace& w, io::Manifest::Model& statistics) const {
     auto& c = statistics.counters;
@@ -147,7 +165,8 @@ class PolynomialModel {
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
-  std::optional<Picture> picture_;  ///< from the first one on
+  std::optional<Picture> picture_;                          ///< from the first one on
+  mutable std::optional<polynomial::MaterialFaces> faces_;  ///< likewise
 };
 
 }  // namespace pseudorigid::app

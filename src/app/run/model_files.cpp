@@ -85,17 +85,17 @@ void ModelFiles::draw_frame(long sample, const Draw& draw) {
     });
 }
 
-void ModelFiles::create_shapes(const std::vector<std::string>& columns) {
+void ModelFiles::create_shapes(const std::string& name, const std::vector<std::string>& columns) {
   on_all_ranks(*context_.ranks, [&] {
-    if (writes()) shapes_csv_.emplace(io::CsvWriter::create(context_.directory.csv("shapes"), columns));
+    if (writes()) shapes_csv_.emplace(io::CsvWriter::create(context_.directory.csv(name), columns));
   });
 }
 
-void ModelFiles::resume_shapes(const std::vector<std::string>& columns, long n_samples_taken) {
+void ModelFiles::resume_shapes(const std::string& name, const std::vector<std::string>& columns, long n_samples_taken) {
   on_all_ranks(*context_.ranks, [&] {
     if (!writes()) return;
     // Those written so far, which to an earlier end were others than the schedule says; the start is always among them.
-    const auto path = context_.directory.csv("shapes");
+    const auto path = context_.directory.csv(name);
     const std::int64_t least = n_samples_taken > 0 ? 1 : 0;
     shapes_csv_.emplace(
         io::CsvWriter::resume(path, columns, std::max(io::n_rows_before(path, next_time(n_samples_taken)), least)));

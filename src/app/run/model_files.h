@@ -37,8 +37,8 @@ class ModelFiles : public ModelSink {
 
   bool has_shapes() const override { return context_.needs.report; }
   bool wants_shape(long sample) const override { return has_shapes() && shapes_.has(sample); }
-  void create_shapes(const std::vector<std::string>& columns) override;
-  void resume_shapes(const std::vector<std::string>& columns, long n_samples_taken) override;
+  void create_shapes(const std::string& name, const std::vector<std::string>& columns) override;
+  void resume_shapes(const std::string& name, const std::vector<std::string>& columns, long n_samples_taken) override;
   void append_shape(const Rows& rows) override;
 
   void progress(double part) override { progress_.step(part); }

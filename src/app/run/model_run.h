@@ -223,7 +223,7 @@ class ModelRun {
       const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
       sink_->resume(columns, n_samples_taken);
       if constexpr (has_shapes)
-        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_columns(), n_samples_taken);
+        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_file(), model_.shape_columns(), n_samples_taken);
       if constexpr (requires { model_.take_up(io::Table()); })
         if (n_samples_taken > 0) model_.take_up(sink_->rows_so_far());
       context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
@@ -231,7 +231,7 @@ class ModelRun {
       const Status status = stepping_.choose(state_, position_, statistics_);
       sink_->create(columns);
       if constexpr (has_shapes)
-        if (sink_->has_shapes()) sink_->create_shapes(model_.shape_columns());
+        if (sink_->has_shapes()) sink_->create_shapes(model_.shape_file(), model_.shape_columns());
       // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
       // gives where none was found.
       save(good_);

@@ -42,11 +42,12 @@ class ModelSink {
   virtual bool wants_frame(long /*sample*/) const { return false; }
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
-  /// The table of shapes that a report shows: a block of rows at each of a few samples.
+  /// The table <name>.csv of shapes that a report shows: a block of rows at each of a few samples.
   virtual bool has_shapes() const { return false; }
   virtual bool wants_shape(long /*sample*/) const { return false; }
-  virtual void create_shapes(const std::vector<std::string>& /*columns*/) {}
-  virtual void resume_shapes(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
+  virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
+  virtual void resume_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/,
+                             long /*n_samples_taken*/) {}
   virtual void append_shape(const Rows&) {}
 
   /// How much of the run is done, from 0 to 1, for the progress line.

@@ -86,7 +86,7 @@ class ModelStepping {
       while (position.step > limit_of(position.method, limit)) position.step /= 2;
       plan_look(limit / less_reserve, position);
       if (position.step != before)
-        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, the stiffness has grown", model_.name,
+        context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, because the stiffness has grown", model_.name,
                            position.step * context_.units.time, state.t * context_.units.time);
     }
   }

@@ -7,7 +7,7 @@
 ///   Status judge(state) const                 states with which a run ends, asked after every step
 ///   double constraint_scale() const           with constraints
 ///   Status write_frame(path, time, state, system workspace)                   pictures, picture.h
-///   shape_columns(), shape(time, state)                                       shapes for the report
+///   shape_file(), shape_columns(), shape(time, state)                         shapes for the report
 ///   std::string place_of_least_jacobian(state) const                          for a run that cannot go on
 ///   const Order& rank_order() const, using MemoryLayout                       distributed vectors, rank_order.h
 ///

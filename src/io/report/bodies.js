@@ -1,6 +1,7 @@
-// Both bodies at a few times: each from outside, and one over the other, cut along a plane that the motion keeps or,
-// where there is none, by their outlines. The continuum is drawn through its material points (shapes.csv), the
-// pseudo-rigid body x = QX through the same ones. Centres of mass are put on one another.
+// The bodies at a few times: each from outside, and one over the other, cut along a plane that the motion keeps or, where
+// there is none, by their outlines. What moves in other ways than x = QX is drawn through its material points
+// (shapes.csv, shapes-<model>.csv), the pseudo-rigid body through those of the richest model. Centres of mass are put on
+// one another.
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -72,33 +73,35 @@ function deformationAt(table, i) {
   return [1, 2, 3].map(a => [1, 2, 3].map(b => table.at(`Q${a}${b}`, i)));
 }
 
-// The bodies: {key, style, at(j): positions of each patch's points at time j, or null}.
+// The bodies: {key, style, patches, positions: of each time the places of each patch's points, or null}.
 function bodiesOfRun() {
-  const shapes = tables.shapes;
-  const models = MODELS.filter(m => m.table.has("Q11") && (!m.hasElements || shapes));
+  const models = MODELS.filter(m => m.shapes || (m.isAffine && m.table.has("Q11")));
   if (!models.length) return null;
-  const {patches, rowsPerTime} = shapes ? patchesOfShapes(shapes) : ownPatches();
-  const table = models[models.length - 1].table;
-  const moments = shapes ? Array.from({length: Math.floor(shapes.n / rowsPerTime)}, (_, j) => shapes.at("time", j * rowsPerTime))
+  const richest = models.find(m => m.shapes), table = models[models.length - 1].table;
+  const common = richest ? patchesOfShapes(richest.shapes) : ownPatches();
+  const moments = richest ? Array.from({length: Math.floor(richest.shapes.n / common.rowsPerTime)}, (_, j) => richest.shapes.at("time", j * common.rowsPerTime))
     : [...new Set([0, 0.13, 0.29, 0.47, 0.71, 1].map(part => Math.round(part * (table.n - 1))))].map(i => table.at("time", i));
-  const sampleAt = (t, j) => {
-    const i = t.n > 1 ? nearest(t.columns.time, moments[j]) : 0;
-    return Math.abs(t.at("time", i) - moments[j]) <= 1e-9 * (1 + Math.abs(moments[j])) ? i : -1;
-  };
-  const bodies = models.map(model => ({...model, at: j => {
-    const i = sampleAt(model.table, j);
-    if (i < 0) return null;
-    if (!model.hasElements) {
-      const Q = deformationAt(model.table, i);
-      return patches.map(p => p.X.map(X => times(Q, X)));
-    }
-    const c = shapes.columns, center = ["x1", "x2", "x3"].map(name => model.table.at(name, i));
-    return patches.map(p => p.rows.map(row => {
-      const k = row + j * rowsPerTime;
-      return [c.x1[k], c.x2[k], c.x3[k]].map((v, d) => p.signs[d] * v - center[d]);
-    }));
-  }}));
-  return {patches, moments, bodies: bodies.map(b => ({...b, positions: moments.map((_, j) => b.at(j))}))};
+  const bodies = models.map(model => {
+    const {patches, rowsPerTime} = model.shapes && model !== richest ? patchesOfShapes(model.shapes) : common;
+    return {...model, patches, positions: moments.map((_, j) => positionsAt(model, patches, rowsPerTime, moments, j))};
+  });
+  return {moments, bodies};
+}
+
+// null where the model has no sample at this time, as one that stopped before the others.
+function positionsAt(model, patches, rowsPerTime, moments, j) {
+  const {table, shapes} = model, i = table.n > 1 ? nearest(table.columns.time, moments[j]) : 0;
+  if (!(Math.abs(table.at("time", i) - moments[j]) <= 1e-9 * (1 + Math.abs(moments[j])))) return null;
+  if (!shapes) {
+    const Q = deformationAt(table, i);
+    return patches.map(p => p.X.map(X => times(Q, X)));
+  }
+  if ((j + 1) * rowsPerTime > shapes.n) return null;
+  const c = shapes.columns, center = ["x1", "x2", "x3"].map(name => table.has(name) ? table.at(name, i) : 0);
+  return patches.map(p => p.rows.map(row => {
+    const k = row + j * rowsPerTime;
+    return [c.x1[k], c.x2[k], c.x3[k]].map((v, d) => p.signs[d] * v - center[d]);
+  }));
 }
 
 // Where one looks from: angles of the camera about the axis x3 and above the plane x3 = 0.
@@ -140,14 +143,16 @@ function visitFront(patches, positions, view, f) {
 }
 const closed = corners => corners.map((c, k) => (k ? "L" : "M") + place(c[0], c[1])).join("") + "z";
 
-const BASE = {elastic: [0, 114, 178], "pseudo-rigid": [213, 94, 0], "third-model": [0, 132, 95], "fourth-model": [168, 67, 127]};
+const BASE = {elastic: [0, 114, 178], "pseudo-rigid": [213, 94, 0], "third-model": [0, 132, 95], "fourth-model": [168, 67, 127],
+  "fifth-model": [125, 98, 0], "sixth-model": [86, 92, 100]};
 function shade(style, light) {
   const t = Math.max(0, Math.min(1, light)), base = BASE[style.replace(" solid", "")];
   const mix = t < 0.55 ? base.map(c => c * (0.55 + 0.45 * t / 0.55)) : base.map(c => c + (255 - c) * 0.62 * (t - 0.55) / 0.45);
   return `rgb(${mix.map(Math.round).join(",")})`;
 }
 
-function drawOutside(svg, patches, body, positions) {
+function drawOutside(svg, body, positions) {
+  const {patches} = body;
   const view = viewFrom(camera), light = unit([-0.45, 0.55, 0.9]), n_shades = 32;
   const faces = Array.from({length: n_shades}, () => "");
   let edges = "";
@@ -165,27 +170,27 @@ function drawOutside(svg, patches, body, positions) {
 }
 
 // The coordinate plane (its normal, 1 to 3) in which all bodies stay what they cut out of it, and in which most happens.
-function keptPlane({patches, bodies}) {
+function keptPlane(bodies) {
   let best = 0, most = -1;
   for (const d of [2, 1, 3]) {
     let leaves = 0, moves = 0;
     for (const body of bodies)
       for (const positions of body.positions.filter(Boolean))
-        patches.forEach((p, n) => {
+        body.patches.forEach((p, n) => {
           if (p.plane !== d) return;
           positions[n].forEach((x, k) => {
             leaves = Math.max(leaves, Math.abs(x[d - 1]));
             moves = Math.max(moves, Math.hypot(...minus(x, p.X[k])));
           });
         });
-    if (leaves < 2e-3 * radius && moves > 1.001 * most && patches.some(p => p.plane === d)) { best = d; most = moves; }
+    if (leaves < 2e-3 * radius && moves > 1.001 * most && bodies.every(b => b.patches.some(p => p.plane === d))) { best = d; most = moves; }
   }
   return best;
 }
 
 const PLANE_AXES = {1: [1, 2], 2: [0, 2], 3: [0, 1]};
-function drawCut(svg, patches, body, positions, plane) {
-  const [a, b] = PLANE_AXES[plane], border = new Map();
+function drawCut(svg, body, positions, plane) {
+  const {patches} = body, [a, b] = PLANE_AXES[plane], border = new Map();
   let inside = "", elements = "", rim = "";
   patches.forEach((p, n) => {
     if (p.plane !== plane) return;
@@ -209,14 +214,14 @@ function drawCut(svg, patches, body, positions, plane) {
 
 // Along axis 2. The stroke of all faces is covered by their filling but for the outer half of the outline.
 const ALONG_2 = [[1, 0, 0], [0, 0, 1], [0, -1, 0]];
-function drawOutline(svg, patches, body, positions, Q) {
-  if (!body.hasElements) {
+function drawOutline(svg, body, positions, Q) {
+  if (!body.shapes) {
     const A = Q.map(row => row.map((v, j) => v * semiAxes[j]));
     draw(svg, "path", {class: `curve ${body.style}`, d: outline(A, ALONG_2), "vector-effect": "non-scaling-stroke"});
     return;
   }
   let path = "";
-  visitFront(patches, positions, ALONG_2, c => { path += closed(c); });
+  visitFront(body.patches, positions, ALONG_2, c => { path += closed(c); });
   draw(svg, "path", {class: `curve ${body.style}`, d: path, "stroke-width": 4, style: "stroke-width: 4", "vector-effect": "non-scaling-stroke"});
   draw(svg, "path", {d: path, style: "fill: var(--card); stroke: var(--card); stroke-width: .6", "vector-effect": "non-scaling-stroke"});
   draw(svg, "path", {class: "tint", d: path});
@@ -225,7 +230,7 @@ function drawOutline(svg, patches, body, positions, Q) {
 function bodiesFigure() {
   const run = bodiesOfRun();
   if (!run) return null;
-  const {patches, moments, bodies} = run, plane = keptPlane(run);
+  const {moments, bodies} = run, plane = keptPlane(bodies);
   const size = 1.06 * Math.max(...semiAxes, ...bodies.flatMap(b => b.positions.filter(Boolean).flatMap(ps =>
     ps.flatMap(p => p.map(x => Math.hypot(...x))))));
   const picture = label => {
@@ -242,14 +247,14 @@ function bodiesFigure() {
       if (!body.positions[j]) continue;
       const svg = picture(`${body.name} at time ${show(t)}`);
       svg.classList.add("turn");
-      outside.push(() => { svg.replaceChildren(); drawOutside(svg, patches, body, body.positions[j]); });
+      outside.push(() => { svg.replaceChildren(); drawOutside(svg, body, body.positions[j]); });
       card.append(svg);
     }
     const both = picture(`cut or outlines at time ${show(t)}`);
     for (const body of bodies) {
       if (!body.positions[j]) continue;
-      if (plane) drawCut(both, patches, body, body.positions[j], plane);
-      else drawOutline(both, patches, body, body.positions[j], deformationAt(body.table, nearest(body.table.columns.time, t)));
+      if (plane) drawCut(both, body, body.positions[j], plane);
+      else drawOutline(both, body, body.positions[j], body.shapes ? null : deformationAt(body.table, nearest(body.table.columns.time, t)));
     }
     const view = plane ? PLANE_AXES[plane].map(d => [0, 1, 2].map(k => k === d ? 1 : 0)) : ALONG_2;
     draw(both, "path", {class: "undeformed", d: undeformed(view), "vector-effect": "non-scaling-stroke"});
@@ -268,9 +273,11 @@ function captionOf(bodies, plane) {
   const below = plane
     ? `Below: ${ALL_OF[Math.min(bodies.length, 3)]} cut along the plane x${plane} = 0, x${PLANE_AXES[plane][0] + 1} to the right and x${PLANE_AXES[plane][1] + 1} up.`
     : `Below: the outline${bodies.length > 1 ? `s of ${ALL_OF[Math.min(bodies.length, 3)]}` : ""} seen along axis 2, x1 to the right and x3 up.`;
-  const lines = tables.shapes ? "edges of the finite elements" : "material lines";
-  return `${bodies.map((b, k) => `${["Above", "In the middle"][k] || "Under it"}: the ${b.name} from outside, x3 up`).join(". ")}. ${below} `
-    + `Thin lines: ${lines}${bodies.length > 1 && tables.shapes ? ", the same material lines in both bodies" : ""}. Dashed: the undeformed body. Drag a body to look at it from elsewhere.`;
+  const withElements = bodies.find(b => b.hasElements);
+  const lines = withElements ? `edges of the finite elements${bodies.some(b => !b.shapes) ? ", the same material lines in the pseudo-rigid ball" : ""}` : "material lines";
+  const rows = bodies.length < 3 ? bodies.map((b, k) => `${["Above", "In the middle"][k]}: the ${b.name} from outside, x3 up`).join(". ")
+    : `From above: the ${bodies.map(b => b.name).join(", the ")}, from outside, x3 up`;
+  return `${rows}. ${below} Thin lines: ${lines}. Dashed: the undeformed body. Drag a body to look at it from elsewhere.`;
 }
 
 function turnByDragging(figure, redraw) {

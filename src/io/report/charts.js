@@ -96,8 +96,8 @@ function placeText(text, at, width, rightFirst) {
 // series: [{x, y, name, style, points: bool, jump}], the curve is broken where y changes by more than `jump`; marks:
 // [{x, text, style}] are upright lines.
 function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xRange = null, wholeX = false, note = ""}) {
-  const host = make("div"), readout = make("div", {class: series.length > 1 ? "readout long" : "readout"});
-  const figure = make("figure", {}, make("div", {class: "title"}, title), readout, host,
+  const host = make("div"), readout = make("div", {class: "readout"});
+  const figure = make("figure", {}, make("div", {class: "heading"}, make("div", {class: "title"}, title), readout), host,
     note ? make("figcaption", {}, note) : null);
   const redraw = () => {
     const width = Math.max(260, host.clientWidth || 350);

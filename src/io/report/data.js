@@ -28,11 +28,19 @@ const scene = manifest.entries || {};  // {"Section/Entry": "value"}
 const comparison = parseJson("comparison.json");
 const systemFile = manifest.system;
 const tables = Object.fromEntries(["comparison", "shapes", "modes", "equilibria", "sweep"]
-  .concat(systemFile || [], (manifest.ball || []).map(model => model.name)).map(name => [name, parseCsv(`${name}.csv`)]));
+  .concat(systemFile || [], (manifest.ball || []).flatMap(({name}) => [name, `shapes-${name}`, `comparison-${name}`, `modes-${name}`, `equilibria-${name}`])).map(name => [name, parseCsv(`${name}.csv`)]));
 
-// The models of the run, the richest in motions first; that with elements is drawn with its own points (shapes.csv).
-const STYLES = ["pseudo-rigid", "third-model", "fourth-model"];
-const MODELS = (manifest.ball || []).map((model, i) => ({key: model.name, name: `${model.adjective} ball`, hasElements: model.discretized,
+// As a ball is called; the run may have found its degree.
+function adjectiveOf(model) {
+  const degree = ((manifest.models[model.name] || {}).counters || {}).degree;
+  return model.finds_degree && degree ? `${model.adjective} N = ${degree}` : model.adjective;
+}
+
+// The models of the run, the richest in motions first. What moves in other ways than x = QX is drawn through its own
+// points: with elements shapes.csv, else shapes-<model>.csv.
+const STYLES = ["pseudo-rigid", "third-model", "fourth-model", "fifth-model", "sixth-model"];
+const MODELS = (manifest.ball || []).map((model, i) => ({key: model.name, name: `${adjectiveOf(model)} ball`, hasElements: model.discretized,
+  isAffine: model.affine ?? !model.discretized, shapes: tables[model.discretized ? "shapes" : `shapes-${model.name}`],
   style: model.discretized ? "elastic" : STYLES[i % STYLES.length], table: tables[model.name]}))
   .filter(model => model.table && model.table.has("time")).reverse();
 if (MODELS.length === 1) MODELS[0].style += " solid";  // dashes are for telling it from the other

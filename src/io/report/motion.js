@@ -20,9 +20,47 @@ function chartsOf(quantities, unit) {
     if (same) same.names.push(q.name); else groups.push({names: [q.name], series: q.series});
   }
   const values = constant.map(q => `${q.name} = ${[...new Set(q.series.map(s => show(Math.abs(s.y[0]) < 1e-12 * scale ? 0 : s.y[0])))].join(" and ")}`);
-  return [make("div", {class: "charts"}, groups.map(g => chart({title: withUnit(g.names.join(" = "), unit), series: g.series, xLabel: timeLabel}))),
+  const drawn = g => {
+    const {name, series} = lessFirst(g.names.join(" = "), g.series);
+    return chart({title: withUnit(name, unit), series, xLabel: timeLabel});
+  };
+  return [make("div", {class: "charts"}, groups.map(drawn)),
     values.length ? make("p", {class: "note"}, `Constant to 1e−9: ${values.join(", ")}.`) : null];
 }
+
+// Two results of chartsOf in one grid, so that no row is left open between them.
+function sideBySide([charts, note], [more, other]) {
+  charts.append(...more.children);
+  return [charts, note, other];
+}
+
+// What hardly changes in any model is drawn as its departure from a first value that all share.
+function lessFirst(name, series) {
+  const first = series[0].y[0], most = Math.max(...series.map(s => largest(s.y)));
+  const departs = Math.max(...series.map(s => largest(s.y.map(v => v - first))));
+  return departs < 1e-4 * most ? {name: `${name}, less its first value ${show(first, 6)}`, series: series.map(s => ({...s, y: s.y.map(v => v - first)}))} : {name, series};
+}
+
+// The semi-axes, which the file has by size at each time, each followed through the times at which two are equal: the
+// order of the next sample is the one nearest to straight lines through the last two. [values of axis 1, 2, 3], numbered by
+// size at the start.
+const ORDERS = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+const followed = new Map();
+function followedAxes(model) {
+  if (!model.table.has("a1")) return null;
+  if (!followed.has(model.key)) {
+    const sorted = indices.map(i => column(model, `a${i}`)), axes = sorted.map(a => a.slice());
+    for (let n = 1; n < model.table.n; ++n) {
+      const foreseen = axes.map(a => n > 1 ? 2 * a[n - 1] - a[n - 2] : a[0]);
+      const miss = order => order.reduce((sum, k, i) => sum + (sorted[k][n] - foreseen[i]) ** 2, 0);
+      const best = ORDERS.reduce((a, b) => miss(b) < miss(a) * (1 - 1e-9) ? b : a);
+      best.forEach((k, i) => { axes[i][n] = sorted[k][n]; });
+    }
+    followed.set(model.key, axes);
+  }
+  return followed.get(model.key);
+}
+const axisOf = i => model => { const axes = followedAxes(model); return axes && axes[i - 1]; };
 
 const plain = names => names.map(name => ({name, values: model => column(model, name)}));
 const indices = [1, 2, 3];
@@ -39,7 +77,8 @@ function deformationSections() {
   const meaning = withElements ? ` Of the ${withElements.name} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
-    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, a1 ≥ a2 ≥ a3 at each time.", legend(MODELS), chartsOf(plain(["a1", "a2", "a3"]), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], "")) : []),
+    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, numbered by size at the start and followed through the times at which two of them are equal. The files have them by size at each time: a1 ≥ a2 ≥ a3.", legend(MODELS),
+      sideBySide(chartsOf(indices.map(i => ({name: `semi-axis ${i}`, values: axisOf(i)})), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], ""))) : []),
   ];
 }
 
@@ -62,7 +101,7 @@ function energySections() {
   const content = [];
   if (withEnergies.length) {
     const E0 = reference("energy_difference", () => Math.max(...withEnergies.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))))) || 1;
-    content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name}${q.name === "dissipated" ? "" : " energy"}`})), SQUARED));
+    content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name} energy`})), SQUARED));
     content.push(make("h3", {}, "What is conserved"), make("p", {class: "note"},
       `The sum of all energies, less what it was at the start, over E₀ = ${show(E0)}; J and Z likewise, by their size.`));
     content.push(make("div", {class: "charts"}, [
@@ -79,11 +118,11 @@ function energySections() {
 
 const DIFFERENCES = {
   q_difference: "Q, over |Q|", q_difference_of_departure: "Q, over the largest departure of Q", strain_difference: "C = QᵀQ, over its amplitude",
-  a1_difference: "semi-axis a1, relative", a2_difference: "semi-axis a2, relative", a3_difference: "semi-axis a3, relative",
+  a1_difference: "largest semi-axis, relative", a2_difference: "middle semi-axis, relative", a3_difference: "smallest semi-axis, relative",
   volume_ratio_difference: "volume over reference volume", kinetic_difference: "kinetic energy, over E₀", elastic_difference: "elastic energy, over E₀",
   energy_difference: "energy, over E₀", angular_momentum_difference: "angular momentum, over J₀", circulation_difference: "circulation, over J₀",
-  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy (elastic ball)",
-  nonaffine_displacement: "non-affine part of the position (elastic ball)",
+  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy, of the richer model",
+  nonaffine_displacement: "non-affine part of the position, of the richer model",
 };
 
 // Of several models with the richest of them, a line each.
@@ -93,7 +132,10 @@ function overviewSections() {
     return [model ? model.name : name, d ? show(d.value, 3) : "", m.ratio ? show(m.ratio, 6) : ""];
   });
   const reference = MODELS.find(model => model.key === comparison.reference);
+  const models = MODELS.filter(m => (tables[`comparison-${m.key}`] || {has: () => false}).has("q_difference"));
+  const series = models.map(m => ({x: tables[`comparison-${m.key}`].columns.time, y: tables[`comparison-${m.key}`].columns.q_difference, name: m.name, style: m.style}));
   return section("Difference of the models", `Each compared with the ${reference ? reference.name : comparison.reference}.`,
+    legend(models), series.length ? make("div", {class: "charts wide"}, chart({title: "Q, over |Q|", xLabel: timeLabel, series})) : null,
     tableOf(["", "largest difference of Q over |Q|", "ratio of frequencies"], rows),
     ...Object.values(comparison.models).map(m => make("p", {}, m.summary.replaceAll("+-", "±"))));
 }
@@ -103,14 +145,23 @@ function differenceSections() {
   const table = tables.comparison;
   if (!table) return [];
   const x = table.columns.time;
-  const names = table.names.filter(n => n !== "time" && !n.startsWith("nonaffine") && n !== "q_difference_of_departure" && largest(table.columns[n]) > 1e-9);
+  const names = table.names.filter(n => !/^time$|^nonaffine|^a\d_difference$|^q_difference_of_departure$/.test(n) && largest(table.columns[n]) > 1e-9);
   const d = comparison && comparison.model_difference;
   const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${show(d.value, 3)} (discretisation error: not estimated).`
     : `${showWithin(d.value, d.uncertainty, 4)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
   const one = n => { const {name, y} = fromFirst(DIFFERENCES[n] || n, table.columns[n]); return chart({title: name, xLabel: timeLabel, series: [{x, y, name: "", style: "other"}]}); };
   return section("Difference of the models", `${MODELS.map((m, i) => i ? m.name : m.name.replace(" ball", "").replace(/^./, c => c.toUpperCase())).join(" less ")}. ${verdict}`,
-    make("div", {class: "charts"}, names.map(one)),
+    make("div", {class: "charts"}, [...names.map(one), ...axisDifferences()]),
     comparison ? differenceTable() : null);
+}
+
+// Of the axes as they are followed: those of the file, by size, have corners where two are equal.
+function axisDifferences() {
+  const [reference, model] = MODELS, [b, a] = [reference, model].map(m => m && followedAxes(m));
+  if (!a || !b) return [];
+  const n = Math.min(reference.table.n, model.table.n);
+  return indices.map(i => ({i, y: a[i - 1].subarray(0, n).map((v, k) => (v - b[i - 1][k]) / b[i - 1][k])})).filter(d => largest(d.y) > 1e-9)
+    .map(({i, y}) => chart({title: `semi-axis ${i}, relative`, xLabel: timeLabel, series: [{x: column(model, "time").subarray(0, n), y, name: "", style: "other"}]}));
 }
 
 function differenceTable() {
@@ -120,10 +171,10 @@ function differenceTable() {
 }
 
 function nonaffineSections() {
-  const model = MODELS.find(m => m.table.has("nonaffine_kinetic_fraction"));
-  if (!model) return [];
-  const of = (name, title, note) => chart({title, note, xLabel: timeLabel, series: [{x: column(model, "time"), y: column(model, name), name: "", style: "elastic"}]});
-  return section(`How far the ${model.name} is from an affine motion`, "0: it moves as the pseudo-rigid ball can.", make("div", {class: "charts"},
+  const models = MODELS.filter(m => m.table.has("nonaffine_kinetic_fraction"));
+  if (!models.length) return [];
+  const of = (name, title, note) => chart({title, note, xLabel: timeLabel, series: models.map(m => ({x: column(m, "time"), y: column(m, name), name: models.length > 1 ? m.name : "", style: m.style}))});
+  return section(`How far the ${models.length > 1 ? "models are" : `${models[0].name} is`} from an affine motion`, "0: the motion is one that the pseudo-rigid ball can have.", models.length > 1 ? legend(models) : null, make("div", {class: "charts"},
     of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "1 where the affine motion stands still for a moment."),
     of("nonaffine_displacement", "non-affine part of the position", "Root mean square over the ball, relative."),
     of("min_jacobian", "least det F at the points of integration", "1: volume is preserved there.")));

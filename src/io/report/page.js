@@ -7,11 +7,15 @@ const STATES = {done: ["done", "complete"], interrupted: ["stopped", "interrupte
 function inWords() {
   if (comparison && comparison.summary) return comparison.summary.replaceAll("+-", "±").replace(/ (=|±|%)/g, "\u00a0$1").replace(/(=|±) /g, "$1\u00a0");
   if (tables.modes) {
-    const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1)));
-    return `The ${tables.modes.n} lowest frequencies of the elastic ball about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;
+    const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1))), [{ball}] = ballsOf("modes");
+    return `The ${tables.modes.n} lowest frequencies of the ${ball} about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;
   }
-  if (tables.equilibria) return tables.equilibria.has("kind") ? `${tables.equilibria.columns.kind.filter(k => k === 0).length} members of the family of relative equilibria ${scene["Equilibrium/Family"]}, and ${tables.equilibria.columns.kind.filter(k => k > 0).length} special points on it.`
-    : `${tables.equilibria.n} critical points of the potential.`;
+  if (tables.equilibria && !tables.equilibria.has("kind")) return `${tables.equilibria.n} critical points of the potential.`;
+  const families = ballsOf("equilibria").map(({name}) => tables[name].columns.kind);
+  if (families.length) {
+    const n = f => families.reduce((sum, kind) => sum + kind.filter(f).length, 0);
+    return `${n(k => k === 0)} members of the family of relative equilibria ${scene["Equilibrium/Family"]}, and ${n(k => k > 0)} special points on it.`;
+  }
   if (tables.sweep) return `${tables.sweep.n} runs of a sweep, ${tables.sweep.columns.finished.filter(f => f === 0).length} of which stopped early.`;
   const bodies = (systemFile ? [{name: scene.System, table: tables[systemFile]}] : MODELS).filter(b => b.table);
   const text = bodies.map(({name, table}) => {
@@ -60,7 +64,7 @@ const describedColumns = name => Object.fromEntries(((manifest.columns || {})[`$
 // beside the columns of the same unit, is named in a line of text.
 function genericCharts(name, x, xLabel, style) {
   const table = tables[name], described = describedColumns(name), of = (column, what) => (described[column] || {})[what] || "";
-  const columns = table.names.filter(n => n !== x && n !== "index" && n !== "kind").map(n => ({names: [n], y: table.columns[n], unit: of(n, "unit"), size: largest(table.columns[n])}));
+  const columns = table.names.filter(n => n !== x && n !== "index" && n !== "kind" && n !== "degree").map(n => ({names: [n], y: table.columns[n], unit: of(n, "unit"), size: largest(table.columns[n])}));
   const scaleOf = unit => unit ? Math.max(...columns.filter(c => c.unit === unit).map(c => c.size)) : 1;
   const level = columns.filter(c => { const [least, most] = extent(c.y); return most - least <= 1e-13 * c.size; });
   const noise = columns.filter(c => !level.includes(c) && c.size <= 1e-12 * scaleOf(c.unit));
@@ -69,13 +73,16 @@ function genericCharts(name, x, xLabel, style) {
     const same = groups.find(g => g.unit === c.unit && g.y.every((v, i) => Math.abs(v - c.y[i]) <= 1e-12 * scaleOf(c.unit)));
     if (same) same.names.push(...c.names); else groups.push(c);
   }
+  const every = Array.from({length: table.n}, (_, i) => i), degrees = table.has("degree") ? [...new Set(table.columns.degree)] : [];
+  const lines = degrees.length > 1 ? degrees.map((N, k) => ({name: `N = ${N}`, style: `line${k % 6}`, rows: every.filter(i => table.at("degree", i) === N)})) : [{name: "", style, rows: every}];
   const charts = groups.map(g => {
     const {name: title, y} = fromFirst(g.names.join(" = "), g.y), meaning = of(g.names[0], "meaning");
+    const jump = /-pi to pi|^angle.*likewise/.test(meaning) ? Math.PI : 0;
     return chart({title: withUnit(title, g.unit), note: /^(likewise|as for)/.test(meaning) ? "" : meaning, xLabel,
-      series: [{x: table.columns[x], y, name: "", style, jump: /-pi to pi|^angle.*likewise/.test(meaning) ? Math.PI : 0}]});
+      series: lines.map(({rows, ...line}) => ({...line, x: rows.map(i => table.columns[x][i]), y: rows.map(i => y[i]), jump}))});
   });
   const values = [...new Set(level.map(c => show(c.y[0], 6)))].map(v => `${level.filter(c => show(c.y[0], 6) === v).map(c => c.names[0]).join(" = ")} = ${v}`);
-  return [make("div", {class: "charts"}, charts), values.length ? make("p", {class: "note"}, `Constant: ${values.join(", ")}.`) : null,
+  return [lines.length > 1 ? legend(lines) : null, make("div", {class: "charts"}, charts), values.length ? make("p", {class: "note"}, `Constant: ${values.join(", ")}.`) : null,
     noise.length ? make("p", {class: "note"}, `Zero but for round-off: ${noise.map(c => `${c.names[0]} (up to ${show(c.size, 1)})`).join(", ")}.`) : null];
 }
 
@@ -88,9 +95,18 @@ function turnedTable(name) {
     table.n > MOST_COLUMNS ? make("p", {class: "note"}, `The first ${MOST_COLUMNS} of ${table.n}; the file ${name}.csv has all.`) : null];
 }
 
+// Files of modes and of equilibria, of each with the ball that wrote it: modes.csv is of the richest model that has modes,
+// modes-<model>.csv of another one.
+const ballsOf = stem => [[stem, (manifest.ball || []).filter(b => stem === "modes" ? !b.affine : b.affine).at(-1)], ...(manifest.ball || []).map(b => [`${stem}-${b.name}`, b])]
+  .filter(([name]) => tables[name]).map(([name, ball]) => ({name, ball: ball ? `${adjectiveOf(ball)} ball` : "ball"}));
+
 function modesSections() {
-  if (!tables.modes) return [];
-  const t = tables.modes, omegas = showAlike([...t.columns.omega], 9), exact = showAlike([...t.columns.exact], 9);
+  const all = ballsOf("modes");
+  return all.flatMap(({name, ball}) => modesOf(tables[name], ball, all.length > 1 ? `Modes of the ${ball}` : "Modes"));
+}
+
+function modesOf(t, ball, heading) {
+  const omegas = showAlike([...t.columns.omega], 9), exact = showAlike([...t.columns.exact], 9);
   const rows = Array.from({length: t.n}, (_, i) => {
     const at = c => t.at(c, i);
     return [`${at("kind") === 1 ? "S" : "T"}${at("degree")}${at("overtone") ? `, overtone ${at("overtone")}` : ""}`, at("kind") === 1 ? "spheroidal" : "toroidal", at("multiplicity"), omegas[i], exact[i],
@@ -101,8 +117,8 @@ function modesSections() {
   const reduced = [...Array(t.n).keys()].filter(i => t.at("reduced", i) > 0);
   if (reduced.length) series.push({x: reduced.map(i => t.at("degree", i)), y: reduced.map(i => t.at("reduced", i)), name: "pseudo-rigid", style: "pseudo-rigid", points: true});
   const most = Math.max(...series.flatMap(s => s.x));
-  return section("Modes", "Small motions about rest. S: spheroidal, T: toroidal, with the degree; difference: to the exact sphere; spread: of the copies of a mode, by the mesh alone.",
-    make("div", {class: "legend"}, series.map(s => { const svg = document.createElementNS(SVG, "svg"); svg.setAttribute("width", 16); svg.setAttribute("height", 16); marker(svg, s.style, 8, 8); return make("span", {}, svg, s.name === "pseudo-rigid" ? "pseudo-rigid ball" : `elastic ball, ${s.name}`); })),
+  return section(heading, "Small motions about rest. S: spheroidal, T: toroidal, with the degree; difference: to the exact sphere; spread: of the copies of a mode, which are equal but for the discretisation.",
+    make("div", {class: "legend"}, series.map(s => { const svg = document.createElementNS(SVG, "svg"); svg.setAttribute("width", 16); svg.setAttribute("height", 16); marker(svg, s.style, 8, 8); return make("span", {}, svg, s.name === "pseudo-rigid" ? "pseudo-rigid ball" : `${ball}, ${s.name}`); })),
     make("div", {class: "charts wide"}, chart({title: "Frequencies by degree", series, xLabel: "degree of the mode", wholeX: true, yLabel: withUnit("ω", "1/time"), xRange: [-0.3, most + 0.3], height: 320})),
     tableOf(["mode", "kind", "copies", withUnit("ω", "1/time"), "exact sphere", "difference", "spread", "pseudo-rigid ball"], rows));
 }
@@ -111,15 +127,19 @@ const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius"
 const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
   const t = tables.equilibria;
-  if (!t) return [];
-  if (!t.has("parameter")) return section("Critical points of the potential", "A column for each, by rising potential; 0: less than 1e−12 of the largest of the same unit.", turnedTable("equilibria"));
-  const special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
-  const columns = ["parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has), described = describedColumns("equilibria");
+  if (t && !t.has("parameter")) return section("Critical points of the potential", "A column for each, by rising potential; 0: less than 1e−12 of the largest of the same unit.", turnedTable("equilibria"));
+  const all = ballsOf("equilibria");
+  return all.flatMap(({name, ball}) => familySections(name, all.length > 1 ? `: ${ball}` : ""));
+}
+
+function familySections(name, whose) {
+  const t = tables[name], special = [...Array(t.n).keys()].filter(i => t.at("kind", i) > 0);
+  const columns = ["degree", "parameter", "omega3", "a1", "a2", "a3", "energy", "J3", "growth_rate"].filter(t.has), described = describedColumns(name);
   const family = scene["Equilibrium/Family"], parameter = FAMILY_PARAMETERS[family] || "a2 / a1";
-  const shown = columns.map(c => showAlike(special.map(i => t.at(c, i)), 7));
+  const shown = columns.map(c => c === "degree" ? special.map(i => t.at(c, i)) : showAlike(special.map(i => t.at(c, i)), 7));
   const title = c => c === "parameter" ? parameter : make("th", {}, c, make("br"), make("span", {class: "unit"}, unitInWords((described[c] || {}).unit).split(/(?<=[·/])/).flatMap(part => [part, make("wbr")])));
-  return [...section("Special points of the family", "", special.length ? tableOf(["kind", ...columns.map(title)], special.map((i, k) => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...shown.map(column => column[k])])) : make("p", {}, "None in this range.")),
-    ...section("Along the family", `Over the parameter of the family ${family}: ${parameter}.`, genericCharts("equilibria", "parameter", parameter, "pseudo-rigid solid"))];
+  return [...section(`Special points of the family${whose}`, "", special.length ? tableOf(["kind", ...columns.map(title)], special.map((i, k) => [`${t.at("kind", i)}: ${SPECIAL[t.at("kind", i)]}`, ...shown.map(column => column[k])])) : make("p", {}, "None in this range.")),
+    ...section(`Along the family${whose}`, `Over the parameter of the family ${family}: ${parameter}.`, genericCharts(name, "parameter", parameter, "pseudo-rigid solid"))];
 }
 
 // Those that are not here stand at the end, under their own names.
@@ -139,7 +159,7 @@ function costSections() {
   const rows = [...timers.map(t => [TIMERS[t] || `wall time of ${t.replaceAll("_", " ")} (s)`, ...models.map(([, m]) => t in (m.timers || {}) ? show(m.timers[t], 3) : "")]),
     ...names.map(n => [COUNTERS[n] || n.replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
   const named = key => (manifest.ball || []).find(model => model.name === key);
-  const title = key => named(key) ? `${named(key).adjective} ball` : key.replaceAll("_", " ");
+  const title = key => named(key) ? `${adjectiveOf(named(key))} ball` : key.replaceAll("_", " ");
   return section("Cost", manifest.wall_seconds ? `The whole run took ${show(manifest.wall_seconds, 3)} s on ${manifest.cpu}.` : "", tableOf(["", ...models.map(([key]) => title(key))], rows));
 }
 
@@ -164,40 +184,6 @@ function originSections() {
     return button;
   });
   return section("Where it comes from", "", tableOf(null, rows), make("p", {class: "files"}, "This page holds the run's files: ", buttons.flatMap(b => [b, " "])));
-}
-
-// A sweep: least and greatest values over the parameter that takes most values, a line for each choice of the others.
-const SWEPT_UNITS = [[/^(kinetic|elastic|gravitational|external|dissipated|energy)$/, SQUARED], [/^[JZ]\d$/, MOMENTUM], [/^[ax]\d$/, "length"], [/^v\d$/, "length/time"], [/^Qdot/, "1/time"], [/^multiplier$/, "1/time^2"]];
-const MOST_LINES = 6, MOST_RUNS = 30;
-
-function sweepSections() {
-  const t = tables.sweep;
-  if (!t) return [];
-  const swept = t.names.slice(1, t.names.indexOf("finished")), values = name => new Set(t.columns[name]).size;
-  const x = swept.reduce((a, b) => values(b) > values(a) ? b : a), others = swept.filter(name => name !== x);
-  const groups = new Map();
-  for (let i = 0; i < t.n; ++i) {
-    const name = others.map(o => `${o} = ${show(t.at(o, i))}`).join(", ");
-    groups.set(name, [...(groups.get(name) || []), i]);
-  }
-  const all = [...groups], n_lines = Math.min(all.length, MOST_LINES);
-  const lines = Array.from({length: n_lines}, (_, k) => all[n_lines > 1 ? Math.round(k * (all.length - 1) / (n_lines - 1)) : 0])
-    .map(([name, rows], k) => ({name, rows: rows.sort((a, b) => t.at(x, a) - t.at(x, b)), style: `line${k}`}));
-  const unitOf = name => (describedColumns(`${systemFile}`)[name] || {}).unit || (SWEPT_UNITS.find(([names]) => names.test(name)) || [0, ""])[1];
-  const scale = new Map();
-  const measured = t.names.filter(n => /_(min|max)$/.test(n)).map(n => ({base: n.slice(0, -4), which: n.endsWith("_min") ? "least" : "greatest", y: t.columns[n]}));
-  for (const m of measured) scale.set(unitOf(m.base), Math.max(scale.get(unitOf(m.base)) || 0, largest(m.y)));
-  const varies = m => { const [a, b] = extent(m.y); return b - a > 1e-7 * (scale.get(unitOf(m.base)) || 1); };
-  const draws = m => chart({title: withUnit(`${m.base}, ${m.which}`, unitOf(m.base)), xLabel: `parameter ${x}`,
-    series: lines.map(l => ({x: l.rows.map(i => t.at(x, i)), y: l.rows.map(i => m.y[i]), name: l.name, style: l.style, points: l.rows.length === 1}))});
-  const still = measured.filter(m => !varies(m)), stillOf = base => still.filter(m => m.base === base);
-  const stillNames = [...new Set(still.map(m => m.base))].map(base => stillOf(base).length > 1 ? base : `${base}, ${stillOf(base)[0].which}`);
-  const failed = [...Array(t.n).keys()].filter(i => t.at("finished", i) === 0), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
-  const head = t.names.slice(0, t.names.findIndex(n => /_(end|min|max)$/.test(n)));
-  return [...section("Sweep", `The least and the greatest value within each run, over ${x}${others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : ""}.`,
-    others.length ? legend(lines) : null, make("div", {class: "charts"}, measured.filter(varies).map(draws)),
-    still.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${stillNames.join("; ")}.`) : null),
-  ...section(failed.length ? "Runs that stopped early" : "Runs", `${listed.length} of ${failed.length || t.n}; the file sweep.csv has all, with the values at the end.`, tableOf(head, listed.map(i => head.map(c => show(t.at(c, i), 5)))))];
 }
 
 function bodiesSections() {

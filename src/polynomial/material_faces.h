@@ -1,0 +1,46 @@
+#pragma once
+/// Where the motion has carried material surfaces that a report shows: the surface of the undeformed body and its
+/// coordinate planes, in lattices of (m + 1)² points X = S ξ:
+///
+///   surface, three patches an octant   ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
+///   plane, an inner and an outer patch a quarter   ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
+///
+/// with s, t = 0, 1/m, …, 1. Of the computed sector; the rest of the body follows by reflection. In internal units.
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "polynomial/polynomial_space.h"
+
+namespace pseudorigid::polynomial {
+
+class MaterialFaces {
+ public:
+  explicit MaterialFaces(const PolynomialSpace& space);
+
+  /// What a point is told by, as of the finite elements (continuum/output/material_faces.h): number of the patch, plane
+  /// (0: the surface; 1, 2, 3: the coordinate plane with this normal), X and x. The points of a patch follow one
+  /// another.
+  static constexpr std::array<const char*, 8> columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
+  static constexpr std::size_t first_length = 2;  ///< of the columns from which on they are lengths
+
+  std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
+
+ private:
+  struct Point {
+    int face, plane;
+    Eigen::Vector3d X;
+    std::vector<Jet> functions;
+  };
+  void add_octant(const Eigen::Vector3d& signs);
+  /// `at`: ξ in the octant of positive coordinates, of s and t.
+  template <class Place>
+  void add_patch(int plane, const Eigen::Vector3d& signs, const Place& at);
+
+  const PolynomialSpace& space_;
+  int n_faces_ = 0;
+  std::vector<Point> points_;
+};
+
+}  // namespace pseudorigid::polynomial

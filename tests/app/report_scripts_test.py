@@ -1,0 +1,66 @@
+"""Functions of the report's scripts (src/io/report/), run by node where it is installed."""
+import json
+import shutil
+import subprocess
+import unittest
+
+from program_test import SOURCE
+
+STUBS = """
+const window = {addEventListener() {}};
+const document = {scripts: [], body: {}, createElement: () => ({setAttribute() {}, append() {}})};
+const describedColumns = () => ({});  // of page.js, from the manifest of a run
+"""
+SCRIPTS = ("data.js", "charts.js", "motion.js", "sweep.js")
+
+
+@unittest.skipUnless(shutil.which("node"), "node is not installed")
+class ReportScripts(unittest.TestCase):
+    def result(self, expression):
+        """The value of a JavaScript expression among the scripts' functions."""
+        sources = [(SOURCE / "src/io/report" / name).read_text() for name in SCRIPTS]
+        text = "\n".join([STUBS, *sources, f"console.log(JSON.stringify({expression}));"])
+        return json.loads(subprocess.run(["node", "-"], input=text, capture_output=True, text=True, check=True).stdout)
+
+    def test_axes_are_followed_through_crossings(self):
+        # A spheroid and an ellipsoid in pulsation: each axis is a smooth function, the file has them sorted.
+        for axes in ("[1 + 0.2 * Math.cos(t), 1 - 0.1 * Math.cos(t), 1 - 0.1 * Math.cos(t)]",
+                     "[1.1 + 0.2 * Math.cos(t), 1.0 - 0.2 * Math.cos(1.3 * t), 0.7 + 0.05 * Math.cos(t)]"):
+            apart = self.result(f"""(() => {{
+              const n = 400, time = Array.from({{length: n}}, (_, k) => 0.05 * k), at = t => {axes};
+              const largestFirst = time.map(t => at(t).sort((a, b) => b - a));
+              const table = {{n, has: () => true, columns: Object.fromEntries([0, 1, 2].map(i => [`a${{i + 1}}`, Float64Array.from(largestFirst, a => a[i])]))}};
+              const found = followedAxes({{key: "x", table}});
+              return Math.max(...time.flatMap((t, k) => at(t).map((a, i) => Math.abs(a - found[i][k]))));
+            }})()""")
+            self.assertLess(apart, 1e-14, axes)
+
+    TABLE = """(() => {
+      const columns = {run: [1, 2], m: [1, 2], finished: [1, 1], frequency: [3, 0], amplitude: [0.1, 0.2], energy: [1, 2], energy_drift: [1e-9, 1e-9],
+        gravitational_end: [0, 0], gravitational_min: [0, 0], gravitational_max: [0, 0], a1_end: [1, 1], a1_min: [0.9, 0.8], a1_max: [1.1, 1.2]};
+      for (const name in columns) columns[name] = Float64Array.from(columns[name]);
+      return {names: Object.keys(columns), columns, n: 2, has: name => name in columns, at: (name, i) => columns[name][i]};
+    })()"""
+
+    def test_quantities_of_a_sweep(self):
+        # What is conserved or constant stands once; a run without a frequency has none.
+        found = self.result(f"sweptQuantities({self.TABLE}).map(q => [q.title, Array.from(q.y, v => Number.isNaN(v) ? null : v)])")
+        self.assertEqual(found, [
+            ["frequency of C = QᵀQ (1/time)", [3, None]], ["amplitude of C = QᵀQ", [0.1, 0.2]],
+            ["energy, conserved (mass·length²/time²)", [1, 2]],
+            ["gravitational, constant in each run (mass·length²/time²)", [0, 0]],
+            ["a1, least (length)", [0.9, 0.8]], ["a1, greatest (length)", [1.1, 1.2]]])
+
+    def test_cells_of_a_map(self):
+        self.assertEqual(self.result("borders([4, 1, 2, 1, 4])"), {"values": [1, 2, 4], "edges": [0.5, 1.5, 3, 5]})
+        self.assertEqual(self.result("[rampColor(0), rampColor(1), rampColor(2)]"), ["rgb(68,1,84)", "rgb(253,231,37)", "rgb(253,231,37)"])
+
+    def test_what_hangs_on_the_samples_is_told_from_a_smooth_curve(self):
+        lines = "[{rows: Array.from({length: 100}, (_, k) => k)}]"
+        smooth, jumping = "Math.sin(0.05 * k)", "(k % 2)"
+        for y, scale, expected in ((smooth, 1000, False), (jumping, 1000, True), (jumping, 1, False)):
+            self.assertEqual(self.result(f"isOfSampling(Float64Array.from({{length: 100}}, (_, k) => {y}), {lines}, {scale})"), expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
