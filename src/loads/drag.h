@@ -10,9 +10,10 @@ struct Drag {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(self.drag, scene::not_negative,
-          scene::About{"Material/Drag", "1/time",
-                       "c of the force -c (density) (velocity) per volume. It damps every motion, also rigid ones."});
+    visit(
+        self.drag, scene::not_negative,
+        scene::About{"Material/Drag", "1/time",
+                     "c of the force -c (density) (velocity) per volume. It damps every motion, rigid ones included."});
   }
 
   static constexpr std::string_view no_equilibria = "drag leaves no relative equilibrium";

@@ -43,14 +43,13 @@ void visit_problem(S& scene, Visit& visit) {
   visit(scene.analysis, analysis_kind,
         About{"Analysis", "",
               "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
-              "lowest frequencies of small motions about rest, of the continuum or a polynomial body, see "
-              "Modes/Number. equilibrium (equilibria.csv): of the reduced model a family of relative equilibria "
-              "with their stability, see Equilibrium/Family, and of polynomial bodies the same "
-              "(equilibria-polynomial.csv) where its figures turn as a whole; of the other systems the critical points "
-              "of the "
-              "potential with their Morse indices, the rates of small motions, and the dimensions of the stable "
-              "and unstable manifolds under the system's own dissipation or, where it has none, under a unit "
-              "friction."});
+              "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
+              "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, see "
+              "Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, where the family "
+              "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
+              "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
+              "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
+              "has none, under a unit friction."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -63,13 +62,13 @@ void visit_body(S& scene, Visit& visit) {
               "true: volume is preserved, det F = 1, by a pressure. false: the body is compressible."});
   visit(semi_axes, Numbers{3, positive},
         About{"Body/Semi-axes", "radius",
-              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other bodies are "
-              "available in the reduced model, and beside a mesh from a file."});
+              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other values are for "
+              "the reduced model and polynomial bodies, and for the reduced body beside a mesh from a file."});
   visit(inertia, AutoOrMatrix{},
         About{"Body/Inertia", "mass*length^2",
-              "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: "
-              "that of the ellipsoid with these semi-axes. A matrix describes a body of another shape with the "
-              "volume of that ellipsoid; its self-gravity is not known."});
+              "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: that "
+              "of the ellipsoid with these semi-axes. A matrix describes a body of another shape with the volume of "
+              "that ellipsoid; self-gravity is then not offered."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -86,8 +85,9 @@ void visit_material(S& scene, Visit& visit) {
           "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
           "gent: -(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, with J_m the Gent limit. "
           "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
-          "compression. none: W = 0, a fluid, or where Incompressible = false free particles, of the reduced model "
-          "alone; of the continuum under self-gravity or a confining tidal matrix. As Oliva prints them (5.7.9): "
+          "compression. none: W = 0, a fluid or, where Incompressible = false, free particles (reduced model only); "
+          "the "
+          "continuum then needs self-gravity or a confining tidal matrix. As Oliva prints them (5.7.9): "
           "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
           "stressed at rest."});
   visit(shear_modulus, positive,
@@ -200,12 +200,12 @@ void visit_polynomial(S& scene, Visit& visit) {
   visit(degrees, AutoOrIntegers{{1, largest_polynomial_degree}},
         About{"Polynomial/Degree", "",
               "Degree N of the polynomials in which the positions are written; degree 1 is the pseudo-rigid body. "
-              "Several degrees, as 1, 3, 5, are run one after the other: the last is the model of the scene, and the "
-              "others are compared as it is. auto: 1, 3, 5, ... until the estimated error meets Tolerance."});
+              "Several degrees, for example 1, 3, 5, are run one after another; each run is compared with that of "
+              "the richest model. auto: 1, 3, 5, ... until the estimated error meets Tolerance."});
   visit(tolerance, Number{1e-10, 1e-1},
         About{"Polynomial/Tolerance", "",
-              "Bound of the error of Q that the degree may leave (largest entry, over all samples), where Degree is "
-              "auto. The time error is then kept below a twentieth of it."});
+              "Where Degree is auto: largest error of Q that the choice of the degree may cause (largest entry over "
+              "all samples). The time error is then kept below a twentieth of it."});
   visit(gravity_points, AutoOrInteger{{2, 24}},
         About{"Polynomial/Gravity points", "",
               "Points per direction on an octant of the surface for self-gravity, which sums over their pairs. auto: "
@@ -224,8 +224,8 @@ void visit_continuum(S& scene, Visit& visit) {
               "How many times each cell of the mesh is divided into eight. auto: as Tolerance needs, up to 2."});
   visit(tolerance, Number{1e-10, 1e-1},
         About{"Continuum/Tolerance", "",
-              "Bound of the discretisation error in space of Q over the run (largest entry, over all samples), "
-              "where Degree or Refinements is auto. The time error is then kept below a twentieth of it."});
+              "Where Degree or Refinements is auto: largest error of Q that the discretisation in space may cause "
+              "(largest entry over all samples). The time error is then kept below a twentieth of it."});
   visit(error_estimate, error_estimate_kind,
         About{"Continuum/Error estimate", "",
               "auto: in a comparison the continuum is also run on a coarser discretisation, for about a third of "
@@ -292,21 +292,21 @@ void visit_output(S& scene, Visit& visit) {
               "Cells of a picture. linear: an element of degree k is cut into k^3 hexahedra with straight edges, which "
               "every program shows; lagrange: it is one hexahedron of degree k, curved, for programs that know VTK's "
               "Lagrange cells, as ParaView does (Nonlinear Subdivision Level). Ignored without Graphics."});
-  visit(
-      report, Boolean{},
-      About{"Output/Report", "",
-            "Whether to write report.html at the end: one page for a browser, without links to anything outside, that "
-            "shows the run and holds its files. The continuum writes shapes.csv for it."});
+  visit(report, Boolean{},
+        About{"Output/Report", "",
+              "Whether to write report.html at the end: one page for a browser, without links to anything outside, "
+              "that shows the run and holds its files. The continuum also writes shapes.csv for it, and a polynomial "
+              "body shapes-polynomial.csv."});
 }
 
 template <SceneOrConst S, class Visit>
 void visit_sweep(S& scene, Visit& visit) {
   visit(scene.sweep, SweepParameters{},
         About{"Sweep/Parameters", "",
-              "Runs the scene for every combination of these values, without files for the single runs, and "
-              "writes sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use "
-              "the parameters as $(expression), for instance $(1/sqrt(l)). For the reduced model and the other "
-              "systems."});
+              "Runs the scene for every combination of these values, without files for the single runs, and writes "
+              "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the "
+              "parameters as $(expression), for instance $(1/sqrt(l)). For every model but the continuum, and for "
+              "the other systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
   visit(scene.sweep_lanes, Boolean{},

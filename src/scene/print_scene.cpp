@@ -111,30 +111,33 @@ std::string models_table(const Catalogue& catalogue) {
   return text;
 }
 
-std::string columns_table(std::string_view file, const std::string& introduction, const std::vector<Column>& columns) {
-  std::string text = fmt::format("\n## Columns of {}.csv\n\n{}\n\n", file, introduction);
+std::string columns_table(const std::string& table, const std::string& introduction,
+                          const std::vector<Column>& columns) {
+  std::string text = fmt::format("\n## Columns of {}\n\n{}\n\n", table, introduction);
   text += "| Column | Unit | Meaning |\n|---|---|---|\n";
   for (const Column& column : columns)
     text += fmt::format("| `{}` | {} | {} |\n", column.name, cell(column.unit), cell(column.documentation));
   return text;
 }
 
+std::string file_of(std::string_view name) { return fmt::format("{}.csv", name); }
+
 std::string columns_tables(const Catalogue& catalogue) {
   std::string text;
   for (const ModelDescription& model : catalogue.models)
-    text += columns_table(model.name, "Of the ball, in the groups of Output/Quantities. The first column is `time`.",
-                          model.columns);
-  for (const SystemDescription& system : catalogue.systems)
     text +=
-        columns_table(system.file, fmt::format("{} The first column is `time`.", system.documentation), system.columns);
+        columns_table(file_of(model.name),
+                      "Of the ball, in the groups of Output/Quantities. The first column is `time`.", model.columns);
+  for (const SystemDescription& system : catalogue.systems)
+    text += columns_table(file_of(system.file), fmt::format("{} The first column is `time`.", system.documentation),
+                          system.columns);
   if (!catalogue.equilibria.empty())
-    text += columns_table("equilibria",
-                          "Of the systems beside the ball: the critical points of the potential (Analysis = "
-                          "equilibrium), a row each.",
+    text += columns_table("equilibria.csv of systems beside the ball",
+                          "The critical points of the potential (Analysis = equilibrium), a row each.",
                           catalogue.equilibria);
   for (const ModelDescription& model : catalogue.models)
     if (const auto& [file, introduction, columns] = model.equilibria; model.has_equilibria)
-      text += columns_table(file, std::string(introduction), columns);
+      text += columns_table(file_of(file), std::string(introduction), columns);
   return text;
 }
 

@@ -165,7 +165,8 @@ class Validator {
   /// Relative equilibria are known for the ball under potentials that depend on its shape alone.
   void check_equilibrium() const {
     if (scene_.body.inertia || scene_.body.semi_axes != std::vector<double>{1, 1, 1})
-      refuse("Body/Semi-axes", "relative equilibria are known for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
+      refuse("Body/Semi-axes",
+             "relative equilibria are offered for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
     scene_.loads.for_each([&]<class L>(const L& load) {
       if (!L::no_equilibria.empty() && loads::present(load)) refuse(first_entry(load), std::string(L::no_equilibria));
     });
@@ -189,8 +190,8 @@ class Validator {
       refuse(velocity_path, "modes are small motions about rest; leave the entry out");
     if (scene_.material.law == Law::saint_venant_kirchhoff_as_printed && !scene_.body.incompressible)
       refuse("Material/Law",
-             "saint-venant-kirchhoff (as printed) is stressed at rest, which a compressible ball leaves by itself; its "
-             "modes have no rest to be about");
+             "saint-venant-kirchhoff (as printed) is stressed at rest, so a compressible ball does not stay there and "
+             "has no modes about rest");
     const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
     loads::Forcing others = loads::constant_forcing(scene_.loads);
     others.gravity_constant = 0;
@@ -202,7 +203,7 @@ class Validator {
       refuse("Material/Law", "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0");
     if (is_discretized(scene_) && !fixed_discretization(scene_))
       refuse(scene_.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
-             "auto is offered for motions; modes have their spread as a measure of the mesh's error, so give a number");
+             "auto is offered for motions; for modes give a number (the column spread measures the error of the mesh)");
     if (scene_.continuum.symmetry != Symmetry::automatic && scene_.continuum.symmetry != Symmetry::octant)
       refuse("Continuum/Symmetry",
              "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto");

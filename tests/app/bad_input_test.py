@@ -240,6 +240,11 @@ class BadInput(RefusedInputTest):
     def test_wrong_command(self):
         self.refused("walk", "scene.prm", fragments=('unknown command "walk"', "run, check, parameters, report", "--help"))
         self.refused("rum", "scene.prm", fragments=('"rum"; did you mean "run"?',))
+        for arguments, name, help_of in ((("run", "scene.prm", "--sett", "A=1"), '"--sett"; did you mean "--set"?', "run"),
+                                         (("report", "run", "--ouput", "page"), '"--ouput"; did you mean "--output"?', "report"),
+                                         (("check", "scene.prm", "--frobnicate"), '"--frobnicate"; ', "check")):
+            self.refused(*arguments, fragments=(f"unknown option {name}", f"see pseudorigid {help_of} --help"))
+        self.refused("run", "scene.prm", "other.prm", fragments=('expected no further argument, got "other.prm"',))
         self.refused("chek", fragments=('"chek"; did you mean "check"?',))
         self.refused("scene.prm", fragments=("expected a command", "pseudorigid run scene.prm"))
 
@@ -299,7 +304,7 @@ class BadInput(RefusedInputTest):
         self.finished_run()
         for entries, fragment in (
                 ({"Time/End": 0.5}, "Time/End = 0.5 is before the end of the run, 1"),
-                ({"Time/End": 1.25}, "the next such end is 1.3")):
+                ({"Time/End": 1.25}, "the next multiple is 1.3")):
             with self.subTest(entries):
                 self.refused("run", "scene.prm", "--resume", *overrides(entries), fragments=("--resume: ", fragment))
 

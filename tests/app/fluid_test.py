@@ -70,7 +70,7 @@ class Fluid(ProgramTest):
             {"Continuum/Gravity points": 5, "Continuum/Error estimate": "none", "Time/Step": 0.0125}))
         self.assertEqual(result.returncode, STOPPED)
         self.assertIn("the mesh of the fluid has tangled", result.stderr)
-        self.assertRegex(result.stderr + result.stdout, r"the displacement beside the affine motion is 1\.\d* % of the body")
+        self.assertRegex(result.stderr + result.stdout, r"the non-affine displacement is 1\.\d* % of the size of the body")
         counters = self.json("tangled/manifest.json")["models"]["continuum"]["counters"]
         self.assertGreater(counters["nonaffine_displacement_at_most"], 0.01)
 

@@ -42,6 +42,35 @@ def uneven_rows(page):
     yield from (line for number, line in enumerate(lines) if line.startswith("|") and number not in in_table)
 
 
+def bare_heads(page):
+    """Tables whose head is empty: a browser draws it as an empty row."""
+    lines = page.splitlines()
+    for token in MARKDOWN.parse(page):
+        if token.type == "table_open" and not re.search(r"[^|\s]", lines[token.map[0]]):
+            yield f"line {token.map[0] + 1}"
+
+
+def repeated_headings(page):
+    """Headings that stand twice: a link to the second leads to the first."""
+    tokens = MARKDOWN.parse(page)
+    headings = [(token.tag, after.content) for token, after in zip(tokens, tokens[1:]) if token.type == "heading_open"]
+    # Below different chapters the same heading may come again.
+    parent, seen = "", set()
+    for tag, text in headings:
+        parent = text if tag == "h2" else parent
+        key = (tag, text, parent if tag not in ("h1", "h2") else "")
+        if key in seen:
+            yield text
+        seen.add(key)
+
+
+def long_lines(page):
+    """Lines of shell that a page shows only in part."""
+    for token in MARKDOWN.parse(page):
+        if token.type == "fence" and token.info.split(" ")[0] in ("console", "sh"):
+            yield from (line for line in token.content.splitlines() if len(line) > 110)
+
+
 def changed_formulas(page):
     """Displayed formulas, between two lines $$, that do not come through a renderer of CommonMark as one paragraph and
     letter for letter."""
@@ -77,6 +106,20 @@ class Pages(unittest.TestCase):
                         ("text\n\n| a | b |\n", 1), ("```\n| a |\n```\n", 0)):
             self.assertEqual(len(list(uneven_rows(page))), n, page)
         self.assert_none(uneven_rows)
+
+    def test_tables_have_heads(self):
+        for page, n in (("| | |\n|---|---|\n| 1 | 2 |\n", 1), ("| | b |\n|---|---|\n| 1 | 2 |\n", 0)):
+            self.assertEqual(len(list(bare_heads(page))), n, page)
+        self.assert_none(bare_heads)
+
+    def test_no_heading_stands_twice(self):
+        for page, n in (("## a\n\n## b\n\n## a\n", 1), ("## a\n\n### c\n\n## b\n\n### c\n", 0), ("## a\n\n```\n## a\n```\n", 0)):
+            self.assertEqual(len(list(repeated_headings(page))), n, page)
+        self.assert_none(repeated_headings)
+
+    def test_lines_of_shell_fit_the_page(self):
+        self.assertEqual(list(long_lines("```sh\n" + 111 * "x" + "\nshort\n```\n\n```c++\n" + 111 * "x" + "\n```\n")), [111 * "x"])
+        self.assert_none(long_lines)
 
     def test_displayed_formulas_are_left_as_they_are(self):
         for formula, n in ((r"a_{1}^{\ast} = \frac{b}{c}", 0), (r"\Omega*A - \Lambda*B", 1), (r"a \, b", 1),

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
             {"scene.prm:6: Continuum/Symmetry: modes are computed on one octant"}},
         Refused{"equilibrium_of_an_ellipsoid",
                 equilibrium("subsection Body\nset Semi-axes = 1, 1, 2\nend"),
-                {"scene.prm:4: Body/Semi-axes: relative equilibria are known for a ball"}},
+                {"scene.prm:4: Body/Semi-axes: relative equilibria are offered for a ball"}},
         Refused{"equilibrium_in_a_tide",
                 equilibrium("subsection Loads\nset Tidal matrix = 1, 0, 0; 0, 0, 0; 0, 0, 0\nend"),
                 {"scene.prm:4: Loads/Tidal matrix: relative equilibria"}},

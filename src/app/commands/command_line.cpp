@@ -60,12 +60,26 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
                               scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 
+/// Nor an unknown option.
+[[noreturn]] void refuse_arguments(const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const std::string help = fmt::format("see pseudorigid {} --help", command.get_name());
+  for (const std::string& word : words)
+    if (word.starts_with('-'))
+      throw UserError(fmt::format("unknown option {}{}; {}", scene::quote(word),
+                                  scene::did_you_mean(word, {names.begin(), names.end()}), help));
+  throw UserError(fmt::format("expected no further argument, got {}; {}", scene::quote(words.front()), help));
+}
+
 }  // namespace
 
 Options parse_command_line(int argc, const char* const* argv) {
   Options options;
-  CLI::App app{"An elastic ball and its pseudo-rigid (ellipsoidal) reduction, run from one parameter file",
-               "pseudorigid"};
+  CLI::App app{
+      "Elastic bodies as pseudo-rigid and polynomial bodies and by finite elements, and other systems of mechanics",
+      "pseudorigid"};
   app.set_version_flag("--version", "version");
   app.require_subcommand(0, 1);
   app.footer(std::string() +
@@ -110,6 +124,11 @@ Options parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::CallForVersion&) {
     options.command = Command::version;
     return options;
+  } catch (const CLI::ExtrasError& error) {
+    const auto chosen = app.get_subcommands();
+    const std::vector<std::string> words = app.remaining(true);
+    if (chosen.empty() || words.empty()) throw UserError(one_sentence(error.what()));
+    refuse_arguments(*chosen.front(), words);
   } catch (const CLI::ParseError& error) {
     throw UserError(one_sentence(error.what()));
   }

@@ -88,12 +88,12 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   if (!end || !n) return;
   const double interval = *end / *n, n_intervals = std::round(scene.time.end / interval);
   if (scene.time.end < *end)
-    throw UserError(fmt::format("Time/End = {} is before the end of the run, {}, which a resumed run can only move on",
+    throw UserError(fmt::format("Time/End = {} is before the end of the run, {}; a resumed run ends there or later",
                                 scene::print_number(scene.time.end), scene::print_number(*end)));
   if (std::abs(scene.time.end / interval - n_intervals) > 1e-9 * n_intervals)
     throw UserError(
-        fmt::format("Time/End = {} is no whole number of the intervals between samples, {}, which a resumed run keeps; "
-                    "the next such end is {}",
+        fmt::format("Time/End = {} is not a multiple of the interval between samples, {}, which a resumed run keeps; "
+                    "the next multiple is {}",
                     scene::print_number(scene.time.end), scene::print_number(interval),
                     scene::print_number(std::ceil(scene.time.end / interval) * interval)));
   scene.output.samples = static_cast<int>(n_intervals);

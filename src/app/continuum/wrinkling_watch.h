@@ -29,8 +29,8 @@ class WrinklingWatch {
     first_ = time;
     context_.log->warn(
         "continuum: the surface reaches Biot's limit at t = {:.6g}: its stretch along the surface is {:.3g} of that "
-        "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below {:.4f} a smooth surface is unstable to wrinkles "
-        "whose length the mesh decides, so compare with finer elements what is seen near it",
+        "along the normal at X/r = ({:.3f}, {:.3f}, {:.3f}); below {:.4f} a smooth surface is unstable to wrinkles as "
+        "short as the mesh admits, so check on a finer mesh what is seen near it",
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 

@@ -81,10 +81,10 @@ class ReducedModel {
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
     const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
-    return mechanics::Status::failure(fmt::format(
-        "the body collapses: its least stretch {:.2g} is within the error {:.2g} that Time/Tolerance allows to "
-        "Q, which cannot tell what comes after; give a smaller tolerance to follow it further",
-        least, tolerance));
+    return mechanics::Status::failure(
+        fmt::format("the body collapses: its least stretch, {:.2g}, is within the error of Q that Time/Tolerance "
+                    "allows, {:.2g}, so what follows is unknown; a smaller tolerance follows the motion further",
+                    least, tolerance));
   }
 
   /// Goes on with what the rows of an interrupted run say of the past.

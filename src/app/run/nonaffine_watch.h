@@ -1,7 +1,7 @@
 #pragma once
-/// A fluid under its own gravity and quadratic potentials moves as x = QX for ever (Dirichlet), so that what a model
-/// shows beside an affine motion is error, and grows: nothing resists it. Reports the first sample at which it
-/// is more than 1 % of the body, and at the end the largest. Looked at samples only.
+/// A fluid under its own gravity and quadratic potentials keeps the form x = QX (Dirichlet). What a finer model shows
+/// beside that is an error, and it grows, because nothing resists it. The watch reports the first sample at which this
+/// error exceeds 1 % of the size of the body, and at the end the largest. It looks at samples only.
 
 #include <algorithm>
 #include <array>
@@ -28,8 +28,8 @@ class NonaffineWatch {
     if (first_ || displacement <= acceptable) return;
     first_ = time;
     context_.log->warn(
-        "{}: at t = {:.6g} the displacement beside the affine motion is {:.3g} % of the body; of a fluid it is "
-        "error, and grows until the motion breaks off",
+        "{}: at t = {:.6g} the non-affine displacement is {:.3g} % of the size of the body; in a fluid it is an error, "
+        "which grows until the run stops",
         model_, time, 100 * displacement);
   }
 
@@ -43,8 +43,9 @@ class NonaffineWatch {
   void report(io::Manifest::Model& statistics) const {
     if (!watches_) return;
     statistics.counters["nonaffine_displacement_at_most"] = largest_;
-    context_.log->info("{}: displacement beside the affine motion, an error of a fluid: at most {:.3g} % of the body",
-                       model_, 100 * largest_);
+    context_.log->info(
+        "{}: the non-affine displacement, which in a fluid is an error, is at most {:.3g} % of the size of the body",
+        model_, 100 * largest_);
   }
 
  private:

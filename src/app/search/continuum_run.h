@@ -24,8 +24,8 @@ using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const
 inline void warn_of_gaps(const RunContext& context, const DeformationTrace& trace) {
   if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
     context.log->warn(
-        "continuum: the discretisation error is estimated from {} of {} samples: of the time before the "
-        "resume Q is not in continuum.csv, as Output/Quantities has no state",
+        "continuum: the discretisation error is estimated from {} of {} samples: continuum.csv has no Q from before "
+        "the resume, as Output/Quantities lacks state",
         trace.size(), context.scene.output.samples + 1);
 }
 
