@@ -2,7 +2,8 @@
 """Pictures, page and tables of the benchmarks, from the data that scripts/benchmark.sh has measured.
 
     tools/benchmark_page.py                  docs/benchmarks/data → docs/images, docs/benchmarks/index.html, and the
-                                             tables of docs/benchmarks.md, docs/kernels.md and README.md
+                                             tables of docs/benchmarks.md, docs/kernels.md,
+                                             docs/polynomial.md and README.md
     tools/benchmark_page.py --output DIR     DIR/data → DIR
     tools/benchmark_page.py --check          whether the tables are those of the data (no picture is made)
 
@@ -165,7 +166,7 @@ def main():
     arguments = parser.parse_args()
     target = arguments.output or ROOT / "docs/benchmarks"
     data = target / "data"
-    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "README.md")]
+    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "docs/polynomial.md", "README.md")]
     if arguments.check:
         stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
         if stale:

@@ -69,6 +69,48 @@ def lamb(run, path):
     save(drawn, path)
 
 
+RUNGS = ((1, ORANGE, "--"), (3, GREEN, "-."), (5, SKY, (0, (5, 1, 1, 1, 1, 1))), (7, BLACK, ":"))
+
+
+def ladder(run, path):
+    directory = run("ladder")
+    elements = table(directory, "continuum")
+    drawn, (left, right) = figure(1, 2, height=3.6)
+    left.plot(elements["time"], elements["Q33"] - 1, color=BLUE, label="finite elements")
+    for degree, colour, line in RUNGS:
+        body = table(directory, f"polynomial-{degree}" if degree < RUNGS[-1][0] else "polynomial")
+        if degree <= 3:
+            left.plot(body["time"], body["Q33"] - 1, color=colour, linestyle=line, label=f"N = {degree}")
+        difference = np.abs(body["Q33"] - elements["Q33"])[1:].reshape(-1, 20)  # of two units of time each
+        right.semilogy(body["time"][1:].reshape(-1, 20).mean(axis=1), difference.max(axis=1), color=colour,
+                       linestyle=line, label=f"N = {degree}")
+    left.set_xlim(0, 20)
+    right.set_ylim(1e-5, 1e-1)
+    label_axes(left, TIME, "stretch $Q_{33}$ − 1")
+    label_axes(right, TIME, "largest difference from the elements")
+    legend_above(left, 2)
+    legend_above(right, 2)
+    save(drawn, path)
+
+
+def amplitude(run, path):
+    t = table(run("amplitude"), "sweep")
+    drawn, (ax,) = figure(height=3.6)
+    A = t["amplitude"] / np.sqrt(6)  # C = diag(1/l, 1/l, l²) has the amplitude √6 A to leading order, A that of ln l
+    for (degree, colour, line), marker in zip(RUNGS, "os^"):
+        chosen = t["N"] == degree
+        square, omega = A[chosen] ** 2, t["frequency"][chosen]
+        slope, omega_0 = np.polyfit(square, omega, 1)
+        ax.plot(square, 100 * (omega / omega_0 - 1), marker, color=colour, label=f"N = {degree}")
+    square = np.array([0, 1.05 * max(A**2)])
+    ax.plot(square, -100 * 5 / 48 * square, color=ORANGE, linestyle="--", linewidth=1.2, label="−(5/48) A², pseudo-rigid")
+    ax.fill_between(square, -100 * 0.106 * square, -100 * 0.102 * square, color=BLUE, alpha=0.25, linewidth=0,
+                    label="elastic ball")
+    label_axes(ax, "A², A the amplitude of ln ℓ", "change of frequency (%)")
+    ax.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
+    save(drawn, path)
+
+
 def dirichlet(run, path):
     drawn, (motion, error) = figure(1, 2, height=3.6)
     for stretch, (colour, line) in zip((1.1, 1.3, 1.5), ((GREEN, ":"), (ORANGE, "--"), (BLUE, "-"))):
@@ -265,6 +307,8 @@ def foucault(run, path):
 
 PICTURES = {
     "lamb": lamb,
+    "ladder": ladder,
+    "amplitude": amplitude,
     "dirichlet": dirichlet,
     "gravitating_balls": gravitating_balls,
     "tidal_passage": tidal_passage,

@@ -2,10 +2,13 @@
 runs, and what is refused. No finite elements."""
 import unittest
 
-from program_test import STOPPED, WRONG_INPUT, ProgramTest, overrides
+from program_test import SOURCE, STOPPED, WRONG_INPUT, ProgramTest, overrides
 
 RELEASE = {"Models": "polynomial", "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6", "Time/End": 2,
            "Time/Tolerance": 1e-4, "Output/Samples": 20}
+FLUID = {"Material/Law": "none", "Gravity/Constant": 1}
+# A refused entry is named before others of the release are.
+EQUILIBRIA = {"Analysis": "equilibrium", "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0", **FLUID}
 
 
 class PolynomialRun(ProgramTest):
@@ -84,6 +87,35 @@ class PolynomialRun(ProgramTest):
         self.run_done("run", "scene.prm")
         self.assertEqual(len(self.table("output/scene/sweep.csv")), 3)
 
+    def test_amplitude(self):
+        """params/amplitude.prm, shorter: N = 1 has c = −5/48 (PHYSICS section 5), N = 3 that of its wrong resonances."""
+        self.scene((SOURCE / "params/amplitude.prm").read_text(), "amplitude.prm")
+        self.run_done("run", "amplitude.prm", *overrides({"Sweep/Parameters": "N: 1, 3; l: 1.03, 1.12", "Time/End": 60,
+                                                          "Output/Samples": 600}))
+        table = self.table("output/amplitude/sweep.csv")
+        omega, square = table.column("frequency"), [a * a / 6 for a in table.column("amplitude")]
+        slopes = [(omega[k + 1] / omega[k] - 1) / (square[k + 1] - square[k]) for k in (0, 2)]
+        # A fit over 60 r/c has frequencies to about 2e-6 of them, so slopes to 2e-4; terms of order A⁴ are 1 % of c.
+        self.assertAlmostEqual(slopes[0], -5 / 48, delta=2e-3)
+        self.assertAlmostEqual(slopes[1], 0.022, delta=4e-3)
+
+    def test_equilibria_of_several_degrees(self):
+        self.scene({"Models": "reduced, polynomial", "Analysis": "equilibrium", "Polynomial/Degree": "1, 3",
+                    "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.78, "Equilibrium/Last": 0.84,
+                    "Equilibrium/Number": 2, **FLUID})
+        result = self.run_done("run", "scene.prm")
+        self.assertRegex(result.stderr, r"degree 3: 2 equilibria.*\n  index at e = 0\.81267\d* \(even in z, m = 2\)")
+        reduced, bodies = self.table("output/scene/equilibria.csv"), self.table("output/scene/equilibria-polynomial.csv")
+        self.assertEqual(set(bodies.column("degree")), {1.0, 3.0})
+        of_degree = [k for k, N in enumerate(bodies.column("degree")) if N == 1]
+        spins = sorted(bodies.column("omega3")[k] for k in of_degree if bodies.column("kind")[k] == 0)
+        for mine, other in zip(spins, sorted(s for s, kind in zip(reduced.column("omega3"), reduced.column("kind")) if kind == 0)):
+            self.assertAlmostEqual(mine, other, delta=1e-12)
+        bifurcations = [e for e, kind in zip(bodies.column("parameter"), bodies.column("kind")) if kind != 0]
+        self.assertEqual(len(bifurcations), 2)
+        for e in bifurcations:  # where Jacobi's ellipsoids leave (Chandrasekhar 1969, 32)
+            self.assertAlmostEqual(e, 0.81267, delta=1e-5)
+
     def test_pictures_show_the_body(self):
         self.run_release({"Polynomial/Degree": 3, "Output/Graphics": "vtu", "Output/Frames": 2})
         folder = self.scratch / "output/scene"
@@ -102,6 +134,9 @@ class PolynomialRun(ProgramTest):
                                ({"Polynomial/Degree": "3, 1"}, "must rise"),
                                ({"Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1"}, "Body/Inertia"),
                                ({"Body/Incompressible": "false", "Gravity/Constant": 1}, "Gravity/Constant"),
+                               ({"Continuum/Mesh": "bar.msh"}, "Continuum/Mesh"),
+                               ({**EQUILIBRIA, "Equilibrium/Family": "dedekind"}, "offered for the reduced model"),
+                               ({**EQUILIBRIA, "Polynomial/Degree": "auto"}, "named degrees"),
                                ({"Polynomial/Tolerance": 0}, "Polynomial/Tolerance")):
             with self.subTest(entries):
                 self.scene({**RELEASE, **entries})
