@@ -36,8 +36,11 @@ def run(program, scene, folder, entries=()):
     if process.returncode != 0:
         raise SystemExit(f"error: exit code {process.returncode} of {' '.join(map(str, command))}")
     folder = pathlib.Path(folder)
-    manifest = json.loads((folder / "manifest.json").read_text())
-    return Run(manifest, wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
+    return Run(read_manifest(folder), wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
+
+
+def read_manifest(folder):
+    return json.loads((pathlib.Path(folder) / "manifest.json").read_text())
 
 
 def start_up(executable):

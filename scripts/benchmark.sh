@@ -3,7 +3,7 @@
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the benchmarks in build/release, measures, and
 # writes data, pictures and docs/benchmarks/index.html, and the tables of docs/benchmarks.md, docs/kernels.md,
-# docs/polynomial.md and README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
+# docs/parallel.md, docs/polynomial.md and README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
 #   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
 #   ladder      the release by polynomial bodies and finite elements, whole processes
@@ -13,6 +13,7 @@
 #   auto        degree and refinements from a tolerance, beside the cheapest found by hand
 #   kernels     cell kernels against dealii::FEEvaluation and the limits of the machine
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
+#   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores
 #   skipping    what the scenes of params/ skip, and what it would have cost
 #   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed
 #   long-run    a million periods of the reduced model: 15 minutes more
@@ -24,7 +25,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(methods release ladder gravity lamb frequency auto kernels steps skipping peers)
+all_parts=(methods release ladder gravity lamb frequency auto kernels steps scaling skipping peers)
 parts=()
 quick=()
 output=
@@ -124,6 +125,13 @@ ball_steps() {
 measure_steps() {
   into ball_steps.csv ball_steps
   if ((${#quick[@]})); then into gram_iterations.csv "$bin/gram_iterations" 2; else into gram_iterations.csv "$bin/gram_iterations"; fi
+}
+measure_scaling() {
+  if command -v mpirun >/dev/null; then
+    into scaling.csv "$root/benchmarks/scaling.py" "$program" "${quick[@]}"
+  else
+    not_measured=1
+  fi
 }
 measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program" "${quick[@]}"; }
 

@@ -3,7 +3,7 @@
 
     tools/benchmark_page.py                  docs/benchmarks/data → docs/images, docs/benchmarks/index.html, and the
                                              tables of docs/benchmarks.md, docs/kernels.md,
-                                             docs/polynomial.md and README.md
+                                             docs/parallel.md, docs/polynomial.md and README.md
     tools/benchmark_page.py --output DIR     DIR/data → DIR
     tools/benchmark_page.py --check          whether the tables are those of the data (no picture is made)
 
@@ -44,6 +44,8 @@ TABLES = {
     "kernel_sizes": tables.kernel_sizes,
     "steps": tables.steps,
     "ranks": tables.ranks,
+    "scaling": tables.scaling,
+    "scaling_to_many": tables.scaling_to_many,
     "gram_iterations": tables.gram_iterations,
     "skipping": tables.skipping,
     "skipped_parts": tables.skipped_parts,
@@ -166,7 +168,7 @@ def main():
     arguments = parser.parse_args()
     target = arguments.output or ROOT / "docs/benchmarks"
     data = target / "data"
-    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "docs/polynomial.md", "README.md")]
+    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "docs/parallel.md", "docs/polynomial.md", "README.md")]
     if arguments.check:
         stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
         if stale:

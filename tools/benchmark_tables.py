@@ -4,6 +4,8 @@ import math
 import re
 import statistics
 
+from scaling_model import scaling_model, scaling_rows
+
 from benchmark_data import (HISTORY_LEVELS, cheapest, discretization, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-11, 1e-12)
@@ -199,6 +201,40 @@ def ranks(data):
                number(one[r["degree"], r["refinements"]] / float(r["step_s"]))]
               for r in rows if r["ranks"] != "1" and (r["degree"], r["refinements"]) in one]
     return (["k, refined", "unknowns", "ranks", "times as fast as one"], result) if result else None
+
+
+def scaling(data):
+    """Counts beside those of the model; times where every rank has a core."""
+    model, lines = scaling_model(data), []
+    if not model:
+        return None
+    for row in scaling_rows(data):
+        n, p = row["unknowns"], int(row["ranks"])
+        messages, size, _ = model.counts(n, p)
+        several = p > 1
+        lines.append([str(p), number(n, 6), number(row["messages"]) if several else NONE,
+                      number(messages) if several else NONE,
+                      number(row["bytes"] / 1e3) if several else NONE, number(size / 1e3) if several else NONE,
+                      number(row["reductions"]) if several else NONE, number(row["gram_iterations"]),
+                      number(1e3 * row["seconds"]) if p <= row["cores"] else NONE,
+                      number(1e3 * model.seconds(n, p))])
+    return ["ranks", "unknowns", "messages", "model", "kB", "model", "reductions", "Gram iterations", "ms", "model"], lines
+
+
+def scaling_to_many(data):
+    model = scaling_model(data)
+    if not model:
+        return None
+    lines = []
+    for cores in (1, 16, 128, 1024, 10240):
+        cells = [f"{cores}"]
+        for n in (1e6, 1e8):
+            t = model.seconds(n, cores)
+            cells += [number(1e3 * t), f"{100 * model.seconds(n, 1) / (cores * t):.0f} %"]
+        weak = model.seconds(2e4 * cores, cores)
+        cells += [number(1e3 * weak), f"{100 * model.seconds(2e4, 1) / weak:.0f} %"]
+        lines.append(cells)
+    return ["cores", "10⁶ unknowns: ms", "efficiency", "10⁸ unknowns: ms", "efficiency", "2·10⁴ a core: ms", "efficiency"], lines
 
 
 def gram_iterations(data):

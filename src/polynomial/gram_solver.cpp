@@ -113,9 +113,7 @@ Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::Vec
 }
 
 GramSolver::GramSolver(const PolynomialSpace& space)
-    : space_(&space), matrix_(space), position_(Eigen::VectorXd::Zero(space.n_unknowns())) {
-  y_.fill(Eigen::VectorXd::Zero(space.n_pressures()));
-}
+    : space_(&space), matrix_(space), position_(Eigen::VectorXd::Zero(space.n_unknowns())) {}
 
 bool GramSolver::factor(const Eigen::VectorXd& q) {
   matrix_.at(q, S_);
@@ -169,31 +167,18 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
 bool GramSolver::iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                          int& n_iterations) {
   constexpr double part = 1e-4;
-  const double sought = std::max(part * r.lpNorm<Eigen::Infinity>(), enough);
+  constexpr int max_iterations = 12;
   residual_ = r;
-  lambda.setZero();
-  for (int k = 0; k < max_iterations; ++k) {
-    ++n_iterations;
-    if (k > 0) spent_ += iteration_cost();
-    Eigen::VectorXd &z = z_[k], &y = y_[k];
-    z = residual_;
-    factor_.solveInPlace(z);
-    S.multiply(z, y);
-    for (int j = 0; j < k; ++j) {
-      const double beta = y_[j].dot(y);
-      y -= beta * y_[j];
-      z -= beta * z_[j];
-    }
-    const double norm = y.norm();
-    if (!(norm > 0) || !std::isfinite(norm)) return residual_.lpNorm<Eigen::Infinity>() <= sought;
-    y /= norm;
-    z /= norm;
-    const double alpha = y.dot(residual_);
-    lambda += alpha * z;
-    residual_ -= alpha * y;
-    if (residual_.lpNorm<Eigen::Infinity>() <= sought) return true;
-  }
-  return false;
+  const double norm = r.norm();
+  const auto result = iteration_.solve([&](const Eigen::VectorXd& z, Eigen::VectorXd& y) { S.multiply(z, y); },
+                                       [&](const Eigen::VectorXd& residual, Eigen::VectorXd& z) {
+                                         z = residual;
+                                         factor_.solveInPlace(z);
+                                       },
+                                       norm, std::max(part * norm, enough), max_iterations, residual_, lambda);
+  n_iterations += result.n_iterations;
+  spent_ += std::max(0, result.n_iterations - 1) * iteration_cost();
+  return result.converged;
 }
 
 }  // namespace pseudorigid::polynomial

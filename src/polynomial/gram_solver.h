@@ -4,10 +4,7 @@
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///
 /// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is kept and is the
-/// preconditioner of the generalized conjugate residual method (Eisenstat, Elman, Schultz 1983) for S, whose products
-/// need no matrix: with z_k = S_f⁻¹r_k and y_k = S z_k made orthonormal to the y_j before,
-///
-///   λ ← λ + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k.
+/// preconditioner of conjugate residuals (mechanics/core/conjugate_residuals.h) for S, whose products need no matrix.
 ///
 /// S is factored anew where the iteration is slow, and as soon as the iterations that a new factor would have spared
 /// have cost as much as it does, so the cost is at most twice the least.
@@ -16,6 +13,7 @@
 #include <array>
 #include <vector>
 
+#include "mechanics/core/conjugate_residuals.h"
 #include "mechanics/core/status.h"
 #include "polynomial/constraint.h"
 #include "polynomial/polynomial_space.h"
@@ -45,7 +43,7 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// λ with |r − Sλ|_∞ at most 10⁻⁴ |r|_∞ or `enough`, whichever is larger.
+  /// λ with |r − Sλ| at most 10⁻⁴ |r| or `enough`, whichever is larger, in the Euclidean norm.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
@@ -76,8 +74,7 @@ class GramSolver {
   Eigen::VectorXd factored_at_;  ///< of what is in factor_; empty: nothing
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
-  static constexpr int max_iterations = 12;
-  std::array<Eigen::VectorXd, max_iterations> z_, y_;
+  mechanics::ConjugateResiduals<Eigen::VectorXd> iteration_;
   Eigen::VectorXd residual_;
   long n_factorizations_ = 0;
 };

@@ -18,6 +18,8 @@
 #include "continuum/output/nodal_fields.h"
 #include "continuum/output/observe.h"
 #include "continuum/output/rank_order.h"
+#include "continuum/parallel/message_counts.h"
+#include "continuum/parallel/ranks.h"
 #include "io/trajectory.h"
 
 namespace pseudorigid::app {
@@ -148,12 +150,23 @@ class ContinuumModel {
       c["gram_bytes"] = static_cast<double>(gram.memory);
     }
     c["kernel_bytes"] = static_cast<double>(ball_.kernels().memory());
+    if (context_.ranks->size() > 1) report_messages(c);
     nonaffine_.report(statistics);
     tension_.report(statistics);
     wrinkling_.report(statistics);
   }
 
  private:
+  /// Since the mesh was there: those of the search for a step and of the motion, messages and bytes as means over the
+  /// ranks. Collective.
+  void report_messages(std::map<std::string, double>& counters) const {
+    const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
+    const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);
+    counters["messages_of_a_rank"] = sums[0] / context_.ranks->size();
+    counters["message_bytes_of_a_rank"] = sums[1] / context_.ranks->size();
+    counters["reductions"] = own.reductions;
+  }
+
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
     if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
@@ -186,6 +199,7 @@ class ContinuumModel {
   WrinklingWatch wrinkling_;
   mechanics::PointBlocks blocks_;                          ///< empty until the first frame
   mutable std::optional<continuum::MaterialFaces> faces_;  ///< likewise, until the first shape
+  continuum::MessageCounts counts_at_start_ = continuum::message_counts();
 };
 
 }  // namespace pseudorigid::app

@@ -1,9 +1,5 @@
 #include "continuum/constraint/gram_solver.h"
 
-#include <deal.II/lac/solver_cg.h>
-#include <deal.II/lac/solver_control.h>
-#include <deal.II/lac/solver_gmres.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -14,6 +10,7 @@
 #include "continuum/constraint/dense_gram.h"
 #include "continuum/constraint/two_level_gram.h"
 #include "continuum/parallel/ranks.h"
+#include "mechanics/core/conjugate_residuals.h"
 
 namespace pseudorigid::continuum {
 
@@ -96,56 +93,25 @@ class GramSolver::Impl {
   }
 
   mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
-    lambda = 0.0;
     const double norm = r.l2_norm();
-    if (norm == 0) return {};
+    if (norm == 0) {
+      lambda = 0.0;
+      return {};
+    }
     if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
     q1_ = &q1;
     q0_ = &q0;
     if (of_q0_) of_q0_->move_to(q0);
     if (of_q0_ && q1_ != q0_) of_q1_->move_to(q1);
-    return iterate(r, std::max(reduction * norm, enough), lambda);
-  }
-
-  /// With the inverse a few iterations do, and GMRES finds the least residual in them; with two levels S is left to
-  /// conjugate gradients, whose sums over the ranks do not grow with the iterations.
-  mechanics::SolveReport iterate(const Vector& r, double tolerance, Vector& lambda) {
-    struct Gram {
-      Impl& self;
-      mutable bool asked_of_zero;
-      void vmult(Vector& result, const Vector& multiplier) const {
-        if (std::exchange(asked_of_zero, false) && multiplier.all_zero())
-          result = 0.0;
-        else
-          self.multiply(result, multiplier);
-      }
-    };
-    struct Preconditioner {
-      const GramPreconditioner& self;
-      void vmult(Vector& result, const Vector& r) const { self.apply(result, r); }
-    };
-    using Gmres = dealii::SolverGMRES<Vector>;
-    constexpr bool on_the_right = true;
-    constexpr int n_basis = 40;
-#if DEAL_II_VERSION_GTE(9, 6, 0)
-    const Gmres::AdditionalData settings(n_basis, on_the_right, true, false, false,
-                                         dealii::LinearAlgebra::OrthogonalizationStrategy::modified_gram_schmidt);
-#else
-    const Gmres::AdditionalData settings(n_basis + 2, on_the_right);
-#endif
-    const bool dense = method_ == GramMethod::dense, conjugate = !dense && q1_ == q0_;
-    const Gram gram{*this, !conjugate};  // GMRES of deal.II 9.4 multiplies the start, λ = 0
-    dealii::SolverControl control(dense ? n_basis : 200, tolerance, false, false);
-    try {
-      if (conjugate)
-        dealii::SolverCG<Vector>(control).solve(gram, lambda, r, Preconditioner{*preconditioner_});
-      else
-        Gmres(control, settings).solve(gram, lambda, r, Preconditioner{*preconditioner_});
-    } catch (const dealii::SolverControl::NoConvergence&) {
-      return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
-              static_cast<int>(control.last_step())};
-    }
-    return {{}, static_cast<int>(control.last_step())};
+    residual_ = r;
+    constexpr int max_iterations = 200;
+    const auto [n_iterations, converged] =
+        iteration_.solve([&](const Vector& multiplier, Vector& result) { multiply(result, multiplier); },
+                         [&](const Vector& residual, Vector& result) { preconditioner_->apply(result, residual); },
+                         norm, std::max(reduction * norm, enough), max_iterations, residual_, lambda);
+    if (converged) return {{}, n_iterations};
+    return {mechanics::Status::failure("the multiplier's Gram system does not converge; use a smaller step"),
+            n_iterations};
   }
 
   /// The constraint's tangent at the last positions.
@@ -171,7 +137,8 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   std::optional<TangentAt> of_q0_, of_q1_;  // where everything stays near the processor: with the dense inverse
-  Vector reaction_;
+  mechanics::ConjugateResiduals<Vector> iteration_;
+  Vector reaction_, residual_;
   const Vector *q1_ = nullptr, *q0_ = nullptr;
   History history_;
   bool is_made_ = false;  // in this process

@@ -147,6 +147,7 @@ void TwoLevelGram::make_coarse_solver() {
   PCSetType(preconditioner, PCGAMG);
   set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening", "0");  // with it half as many iterations more
   KSPSetFromOptions(coarse_solver_);
+  PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
 /// K at the positions x, the identity at functions that do not vanish on the surface.
@@ -210,9 +211,21 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   const Mat matrix = *K_;
   // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
   KSPReset(coarse_solver_);
-  const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0;
+  const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0 &&
+                      KSPSetUpOnBlocks(coarse_solver_) == 0;
   if (dealii::Utilities::MPI::min(static_cast<int>(regular && set_up), space_.communicator())) return {};
   return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
+}
+
+/// KSPSolve would ask all ranks after every application of the preconditioner whether it has failed.
+void TwoLevelGram::solve_coarse() const {
+  if (!applies_preconditioner_) {
+    KSPSolve(coarse_solver_, coarse_in_, coarse_out_);
+    return;
+  }
+  PC preconditioner;
+  KSPGetPC(coarse_solver_, &preconditioner);
+  PCApply(preconditioner, coarse_in_, coarse_out_);
 }
 
 void TwoLevelGram::apply(Vector& result, const Vector& r) const {
@@ -231,7 +244,7 @@ void TwoLevelGram::apply(Vector& result, const Vector& r) const {
   correction_.zero_out_ghost_values();
   VecPlaceArray(coarse_in_, restricted_.begin());
   VecPlaceArray(coarse_out_, correction_.begin());
-  KSPSolve(coarse_solver_, coarse_in_, coarse_out_);
+  solve_coarse();
   VecResetArray(coarse_in_);
   VecResetArray(coarse_out_);
   correction_.update_ghost_values();

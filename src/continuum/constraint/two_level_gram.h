@@ -45,6 +45,7 @@ class TwoLevelGram final : public GramPreconditioner {
   void make_coarse_matrix();
   void assemble_coarse_matrix(const Vector& x);
   void make_coarse_solver();
+  void solve_coarse() const;
   bool invert_blocks(const Vector& x);
 
   const BallSpace& space_;
@@ -61,6 +62,7 @@ class TwoLevelGram final : public GramPreconditioner {
   std::vector<double> inverse_blocks_;   ///< S_cc⁻¹, one matrix a cell
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< its constructor wants PETSc to run
   KSP coarse_solver_ = nullptr;
+  PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< and nothing else
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;
   mutable Vector restricted_, correction_;
 };

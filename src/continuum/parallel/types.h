@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <span>
 
 #include "mechanics/core/vector_space.h"
@@ -50,5 +51,13 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     return dealii::Utilities::MPI::max(norm, x.get_mpi_communicator());
   }
   static double dot(const Vector& x, const Vector& y) { return x * y; }
+  /// products_k = x_k·y
+  static void dots(std::span<const Vector* const> x, const Vector& y, std::span<double> products) {
+    const std::size_t n = y.locally_owned_size();
+    for (std::size_t k = 0; k < x.size(); ++k)
+      products[k] = std::inner_product(y.begin(), y.begin() + n, x[k]->begin(), 0.0);
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(products.data(), products.size()),
+                                y.get_mpi_communicator(), dealii::ArrayView<double>(products.data(), products.size()));
+  }
   static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
 };

@@ -148,7 +148,7 @@ const COUNTERS = {steps: "steps", substeps: "substeps of compositions", forces: 
   position_iterations: "iterations on the constraint", velocity_projections: "projections of the velocity", max_scaled_constraint: "largest violation of the constraint", max_scaled_constraint_rate: "largest violation of its rate",
   pilot_forces: "evaluations of the force in pilot runs", largest_frequency: withUnit("largest frequency", "1/time"), estimated_time_error: "estimated error in time", estimated_space_error: "estimated error in space, largest entry of Q", relative_space_error: "estimated error in space, relative",
   work: "unknowns × evaluations, pilot runs included", companion_degree: "degree of the companion run", companion_refinements: "refinements of the companion run", companion_work: "companion run: unknowns × evaluations", least_surface_stretch_ratio: "least stretch ratio at the surface (Biot's limit 0.2956)", surface_limit_time: withUnit("time at Biot's limit", "time"),
-  gram_bytes: "memory of the constraint solver", kernel_bytes: "memory of the force's kernels"};
+  gram_bytes: "memory of the constraint solver", messages_of_a_rank: "messages of a rank, mean", message_bytes_of_a_rank: "bytes in them", reductions: "operations in which all ranks wait for one another", kernel_bytes: "memory of the force's kernels"};
 const TIMERS = {run: "wall time (s)", companion: "wall time of the companion run (s)"};
 function costSections() {
   const models = Object.entries(manifest.models);

@@ -1,6 +1,7 @@
 #pragma once
 /// The operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, x ← a x and |x|_∞;
-/// frequency estimates also use xᵀy. A distributed vector specialises VectorSpace; its max_norm and dot are collective.
+/// frequency estimates also use xᵀy, and iterative solvers several of these in one sum over the processes. A
+/// distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
 ///
 /// Long sums of small increments keep their round-off (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, VIII.5): with t = a x + c,
@@ -34,6 +35,9 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   }
   static double max_norm(const V& x) { return x.size() == 0 ? 0.0 : x.template lpNorm<Eigen::Infinity>(); }
   static double dot(const V& x, const V& y) { return x.cwiseProduct(y).sum(); }
+  static void dots(std::span<const V* const> x, const V& y, std::span<double> products) {
+    for (std::size_t k = 0; k < x.size(); ++k) products[k] = dot(*x[k], y);
+  }
   static std::span<double> local_values(V& x) { return {x.data(), static_cast<std::size_t>(x.size())}; }
 };
 

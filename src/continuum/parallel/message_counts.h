@@ -1,0 +1,20 @@
+#pragma once
+/// What this process has sent to others through MPI, by whatever library, since it has started. The program defines the
+/// MPI functions that send, and these call what does the work by its second name, PMPI_… (profiling interface, MPI 3.1,
+/// chapter 14). A message to the process itself, and reductions over a communicator of one process, do not count.
+
+namespace pseudorigid::continuum {
+
+struct MessageCounts {
+  double messages = 0;    ///< from this process to another one
+  double bytes = 0;       ///< in them
+  double reductions = 0;  ///< operations in which all processes wait for one another: sums, maxima, barriers, gathers
+
+  MessageCounts operator-(const MessageCounts& earlier) const {
+    return {messages - earlier.messages, bytes - earlier.bytes, reductions - earlier.reductions};
+  }
+};
+
+MessageCounts message_counts();
+
+}  // namespace pseudorigid::continuum
