@@ -40,6 +40,33 @@ static_assert(point_block % n_lanes == 0);
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
 
+/// n_vectors vectors of y at e = first, …
+template <int n_vectors>
+[[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
+                                                 int first) {
+  L sums[n_vectors];
+  for (L& sum : sums) sum = 0;
+  for (int a = 0; a < n; ++a) {
+    const double* row = table + static_cast<long>(a) * length + first;
+    const L factor = c[a];
+    for (int k = 0; k < n_vectors; ++k) sums[k] += factor * load(row + k * n_lanes);
+  }
+  for (int k = 0; k < n_vectors; ++k) store(sums[k], y + first + k * n_lanes);
+}
+
+/// Rows a = first, …, n_rows of them.
+template <int n_rows>
+[[gnu::always_inline]] inline void contract_rows(const double* table, int length, const double* y, double* c,
+                                                 int first) {
+  L sums[n_rows];
+  for (L& sum : sums) sum = 0;
+  for (int e = 0; e < length; e += n_lanes) {
+    const L value = load(y + e);
+    for (int k = 0; k < n_rows; ++k) sums[k] += value * load(table + static_cast<long>(first + k) * length + e);
+  }
+  for (int k = 0; k < n_rows; ++k) c[first + k] += sums[k].sum(n_lanes);
+}
+
 /// The arguments of `multiply`.
 struct Product {
   const double* A;
@@ -113,6 +140,21 @@ void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   const L J = materials::determinant(F, cof), rate = materials::dot(cof, H);
   return add(L(0.5 * kappa) * (1.0 + 1.0 / (J * J)) * rate * cof,
              L(0.5 * kappa) * (J - 1.0 / J) * materials::cofactor_derivative(F, H));
+}
+
+void combine(const double* table, int n, int length, const double* c, double* y) {
+  constexpr int n_vectors = 4;
+  int first = 0;
+  for (; first + n_vectors * n_lanes <= length; first += n_vectors * n_lanes)
+    combine_block<n_vectors>(table, n, length, c, y, first);
+  for (; first < length; first += n_lanes) combine_block<1>(table, n, length, c, y, first);
+}
+
+void contract(const double* table, int n, int length, const double* y, double* c) {
+  constexpr int n_rows = 4;
+  int a = 0;
+  for (; a + n_rows <= n; a += n_rows) contract_rows<n_rows>(table, length, y, c, a);
+  for (; a < n; ++a) contract_rows<1>(table, length, y, c, a);
 }
 
 void combine_radially(const double* A, int n_levels, int n_radii, int n, const double* c, double* u) {
@@ -331,7 +373,9 @@ void transform_images(double* slots, int n_images, int length) {
 }  // namespace pseudorigid::polynomial
 
 namespace polynomial = pseudorigid::polynomial;
-extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine_radially = polynomial::combine_radially,
+extern const polynomial::DenseKernels PSEUDORIGID_KERNEL_TABLE{.combine = polynomial::combine,
+                                                               .contract = polynomial::contract,
+                                                               .combine_radially = polynomial::combine_radially,
                                                                .contract_radially = polynomial::contract_radially,
                                                                .fields_of_terms = polynomial::fields_of_terms,
                                                                .terms_of_fields = polynomial::terms_of_fields,

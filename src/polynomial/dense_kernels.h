@@ -16,6 +16,13 @@ struct EnergySums {
 };
 
 struct DenseKernels {
+  /// A table of n rows of `length` numbers, one row a function. Lengths are whole numbers of `point_block`.
+
+  /// y_e = Σ_a c_a T_ae
+  void (*combine)(const double* table, int n, int length, const double* c, double* y);
+  /// c_a ← c_a + Σ_e T_ae y_e
+  void (*contract)(const double* table, int n, int length, const double* y, double* c);
+
   /// Sums over radial functions (point_tables.h): level k, radius j, and n groups side by side, filled up.
 
   /// u_jg = Σ_k A_kjg c_kg

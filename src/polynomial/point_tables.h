@@ -13,6 +13,8 @@
 ///   u_lm(r) = Σ_n c_nlm R_nl(r),   x = Σ_lm u_lm Y_lm,
 ///   ∇_ξ x = Σ_lm u′_lm Y_lm e_r + (u_lm/r)(∂_θY_lm e_θ + ∂_φY_lm e_φ/sin θ),   ∂x/∂X_k = ∂x/∂ξ_k / s_k.
 ///
+/// Of few functions at few points the direct sums are cheaper, from tables of the functions at the points.
+///
 /// The linear functions are left out of the sums for gradients, as theirs are constant: F, of which the affine part is
 /// the largest, gets fewer rounding errors, and that of a body of degree 1 none.
 ///
@@ -86,7 +88,8 @@ class PointTables {
     std::array<std::vector<double>, 3> angular;          ///< [group][direction], filled up to `width_`
     std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
-    int linear = -1, linear_field = 0;  ///< of gradients: the linear function, and its field that is not zero
+    std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], where the direct sums are cheaper
+    int linear = -1, linear_field = 0;        ///< of gradients: the linear function, and its field that is not zero
     double linear_gradient = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }
@@ -94,6 +97,7 @@ class PointTables {
   using Groups = std::vector<std::pair<int, int>>;  ///< (l, m)
   void set_radial(const Block& block, const std::vector<BallPolynomial>& functions, const Groups& groups,
                   const PointGrid& grid, double scale, Factors& factors) const;
+  void set_rows(const Block& block, Factors& factors) const;
   void set_linear(const Block& block, const std::vector<BallPolynomial>& functions, const Eigen::Vector3d& semi_axes,
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;

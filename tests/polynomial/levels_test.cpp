@@ -39,6 +39,10 @@ std::vector<Numbers> results(const polynomial::DenseKernels& kernels) {
   const materials::AnyLaw law = materials::CiarletGeymonat{1.2, 0.8};
   Numbers at_radii(n_radii * n_groups), coefficients(n_levels * n_groups), P(9 * n_points), rate(9 * n_points),
       logarithm(n_points);
+  const Numbers table = wave(n_levels * n_points, 9), at_table = wave(n_points, 10);
+  Numbers combined(n_points), contracted(n_levels);
+  kernels.combine(table.data(), n_levels, n_points, c.data(), combined.data());
+  kernels.contract(table.data(), n_levels, n_points, at_table.data(), contracted.data());
   Numbers of_terms(3 * n_radii * n_directions), of_fields(3 * n_radii * n_directions);
   kernels.combine_radially(radial.data(), n_levels, n_radii, n_groups, c.data(), at_radii.data());
   kernels.contract_radially(radial.data(), n_levels, n_radii, n_groups, at_radii.data(), coefficients.data());
@@ -53,9 +57,17 @@ std::vector<Numbers> results(const polynomial::DenseKernels& kernels) {
   kernels.stress_rate(law, 0.3, n_points, w.data(), F.data(), H.data(), rate.data());
   const double least_of_log = kernels.log_jacobian(n_points, w.data(), F.data(), logarithm.data());
   const auto sums = kernels.energy(law, 0.3, n_points, w.data(), F.data());
-  return {at_radii, coefficients, product,
-          of_terms, of_fields,    P,
-          rate,     logarithm,    {least, least_of_log, sums.elastic, sums.volumetric}};
+  return {at_radii,
+          coefficients,
+          product,
+          combined,
+          contracted,
+          of_terms,
+          of_fields,
+          P,
+          rate,
+          logarithm,
+          {least, least_of_log, sums.elastic, sums.volumetric}};
 }
 
 TEST(DenseKernelsOfLevels, AgreeToRoundOff) {
