@@ -173,10 +173,14 @@ TEST_F(GramSolve, ContinuesBitByBitAfterItsMemoryIsRestored) {
     ASSERT_TRUE(body.solve_gram(position(k + 1), position(k), r, other, of_other).status);
     ASSERT_EQ(lambda, of_other) << k;
   }
-  auto fresh = body.make_workspace();
-  ASSERT_TRUE(body.solve_gram(position(22), position(21), r, fresh, of_other).status);
-  ASSERT_TRUE(body.solve_gram(position(22), position(21), r, one, lambda).status);
-  EXPECT_NE(lambda, of_other) << "what is restored matters";
+  bool matters = false;  // not where the factor has just become too old
+  for (int k = 20; k < 25; ++k) {
+    auto fresh = body.make_workspace();
+    ASSERT_TRUE(body.solve_gram(position(k + 1), position(k), r, fresh, of_other).status);
+    ASSERT_TRUE(body.solve_gram(position(k + 1), position(k), r, one, lambda).status);
+    matters = matters || lambda != of_other;
+  }
+  EXPECT_TRUE(matters) << "what is restored matters";
 }
 
 }  // namespace
