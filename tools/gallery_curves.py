@@ -189,6 +189,34 @@ def unstable_spheroid(run, path):
     save(drawn, path)
 
 
+def rivlin(run, path):
+    """Equilibria under equal tension over the traction: axes and energies, by Morse index."""
+    drawn, (axes, energies) = figure(1, 2, height=3.6)
+    styles = {0: (BLUE, "o", "stable"), 1: (ORANGE, "^", "Morse index 1"), 2: (GREEN, "s", "Morse index 2"),
+              5: (GREY, "x", "Morse index 5")}
+    points = {index: [] for index in styles}
+    for T in np.round(np.arange(1.6, 2.4001, 0.02), 2):
+        t = table(run("rivlin", f"Loads/Nominal traction={T}, 0, 0; 0, {T}, 0; 0, 0, {T}"), "equilibria")
+        ball = -3 * T * 4 * np.pi / 3
+        for k, index in enumerate(t["morse_index"]):
+            if t["Q11"][k] + t["Q22"][k] + t["Q33"][k] > 1.5:  # not turned against the traction
+                one = t["a1"][k] if abs(t["a2"][k] - t["a3"][k]) < abs(t["a1"][k] - t["a2"][k]) else t["a3"][k]
+                points[int(index)].append((T, one, 1e2 * (t["potential"][k] - ball)))
+    for index, (colour, marker, label) in styles.items():
+        T, one, energy = np.array(points[index]).reshape(-1, 3).T
+        for ax, y in ((axes, one), (energies, energy)):
+            ax.plot(T, y, marker, color=colour, markersize=3.5, label=label, linestyle="none")
+    y = np.linspace(0.7, 2.2, 400)
+    axes.plot(y + y**-2, y**-2, "-", color=BLACK, linewidth=0.7, zorder=0, label="exact")
+    axes.set_xlim(1.58, 2.42)
+    axes.set_ylim(0.15, 2)
+    energies.set_ylim(-75, 25)
+    label_axes(axes, "traction T (μ)", "axis that differs from the two others (r)")
+    label_axes(energies, "traction T (μ)", "potential less that of the ball (10⁻² μr³)")
+    axes.legend(frameon=False, fontsize=9)
+    save(drawn, path)
+
+
 def tide(run, path):
     t = table(run("tide"), "reduced")
     drawn, (axes, energy) = figure(1, 2)
@@ -315,6 +343,7 @@ PICTURES = {
     "compressible": compressible,
     "damped_and_pulled": damped_and_pulled,
     "unstable_spheroid": unstable_spheroid,
+    "rivlin": rivlin,
     "tide": tide,
     "gravitating_tumbler": gravitating_tumbler,
     "sweep_of_releases": sweep_of_releases,

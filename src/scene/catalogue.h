@@ -109,7 +109,10 @@ struct ModelDescription {
   bool has_nonaffine = false;  ///< it moves in other ways than x = QX: sectors and the columns `nonaffine` concern it
   bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
   EquilibriaTable equilibria{};                    ///< where they are offered
-  std::vector<Column> columns{};                   ///< of all groups, as documented
+  /// Columns of equilibria.csv for equilibria at rest, Equilibrium/Family = static, of a body with so many degrees of
+  /// freedom; null where the model does not find them.
+  std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
+  std::vector<Column> columns{};  ///< of all groups, as documented
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
   /// first.
   std::vector<std::string> rungs{};

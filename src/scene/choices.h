@@ -38,9 +38,10 @@ inline constexpr Choice<Family, 10> initial_family_kind{{{
     {"riemann-planar-dual", Family::riemann_planar_dual},
 }}};
 /// Those that Analysis = equilibrium can write.
-inline constexpr Choice<Family, 9> family_kind = [] {
-  Choice<Family, 9> kind;
-  for (std::size_t i = 0; i < kind.table.size(); ++i) kind.table[i] = initial_family_kind.table[i + 1];
+inline constexpr Choice<Family, 10> family_kind = [] {
+  Choice<Family, 10> kind;
+  for (std::size_t i = 0; i + 1 < kind.table.size(); ++i) kind.table[i] = initial_family_kind.table[i + 1];
+  kind.table.back() = {"static", Family::at_rest};
   return kind;
 }();
 inline constexpr Choice<ErrorEstimate, 2> error_estimate_kind{

@@ -44,8 +44,8 @@ void visit_problem(S& scene, Visit& visit) {
         About{"Analysis", "",
               "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
               "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
-              "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, see "
-              "Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, where the family "
+              "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, or its "
+              "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, where the family "
               "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
               "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
               "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
@@ -141,14 +141,18 @@ void visit_initial_state(S& scene, Visit& visit) {
 template <SceneOrConst S, class Visit>
 void visit_equilibria(S& scene, Visit& visit) {
   auto& [family, first, last, number, ratio] = scene.equilibria;
-  visit(family, family_kind,
-        About{"Equilibrium/Family", "",
-              "Family of relative equilibria that Analysis = equilibrium writes, under the law and the gravity of "
-              "the scene. maclaurin: spheroids that turn rigidly, by their eccentricity e; spheroids: the same by "
-              "a3, in radii; spinning: by their spin; jacobi: ellipsoids that turn rigidly, by a2/a1; dedekind: "
-              "their duals, at rest in space; riemann-s: spin and circulation about axis 3, by a2/a1 at the given "
-              "Axis ratio; riemann-planar: both in the plane of axes 2 and 3 (Riemann's types I to III); -dual: "
-              "spin and circulation exchanged."});
+  visit(
+      family, family_kind,
+      About{"Equilibrium/Family", "",
+            "Family of relative equilibria that Analysis = equilibrium writes, under the law and the gravity of "
+            "the scene. maclaurin: spheroids that turn rigidly, by their eccentricity e; spheroids: the same by "
+            "a3, in radii; spinning: by their spin; jacobi: ellipsoids that turn rigidly, by a2/a1; dedekind: "
+            "their duals, at rest in space; riemann-s: spin and circulation about axis 3, by a2/a1 at the given "
+            "Axis ratio; riemann-planar: both in the plane of axes 2 and 3 (Riemann's types I to III); -dual: "
+            "spin and circulation exchanged. static: no family, but all equilibria at rest that a search from 400 "
+            "starts finds, the critical points of the potential energy under every load that does not depend on time, "
+            "for any Semi-axes and Inertia, with Morse index and rates; the other entries of the section are then "
+            "ignored."});
   visit(first, Number{}, About{"Equilibrium/First", "", "First value of the family's parameter."});
   visit(last, Number{}, About{"Equilibrium/Last", "", "Last value of the family's parameter."});
   visit(number, Integer{1, 1'000'000},

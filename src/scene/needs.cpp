@@ -199,8 +199,10 @@ Needs needs(const Scene& scene) {
   if (nonaffine) needs.sector = sector(scene);
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,
-           fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
-                       family_kind.print(scene.equilibria.family)),
+           finds_static_equilibria(scene)
+               ? "equilibria at rest: critical points of the potential (equilibria.csv)"
+               : fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
+                             family_kind.print(scene.equilibria.family)),
            fmt::format("relative equilibria: Analysis is {}", analysis_kind.print(scene.analysis)));
   sort_out(
       needs, modes,

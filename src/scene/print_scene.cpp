@@ -138,6 +138,12 @@ std::string columns_tables(const Catalogue& catalogue) {
   for (const ModelDescription& model : catalogue.models)
     if (const auto& [file, introduction, columns] = model.equilibria; model.has_equilibria)
       text += columns_table(file_of(file), std::string(introduction), columns);
+  for (const ModelDescription& model : catalogue.models)
+    if (model.static_equilibria)
+      text += columns_table(file_of("equilibria"),
+                            "Of the ball: its equilibria at rest (Equilibrium/Family = static), the critical points of "
+                            "the potential energy, a row each.",
+                            model.static_equilibria(1));
   return text;
 }
 

@@ -25,7 +25,7 @@ enum class Law {
   saint_venant_kirchhoff_as_printed,
   none
 };
-/// Families of relative equilibria (reduced/equilibrium_families.h).
+/// Families of relative equilibria (reduced/equilibrium_families.h), and the equilibria at rest, which are no family.
 enum class Family {
   none,
   maclaurin,
@@ -36,7 +36,8 @@ enum class Family {
   riemann_s,
   riemann_s_dual,
   riemann_planar,
-  riemann_planar_dual
+  riemann_planar_dual,
+  at_rest
 };
 enum class Graphics { none, vtu };
 /// What the points of a picture are joined to: io/block_cells.h.
@@ -150,6 +151,11 @@ struct Scene {
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
   std::map<std::string, std::string, std::less<>> system_values;
 };
+
+/// The critical points of the potential energy in place of a family.
+inline bool finds_static_equilibria(const Scene& scene) {
+  return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
+}
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }
 

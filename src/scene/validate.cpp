@@ -117,9 +117,9 @@ class Validator {
     if (scene_.analysis == Analysis::equilibrium &&
         !std::ranges::all_of(models, [&](const auto* model) { return has_equilibria(*model); }))
       refuse("Analysis", offered_for("equilibrium is", has_equilibria));
-    const bool wants_equilibrium =
-        scene_.analysis == Analysis::equilibrium || scene_.initial_state.equilibrium != Family::none;
-    if (wants_equilibrium) check_equilibrium();
+    const bool wants_family = scene_.analysis == Analysis::equilibrium && !finds_static_equilibria(scene_);
+    if (wants_family || scene_.initial_state.equilibrium != Family::none) check_relative_equilibrium();
+    if (finds_static_equilibria(scene_)) check_static_equilibria();
     if (scene_.analysis == Analysis::modes) check_modes();
     if (models.empty())
       refuse("Models", "expected at least one of " + joined(names_where(scene_, [](const auto&) { return true; })));
@@ -163,7 +163,7 @@ class Validator {
   }
 
   /// Relative equilibria are known for the ball under potentials that depend on its shape alone.
-  void check_equilibrium() const {
+  void check_relative_equilibrium() const {
     if (scene_.body.inertia || scene_.body.semi_axes != std::vector<double>{1, 1, 1})
       refuse("Body/Semi-axes",
              "relative equilibria are offered for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto");
@@ -174,6 +174,23 @@ class Validator {
       refuse("Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0");
     if (is_fluid(scene_) && !scene_.body.incompressible)
       refuse("Material/Law", "none has no relative equilibrium where Incompressible = false: nothing resists gravity");
+  }
+
+  /// A body can be at rest under every load that has a potential; dissipation changes the rates alone.
+  void check_static_equilibria() const {
+    const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
+    if (!std::ranges::all_of(models_of(scene_), [&](const auto* model) { return finds(*model); }))
+      refuse("Equilibrium/Family",
+             fmt::format("static is offered for {}; set Models = {}", the_models(names_where(scene_, finds)),
+                         joined(names_where(scene_, finds))));
+    scene_.loads.for_each([&]<class L>(const L& load) {
+      if (loads::DependsOnTime<L> && loads::present(load)) refuse(first_entry(load), std::string(L::no_equilibria));
+    });
+    const loads::Forcing forcing = loads::constant_forcing(scene_.loads);
+    const bool shaped = forcing.gravity_constant != 0 || !forcing.quadratic.isZero(0) ||
+                        !forcing.nominal_traction.isZero(0) || (forcing.pressure != 0 && !scene_.body.incompressible);
+    if (is_fluid(scene_) && !shaped)
+      refuse("Material/Law", "a fluid on which nothing acts rests in every shape; give it gravity or a load");
   }
 
   /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.

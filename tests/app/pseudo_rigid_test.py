@@ -271,6 +271,74 @@ class PseudoRigid(StoppedRunTest):
             pulsation = math.sqrt(2 * 5 * (l**3 + 2) / (2 * l**3 + 1))
             self.assertLess(min(abs(f - pulsation) for f in frequencies), 1e-10)
 
+    def test_rivlin(self):
+        """The numbers of its head; in closed form the axes other than 1 are roots of y^3 - T y^2 + 1 = 0 and 1/y^2."""
+        head = (SOURCE / "params/rivlin.prm").read_text()
+        table = self.table(self.run_params("rivlin") / "equilibria.csv")
+        column = {name: table.column(name) for name in table.header}
+        self.assertEqual(column["morse_index"][:3], [0, 0, 1])
+        self.assertEqual(column["nullity"], [2, 0, 2, 2])
+        for promised, name, k in ((r"potential = (\S+)\)", "potential", 1), (r"potential \((\S+)\)", "potential", 0),
+                                  (r"a1 = a2 = (1.5\d+)", "a1", 0), (r"a1 = a2 = (1.5\d+)", "a2", 0), (r"a3 = (\S+),", "a3", 0),
+                                  (r"a1 = a2 = (1.0\d+)", "a2", 2), (r"(2\.57\d+)", "a1", 3)):
+            number = re.search(promised, head)[1]
+            self.assertAlmostEqual(column[name][k], float(number), delta=0.6 * 10 ** -len(number.split(".")[1]))
+        for k, name in ((0, "a1"), (2, "a1"), (3, "a3")):
+            y = column[name][k] * (-1 if k == 3 else 1)
+            self.assertAlmostEqual(y**3 - 1.95 * y**2 + 1, 0, delta=1e-12)
+        self.assertLess(max(column["residual"]), 1e-12)
+        beyond = self.table(self.run_params("rivlin", *overrides({"Loads/Nominal traction": "2.5, 0, 0; 0, 2.5, 0; 0, 0, 2.5"}))
+                            / "equilibria.csv")
+        ball = beyond.column("nullity").index(0)
+        self.assertEqual(beyond.column("morse_index")[ball], 5)
+        self.assertLess(max(abs(beyond.column(f"a{i}")[ball] - 1) for i in (1, 2, 3)), 1e-12)
+
+    def test_equilibria_at_rest_are_where_motions_end(self):
+        """Those of tide.prm, with its viscosity: the shape of the head, stable, and rates that decay but for turns."""
+        a1, a3 = map(float, re.search(r"tend to (\S+) and ([\d.]+\d)", (SOURCE / "params/tide.prm").read_text()).groups())
+        table = self.table(self.run_params("tide", *overrides({"Analysis": "equilibrium", "Equilibrium/Family": "static"}))
+                           / "equilibria.csv")
+        stable = table.column("morse_index").index(0)
+        self.assertAlmostEqual(table.column("a1")[stable], a1, delta=1e-5)
+        self.assertAlmostEqual(table.column("a3")[stable], a3, delta=1e-5)
+        decaying = [table.column(f"rate_{k}_re")[stable] for k in range(1, 17)]
+        self.assertLess(max(decaying), 1e-6)
+        self.assertLess(min(decaying), -0.1)
+
+    def test_equilibria_at_rest_scale_with_the_units(self):
+        def run(length, density, stress):
+            mass = density * length**3
+            self.run_scene({"Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "static",
+                            "Body/Radius": length, "Body/Density": density, "Material/Shear modulus": stress,
+                            "Loads/Nominal traction": f"{0.3 * stress}, {0.1 * stress}, 0; 0, {0.2 * stress}, 0; 0, 0, {-0.4 * stress}",
+                            "Loads/Tidal matrix": f"{0.1 * stress / density / length**2}, 0, 0; 0, 0, 0; 0, 0, 0"})
+            table = self.table("output/scene/equilibria.csv")
+            squared_rate = stress / density / length**2
+            units = {"potential": mass * length**2 * squared_rate, "a1": length, "multiplier": squared_rate,
+                     "hessian_1": squared_rate, "hessian_8": squared_rate, "rate_16_im": math.sqrt(squared_rate), "Q12": 1,
+                     "morse_index": 1, "nullity": 1}
+            return [[x / unit for x in table.column(name)] for name, unit in units.items()]
+        reference, scaled = run(1, 1, 1), run(2, 3, 5)
+        self.assertGreaterEqual(len(reference[0]), 4)
+        for a, b in zip(reference, scaled):
+            for x, y in zip(a, b, strict=True):
+                self.assertAlmostEqual(x, y, delta=1e-9)
+
+    def test_what_equilibria_at_rest_refuse(self):
+        static = {"Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "static"}
+        self.refuse({**static, "Loads/Tidal amplitude": "1, 0, 0; 0, 0, 0; 0, 0, 0"}, "Loads/Tidal amplitude",
+                    "no body is in equilibrium")
+        self.refuse({**static, "Models": "polynomial"}, "Equilibrium/Family", "Models = reduced")
+        self.refuse({**static, "Material/Law": "none"}, "Material/Law", "rests in every shape")
+        self.refuse({**static, "Initial state/Equilibrium": "static"}, "Initial state/Equilibrium")
+        self.refuse({"Models": "reduced", "Analysis": "equilibrium", "Loads/Tidal matrix": "1, 0, 0; 0, 0, 0; 0, 0, 0"},
+                    "Loads/Tidal matrix", "Family = static")
+        # Nothing holds a fluid in a potential that lets go.
+        self.scene({**static, "Material/Law": "none", "Loads/Tidal matrix": "-1, 0, 0; 0, 1, 0; 0, 0, 1"})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, STOPPED, result.stderr)
+        self.assertIn("no equilibrium at rest was found from 400 starts", result.stderr)
+
     def test_what_equilibria_refuse(self):
         analysis = {**FLUID, "Analysis": "equilibrium"}
         self.refuse({**analysis, "Models": "reduced, continuum"}, "Models = reduced")

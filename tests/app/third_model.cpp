@@ -29,6 +29,7 @@ scene::ModelDescription copy_description() {
   copy.documentation = "The pseudo-rigid body once more.";
   copy.by_default = false;
   copy.has_equilibria = false;
+  copy.static_equilibria = nullptr;
   copy.needed = [](const scene::Scene&) { return "copy: the pseudo-rigid body once more"; };
   copy.skipped = [](const scene::Scene&) { return "copy: not among Models"; };
   return copy;

@@ -78,6 +78,22 @@ TEST(EveryLoad, IsKnownToEquilibriaOrRefused) {
   EXPECT_GE(n_refused, 3);
 }
 
+/// Bodies rest under every load but those that depend on time.
+TEST(EveryLoad, IsKnownToEquilibriaAtRestUnlessItDependsOnTime) {
+  for_each_load([&]<class L>(const L&, const L& filled) {
+    Scene scene = test::ball_scene();
+    scene.models = {"reduced"};
+    scene.analysis = Analysis::equilibrium;
+    scene.equilibria.family = Family::at_rest;
+    EXPECT_NO_THROW(validate(scene, {}));
+    scene.loads.get<L>() = filled;
+    if (loads::DependsOnTime<L>)
+      EXPECT_THROW(validate(scene, {}), UserError);
+    else
+      EXPECT_NO_THROW(validate(scene, {}));
+  });
+}
+
 /// Modes are those of the ball alone, with its own gravity or without.
 TEST(EveryLoad, KeepsModesFromBeingThoseOfTheBallAlone) {
   for_each_load([&]<class L>(const L&, const L& filled) {

@@ -141,6 +141,11 @@ def faults_of_refusal(run):
     return faults
 
 
+def found_nothing(run):
+    """A search for equilibria has no time at which it stops."""
+    return "no equilibrium at rest was found" in run.stderr
+
+
 def faults_of_stop(run):
     """Of a run that could not go on, without trying to."""
     if run.too_long:
@@ -148,6 +153,8 @@ def faults_of_stop(run):
         allowed = ("interrupted",) if run.ranks == 1 else ("interrupted", "running")
         state = run.manifest()["state"]
         return [] if state in allowed else [f"interrupted, its manifest says {state}"]
+    if found_nothing(run):
+        return [] if run.manifest()["state"] == "failed" else ["nothing was found, and the manifest does not say failed"]
     stop = run.stop()
     if not stop or len(stop[1]) < 15 or "nan" in stop[1].replace("det F = nan", ""):
         return [f"exit code 3 without time and reason: {run.stderr.strip()[-300:]!r}"]

@@ -4,7 +4,8 @@ import math
 import random
 import shutil
 
-from program import DONE, STOPPED, faults, faults_of_resume, methods, reason_without_numbers, words
+from program import (DONE, STOPPED, faults, faults_of_resume, found_nothing, methods, reason_without_numbers,
+                     words)
 
 LONGEST = 60  # seconds of a run
 
@@ -118,7 +119,9 @@ def ball(rng, with_continuum):
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
-    if rng.random() < 0.3:
+    if reduced_only and rng.random() < 0.1:
+        at_rest(entries)
+    elif rng.random() < 0.3:
         bend(rng, entries)
     choose_method(rng, entries, 1 / rate, reduced_only)
     ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
@@ -157,6 +160,11 @@ def system(rng):
     entries["Output/Samples"] = rng.randint(2, 30)
     choose_method(rng, entries, 1.0, True)
     return entries, 1
+
+
+def at_rest(entries):
+    """The equilibria at rest in place of the motion."""
+    entries.update({"Analysis": "equilibrium", "Equilibrium/Family": "static"})
 
 
 def changed_numbers(rng, value):
@@ -215,6 +223,8 @@ def one(program, seed, number, with_continuum=True):
               "code": run.code, "seconds": round(run.seconds, 2), "too_long": bool(run.too_long), "resumed": "", "reason": ""}
     if run.code == DONE and not found:
         found = faults_of_energy(entries, run)
+    elif run.code == STOPPED and found_nothing(run):
+        record["reason"] = "no equilibrium at rest was found"
     elif run.code == STOPPED and not found and not run.too_long:
         record["reason"] = reason_without_numbers(run.stop()[1])
         found, again = faults_of_resume(program, run, name, limit=LONGEST, ranks=ranks)

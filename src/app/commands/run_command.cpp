@@ -134,6 +134,9 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
                        .models = {}};
   if (needs.system)
     content.columns[content.system + ".csv"] = needs.system->columns;
+  else if (scene::finds_static_equilibria(scene))
+    for (const scene::ModelDescription* model : needs.models)
+      content.columns["equilibria.csv"] = model->static_equilibria(scene.body.incompressible ? 8 : 9);
   else if (scene.analysis == scene::Analysis::equilibrium)
     for (const scene::ModelDescription* model : needs.models)
       content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;

@@ -1,6 +1,7 @@
 #include "app/models/ball_models.h"
 #include "app/reduced/ball_equilibria.h"
 #include "app/reduced/reduced_scene.h"
+#include "app/reduced/static_equilibria.h"
 #include "app/run/refuses_method.h"
 #include "io/trajectory.h"
 #include "materials/eigen_tensor.h"
@@ -48,6 +49,7 @@ scene::ModelDescription reduced_description() {
           .has_equilibria = true,
           .equilibria = {"equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
                          ball_equilibria_columns()},
+          .static_equilibria = static_equilibria_columns,
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
           .needed = reduced_needed,

@@ -32,6 +32,7 @@ class FamilyMaker {
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
+      case Family::at_rest:
         break;
       case Family::maclaurin:
         return reduced::spheroids(body_, reduced::SpheroidParameter::eccentricity, range);

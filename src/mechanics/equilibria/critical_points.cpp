@@ -110,11 +110,11 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
+    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // the same everywhere
+    if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
-    for (Eigen::Index i = 0; i < q.size(); ++i) {
-      const double unit = static_cast<double>(generator_() >> 11) * 0x1p-53;  // the same on every machine
-      q[i] += (periods_[i] > 0 ? periods_[i] / 2 : search_.radius) * (2 * unit - 1);
-    }
+    for (Eigen::Index i = 0; i < q.size(); ++i)
+      q[i] += (periods_[i] > 0 ? periods_[i] / 2 : search_.radius) * (2 * uniform() - 1);
     return q;
   }
 
@@ -150,10 +150,36 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
+/// A linear damping that every system can be given: the force −M v.
+Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
+  Eigen::MatrixXd M;
+  landscape.mass(q, M);
+  return M;
+}
+
+/// The rates as they are without any added damping.
+Status find_own_rates(const AnyLandscape& landscape, CriticalPoint& p) {
+  CriticalPoint undamped;
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());
+  Status status = describe_critical_point(landscape, p.q, p.lambda, none, undamped);
+  if (status) p.rates = undamped.rates;
+  return status;
+}
+
 }  // namespace
 
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found) {
   return CriticalPointFinder(landscape, search).run(found);
+}
+
+Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
+                       CriticalPoints& found) {
+  if (!dissipative) search.added_damping = [&](const Eigen::VectorXd& q) { return unit_damping(landscape, q); };
+  Status status = find_critical_points(landscape, search, found);
+  if (dissipative) return status;
+  for (CriticalPoint& point : found.points)
+    if (status) status = find_own_rates(landscape, point);
+  return status;
 }
 
 }  // namespace pseudorigid::mechanics

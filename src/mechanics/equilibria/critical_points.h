@@ -20,6 +20,8 @@ namespace pseudorigid::mechanics {
 struct CriticalPointSearch {
   Eigen::VectorXd center{};  // empty: 0. The first start
   double radius = 1;         // half width of the box of starts, in coordinates that are not periodic
+  /// A further start from uniform numbers in [0, 1), in place of the box.
+  std::function<Eigen::VectorXd(const std::function<double()>& uniform)> start{};
   int n_starts = 200;
   std::uint64_t seed = 1;
   /// Linear damping beside the system's own: q → C(q) of the force −C v. Empty: none.
@@ -33,5 +35,10 @@ struct CriticalPoints {
 
 /// Fails if a point that was found cannot be described; that starts lead nowhere is told by n_converged.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
+
+/// The same, with n_unstable and n_stable as 5.8.3 speaks of them: where the system has no dissipation of its own, they
+/// are counted under the force −M v. The rates are those of the system as it is.
+Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
+                       CriticalPoints& found);
 
 }  // namespace pseudorigid::mechanics

@@ -1,0 +1,112 @@
+#include "app/reduced/static_equilibria.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "app/reduced/reduced_scene.h"
+#include "app/run/critical_point_rows.h"
+#include "io/csv.h"
+#include "mechanics/core/dense_algebra.h"
+#include "mechanics/core/principal_axes.h"
+#include "reduced/static_equilibria.h"
+#include "systems/system_scene.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr int n_static_starts = 400;
+
+std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,
+                               const reduced::Potential& potential) {
+  const Eigen::Matrix3d Q = reduced::StaticLandscape::matrix(p.q);
+  std::vector<double> row{static_cast<double>(index)};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) row.push_back(Q(i, j));
+  const Eigen::Vector3d a = mechanics::singular_values(Q * s.body.shape);
+  row.insert(row.end(), a.begin(), a.end());
+  row.push_back(p.lambda.size() > 0 ? p.lambda[0] / (s.body.E0.trace() / 3) : 0);
+  const reduced::PotentialEnergies V = potential.energies(Q);
+  row.insert(row.end(), {V.elastic, V.gravitational, V.external, V.total()});
+  append_critical_point(p, row);
+  const Eigen::Matrix3d gradient = potential.gradient(Q);
+  const double multiplier = p.lambda.size() > 0 ? p.lambda[0] : 0;
+  const double left = (gradient - multiplier * Q.inverse().transpose()).norm();
+  row.push_back(gradient.norm() > 0 ? left / gradient.norm() : left);
+  return row;
+}
+
+/// The centre of mass moves by itself: ẍ = b − Tx.
+void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context) {
+  const Eigen::Matrix3d& T = s.forcing.quadratic;
+  const Eigen::Vector3d& b = s.forcing.acceleration;
+  if (T.isZero(0) && b.isZero(0)) return;
+  const Eigen::Vector3d x = T.completeOrthogonalDecomposition().solve(b);
+  if ((T * x - b).norm() > 1e-12 * b.norm()) {
+    context.log->warn(
+        "these are equilibria of shape and attitude: the acceleration moves the centre of mass, which nothing holds");
+    return;
+  }
+  const Eigen::VectorXd stiffness = mechanics::symmetric_spectrum(T).values;
+  context.log->info("the centre of mass, which moves by itself, is at rest at ({:.9g}, {:.9g}, {:.9g}): Morse index {}",
+                    x[0] * units.length, x[1] * units.length, x[2] * units.length, (stiffness.array() < 0).count());
+}
+
+}  // namespace
+
+std::vector<scene::Column> static_equilibria_columns(int n_modes) {
+  std::vector<scene::Column> columns{{"index", "", "number of the point, by rising potential"}};
+  for (int i = 1; i <= 3; ++i)
+    for (int j = 1; j <= 3; ++j)
+      columns.push_back(
+          {fmt::format("Q{}{}", i, j), "",
+           i + j == 2 ? "entry of Q; one of many where the body can be turned without a change" : "likewise"});
+  for (int i = 1; i <= 3; ++i)
+    columns.push_back({fmt::format("a{}", i), "length", i == 1 ? "semi-axis, longest first" : "likewise"});
+  columns.insert(columns.end(), {{"multiplier", "1/time^2", "multiplier per m_bar"},
+                                 {"elastic", "mass*length^2/time^2", "stored energy"},
+                                 {"gravitational", "mass*length^2/time^2", "energy of self-gravity"},
+                                 {"external", "mass*length^2/time^2", "energy of the loads"},
+                                 {"potential", "mass*length^2/time^2", "their sum"}});
+  for (const scene::Column& column : critical_point_columns(n_modes)) columns.push_back(column);
+  columns.push_back({"residual", "", "what is left of the equations of rest, over the force"});
+  return columns;
+}
+
+ModelOutcome run_static_equilibria(const RunContext& context) {
+  const ReducedScene s = reduced_scene(context.scene);
+  const reduced::Potential potential = potential_of(s);
+  const bool incompressible = context.scene.body.incompressible;
+  const mechanics::AnyLandscape landscape(reduced::StaticLandscape(potential, s.body, s.dissipation, incompressible));
+  mechanics::CriticalPoints found;
+  ModelOutcome outcome;
+  const auto status = mechanics::find_equilibria(
+      landscape, s.dissipation.present(),
+      reduced::static_search(incompressible, s.forcing.nominal_traction, n_static_starts), found);
+  if (!status || found.points.empty()) {
+    outcome.end = mechanics::Outcome::failed;
+    outcome.message = !status ? "the search for equilibria failed: " + status.reason()
+                              : fmt::format("no equilibrium at rest was found from {} starts", found.n_starts);
+    return outcome;
+  }
+  const std::vector<scene::Column> columns = static_equilibria_columns(incompressible ? 8 : 9);
+  const systems::Scales scales{context.units.length, context.units.mass, context.units.time};
+  std::vector<std::string> names;
+  for (const scene::Column& column : columns) names.push_back(column.name);
+  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
+  int index = 0;
+  for (const mechanics::CriticalPoint& point : found.points) {
+    std::vector<double> row = static_row(++index, point, s, potential);
+    for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
+    csv.append(row);
+  }
+  csv.flush();
+  report_search(found, scales("mass*length^2/time^2"), context, outcome);
+  report_center(s, context.units, context);
+  return outcome;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,17 @@
+#pragma once
+/// The reduced body at rest (reduced/static_equilibria.h) for scenes: Equilibrium/Family = static writes the critical
+/// points of its potential energy as equilibria.csv.
+
+#include <vector>
+
+#include "app/run/run_context.h"
+#include "scene/catalogue.h"
+
+namespace pseudorigid::app {
+
+/// The columns of equilibria.csv for a body with n_modes degrees of freedom.
+std::vector<scene::Column> static_equilibria_columns(int n_modes);
+
+ModelOutcome run_static_equilibria(const RunContext& context);
+
+}  // namespace pseudorigid::app

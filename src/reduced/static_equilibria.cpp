@@ -1,0 +1,109 @@
+#include "reduced/static_equilibria.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+namespace pseudorigid::reduced {
+namespace {
+
+Eigen::VectorXd column_of(const Eigen::Matrix3d& A) { return A.reshaped(); }
+Eigen::Matrix3d basis_matrix(Eigen::Index k) { return Eigen::Matrix<double, 9, 1>::Unit(k).reshaped(3, 3); }
+
+/// A rotation of uniform measure from three numbers in [0, 1) (Shoemake, Graphics Gems III, 1992).
+Eigen::Matrix3d uniform_rotation(const std::function<double()>& uniform) {
+  const double u = uniform(), a = 2 * std::numbers::pi * uniform(), b = 2 * std::numbers::pi * uniform();
+  const double p = std::sqrt(1 - u), q = std::sqrt(u);
+  return Eigen::Quaterniond(p * std::sin(a), p * std::cos(a), q * std::sin(b), q * std::cos(b)).toRotationMatrix();
+}
+
+/// The critical points of P̄:R on the rotations: with P̄ = U diag(σ) Vᵀ the four R = U diag(±1) Vᵀ of determinant 1.
+std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(P, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() > 0 ? 1 : -1;
+  std::vector<Eigen::Matrix3d> rotations;
+  for (const Eigen::Vector3d& s : {Eigen::Vector3d(1, 1, 1), {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}})
+    rotations.emplace_back(svd.matrixU() * (sign * s).asDiagonal() * svd.matrixV().transpose());
+  return rotations;
+}
+
+}  // namespace
+
+mechanics::Status StaticLandscape::admissible(const Eigen::Matrix3d& Q) const {
+  const double J = Q.determinant();
+  if (!(J > 0) || !std::isfinite(J)) return mechanics::Status::failure("the body is turned inside out or not finite");
+  if (!materials::admits(potential_, materials::to_tensor(Q)))
+    return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(potential_)));
+  return {};
+}
+
+mechanics::Status StaticLandscape::gradient(const Vector& q, Vector& dV) const {
+  if (mechanics::Status status = admissible(matrix(q)); !status) return status;
+  dV = column_of(potential_.gradient(matrix(q)));
+  if (!dV.allFinite()) return mechanics::Status::failure("the force on the body is not finite");
+  return {};
+}
+
+mechanics::Status StaticLandscape::constraint(const Vector& q, Vector& g) const {
+  g.resize(n_constraints());
+  const double J = matrix(q).determinant();
+  if (!(J > 0) || !std::isfinite(J)) return mechanics::Status::failure("the body is turned inside out or not finite");
+  if (incompressible_) g[0] = std::log(J);
+  return {};
+}
+
+void StaticLandscape::constraint_gradient(const Vector& q, Matrix& G) const {
+  G.resize(n_constraints(), 9);
+  if (incompressible_) G.row(0) = column_of(matrix(q).inverse().transpose()).transpose();
+}
+
+mechanics::Status StaticLandscape::hessian(const Vector& q, const Vector& lambda, Matrix& H) const {
+  const Eigen::Matrix3d Q = matrix(q);
+  if (mechanics::Status status = admissible(Q); !status) return status;
+  const Eigen::Matrix3d inverse_transposed = Q.inverse().transpose();
+  H.resize(9, 9);
+  for (Eigen::Index k = 0; k < 9; ++k) {
+    const Eigen::Matrix3d E = basis_matrix(k);
+    Eigen::Matrix3d column = potential_.second_derivative(Q, E);
+    if (incompressible_) column += lambda[0] * inverse_transposed * E.transpose() * inverse_transposed;
+    H.col(k) = column_of(column);
+  }
+  H = (0.5 * (H + H.transpose())).eval();
+  if (!H.allFinite()) return mechanics::Status::failure("the second derivative of the potential is not finite");
+  return {};
+}
+
+void StaticLandscape::mass(const Vector&, Matrix& M) const {
+  M.resize(9, 9);
+  for (Eigen::Index k = 0; k < 9; ++k) M.col(k) = column_of(basis_matrix(k) * body_.E0);
+}
+
+mechanics::Status StaticLandscape::damping(const Vector& q, Matrix& C) const {
+  C.setZero(9, 9);
+  for (Eigen::Index k = 0; k < 9; ++k) {
+    Eigen::Matrix3d force = Eigen::Matrix3d::Zero();
+    dissipation_.add_force(body_, matrix(q), basis_matrix(k), force);
+    C.col(k) = -column_of(force);
+  }
+  return {};
+}
+
+mechanics::CriticalPointSearch static_search(bool incompressible, const Eigen::Matrix3d& nominal_traction,
+                                             int n_starts) {
+  constexpr double spread = 1.5;
+  mechanics::CriticalPointSearch search{.center = column_of(Eigen::Matrix3d::Identity()), .n_starts = n_starts};
+  std::vector<Eigen::Matrix3d> first;
+  if (!nominal_traction.isZero(0)) first = critical_rotations(nominal_traction);
+  search.start = [=, next = std::size_t{0}](const std::function<double()>& uniform) mutable {
+    if (next < first.size()) return column_of(first[next++]);
+    Eigen::Vector3d s;
+    for (double& entry : s) entry = spread * (2 * uniform() - 1);
+    if (incompressible) s.array() -= s.mean();
+    const Eigen::Matrix3d R = uniform_rotation(uniform);
+    return column_of(R * s.array().exp().matrix().asDiagonal() * uniform_rotation(uniform));
+  };
+  return search;
+}
+
+}  // namespace pseudorigid::reduced
