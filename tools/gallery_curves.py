@@ -217,6 +217,78 @@ def rivlin(run, path):
     save(drawn, path)
 
 
+def polhodes(run, path):
+    """Curves of P on the sphere, and the turn about p in a period of P, from the trajectories."""
+    t = table(run("polhodes"), "trajectories")
+    drawn = plt.figure(figsize=(8, 4), layout="constrained")
+    sphere, turns = drawn.add_subplot(1, 2, 1, projection="3d"), drawn.add_subplot(1, 2, 2)
+    eye = np.array([np.cos(np.radians(22)) * np.cos(np.radians(35)), np.cos(np.radians(22)) * np.sin(np.radians(35)),
+                    np.sin(np.radians(22))])
+    x = np.linspace(-1, 1, 401)
+    for sign in (1, -1):  # the separatrix: two planes through the second axis, 60 degrees from the first
+        plane = np.array([[0, 1, 0], [0.5, 0, sign * np.sqrt(3) / 2]])
+        way = np.cos(np.pi * x)[:, None] * plane[0] + np.sin(np.pi * x)[:, None] * plane[1]
+        visible = way @ eye > 0
+        sphere.plot(*np.where(visible[:, None], way, np.nan).T, "--", color=BLACK, linewidth=0.9)
+    for run_number in range(1, 25):
+        chosen = t["run"] == run_number
+        P = np.array([t[f"J_body{i}"][chosen] for i in (1, 2, 3)]).T
+        first = abs(P[0, 0]) > 0.5
+        colour = ORANGE if first else BLUE
+        sphere.plot(*np.where((P @ eye > 0)[:, None], P, np.nan).T, color=colour, linewidth=1.3)
+        angle = turn_in_a_period(t, chosen, P)
+        turns.plot(7.5 + 15 * (run_number - 1), angle / (2 * np.pi), "o" if first else "s", color=colour, markersize=4)
+    outline = np.linspace(0, 2 * np.pi, 200)
+    across, up = np.cross([0, 0, 1], eye), np.cross(eye, np.cross([0, 0, 1], eye))
+    across, up = across / np.linalg.norm(across), up / np.linalg.norm(up)
+    sphere.plot(*(np.cos(outline)[:, None] * across + np.sin(outline)[:, None] * up).T, color=GREY, linewidth=0.8)
+    for axis, name in zip(np.eye(3), ("1", "2", "3")):
+        sphere.text(*(1.25 * axis), name)
+        sphere.plot(*np.array([axis, 1.15 * axis]).T, color=BLACK, linewidth=0.8)
+    sphere.view_init(22, 35)
+    sphere.set_box_aspect((1, 1, 1), zoom=1.5)
+    sphere.set_axis_off()
+    turns.grid(color="#dddddd", linewidth=0.6)
+    turns.spines[["top", "right"]].set_visible(False)
+    a = np.arange(0.125, 360, 0.25)
+    turns.plot(a, [montgomery(np.radians(angle)) / (2 * np.pi) % 1 for angle in a], ".", color=BLACK, markersize=0.8, zorder=0)
+    turns.set_xticks(range(0, 361, 60))
+    label_axes(turns, "start on the meridian, from axis 1 (degrees)", "turn about p in a period of P (turns)")
+    save(drawn, path)
+
+
+def montgomery(a, moments=(1.0, 2.0, 3.0)):
+    """2ET/L − S, the turn about P = (cos a, 0, sin a) in a period of P."""
+    I = np.array(moments)
+    E2 = np.cos(a) ** 2 / I[0] + np.sin(a) ** 2 / I[2]
+    third = 1 > E2 * I[1]
+    i, j, k = I if third else I[::-1]
+    rate, m = np.sqrt((k - j) * (1 - E2 * i) / (i * j * k)), (j - i) * (E2 * k - 1) / ((k - j) * (1 - E2 * i))
+    x, y = 1.0, np.sqrt(1 - m)
+    for _ in range(8):
+        x, y = (x + y) / 2, np.sqrt(x * y)
+    T, phi = 2 * np.pi / (x * rate), np.linspace(0, 2 * np.pi, 4096, endpoint=False)
+    sine2 = (E2 - 1 / k) / (np.cos(phi) ** 2 / i + np.sin(phi) ** 2 / j - 1 / k)
+    solid = 2 * np.pi * np.mean(1 - np.sqrt(1 - sine2))
+    return E2 * T - solid * (1 if third else -1)
+
+
+def turn_in_a_period(t, chosen, P):
+    """Of the body about p, in [0, 2π): P returns to the plane P2 = 0 on its own side, in its own sense."""
+    time, p2 = t["time"][chosen], P[:, 1]
+    sense = np.sign(p2[1] - p2[0])
+    for n in range(2, len(time)):
+        if sense * p2[n - 1] < 0 <= sense * p2[n]:
+            break
+    weight = p2[n - 1] / (p2[n - 1] - p2[n])  # samples are close enough for a line
+    R = [np.array([[t[f"R{i}{j}"][chosen][m] for j in (1, 2, 3)] for i in (1, 2, 3)]) for m in (n - 1, n)]
+    R = (1 - weight) * R[0] + weight * R[1]
+    p = P[0]  # R = 1 at the start
+    across = np.cross(p, [0, 1, 0])
+    across /= np.linalg.norm(across)
+    return np.arctan2(R @ across @ np.cross(p, across), R @ across @ across) % (2 * np.pi)
+
+
 def tide(run, path):
     t = table(run("tide"), "reduced")
     drawn, (axes, energy) = figure(1, 2)
@@ -344,6 +416,7 @@ PICTURES = {
     "damped_and_pulled": damped_and_pulled,
     "unstable_spheroid": unstable_spheroid,
     "rivlin": rivlin,
+    "polhodes": polhodes,
     "tide": tide,
     "gravitating_tumbler": gravitating_tumbler,
     "sweep_of_releases": sweep_of_releases,

@@ -45,7 +45,8 @@ void visit_problem(S& scene, Visit& visit) {
               "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
               "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
               "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, or its "
-              "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, where the family "
+              "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial "
+              "bodies, where the family "
               "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
               "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
               "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
@@ -189,13 +190,15 @@ void visit_time(S& scene, Visit& visit) {
         About{"Time/Tolerance", "",
               "Bound of the time error of Q over the run (largest entry, over all samples). For other systems: of "
               "their configuration, in the system's own unit of length."});
-  visit(constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
-        About{"Time/Constraint tolerance", "",
-              "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
-              "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
-              "the rate of this mean. "
-              "auto: 1e-4 of Tolerance where the step is found from Tolerance, 1e-13 where Step is given. The "
-              "reduced body keeps its volume to round-off."});
+  visit(
+      constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
+      About{
+          "Time/Constraint tolerance", "",
+          "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
+          "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
+          "the rate of this mean. "
+          "auto: 1e-4 of Tolerance where the step is found from Tolerance, 1e-13 where Step is given. The "
+          "reduced body keeps its volume to round-off."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -313,6 +316,10 @@ void visit_sweep(S& scene, Visit& visit) {
               "the other systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
+  visit(scene.sweep_trajectories, Boolean{},
+        About{"Sweep/Trajectories", "",
+              "Whether trajectories.csv keeps all samples of all runs, a row each: the number of the run, then the "
+              "columns of the file that a single run writes. A table that the disk has no room for is refused."});
   visit(scene.sweep_lanes, Boolean{},
         About{"Sweep/Lanes", "",
               "Whether eight successive runs move together in the lanes of a SIMD vector. It takes incompressible "

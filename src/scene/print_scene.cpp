@@ -140,10 +140,11 @@ std::string columns_tables(const Catalogue& catalogue) {
       text += columns_table(file_of(file), std::string(introduction), columns);
   for (const ModelDescription& model : catalogue.models)
     if (model.static_equilibria)
-      text += columns_table(file_of("equilibria"),
-                            "Of the ball: its equilibria at rest (Equilibrium/Family = static), the critical points of "
-                            "the potential energy, a row each.",
-                            model.static_equilibria(1));
+      text +=
+          columns_table("equilibria.csv of the ball at rest",
+                        "Its equilibria at rest (Equilibrium/Family = static), the critical points of the potential "
+                        "energy, a row each.",
+                        model.static_equilibria(1));
   return text;
 }
 

@@ -146,6 +146,7 @@ struct Scene {
   Sweep sweep;                       ///< empty: one run
   std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
   bool sweep_lanes = true;           ///< runs that are alike move together
+  bool sweep_trajectories = false;   ///< samples of all runs are kept (app/commands/kept_trajectories.h)
   /// Values written with expressions, path → text; the members hold what they are worth in the first run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.

@@ -148,8 +148,8 @@ def choose_method(rng, entries, time_unit, cheap):
 
 def system(rng):
     """A system beside the ball: a scene in which every force acts, all its numbers changed by chance."""
-    from system_test import (ANGLES, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE,
-                             PARABOLOID, PENDULUM, POINTS, TOP, TORUS)
+    from system_test import (ANGLES, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI,
+                             LAGRANGE, PARABOLOID, PENDULUM, POINTS, TOP, TORUS)
     entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, {**TOP, **ANGLES}, BODY,
                                {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI)))
     kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Mass points/Springs", "Mass points/Dashpots",
@@ -159,7 +159,18 @@ def system(rng):
             entries[path] = changed_numbers(rng, str(value))
     entries["Output/Samples"] = rng.randint(2, 30)
     choose_method(rng, entries, 1.0, True)
+    if rng.random() < 0.1:
+        keep_trajectories(rng, entries)
     return entries, 1
+
+
+def keep_trajectories(rng, entries):
+    """A sweep over the end, with the samples of its runs."""
+    end = float(entries["Time/End"])
+    entries.update({"Sweep/Parameters": f"t: {0.5 * end!r} .. {end!r} in {rng.randint(2, 12)}", "Time/End": "$(t)",
+                    "Sweep/Trajectories": "true", "Sweep/Threads": rng.randint(1, 3)})
+    if "Time/Step" in entries:
+        entries["Time/Step"] = repr(min(float(entries["Time/Step"]), 0.5 * end))
 
 
 def at_rest(entries):

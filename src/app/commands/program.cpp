@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "app/commands/command_line.h"
+#include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
 #include "app/commands/run_command.h"
@@ -63,6 +64,8 @@ Input read_and_validate(const Options& options, const Executable& executable, in
   if (options.resume) go_on(scene, options);
   input.read.scene = scene_to_run(scene, input.raw.origins);
   check_sweep(input.raw);
+  require_room_for_trajectories(input.read.scene, input.read.origins,
+                                {input.read.scene.output.directory, options.scene, options.output});
   const std::size_t n_coarse_cells = require_mesh_file(input.read.scene, input.read.origins);
   if (n_ranks != Launch::unknown)
     require_memory(input.read.scene, input.read.origins, n_coarse_cells,

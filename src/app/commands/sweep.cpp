@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "analysis/motion.h"
+#include "app/commands/kept_trajectories.h"
 #include "app/commands/scene_to_run.h"
 #include "app/commands/sweep_rows.h"
 #include "app/run/scene_to_model.h"
@@ -109,7 +110,7 @@ class SweepRun {
 
   /// The columns of sweep.csv.
   std::vector<std::string> columns() const {
-    const std::vector<std::string> of_model = columns_of_model();
+    const std::vector<std::string> of_model = columns_of_run(context_.scene, context_.needs);
     std::vector<std::string> names{"run"};
     for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
     names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
@@ -119,13 +120,6 @@ class SweepRun {
         names.insert(names.end(), {of_model[i], of_model[i] + "_drift"});
       else
         for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
-    return names;
-  }
-
-  std::vector<std::string> columns_of_model() const {
-    if (!context_.needs.system) return context_.needs.models.front()->header(context_.needs.quantities);
-    std::vector<std::string> names{"time"};
-    for (const scene::Column& column : context_.needs.system->columns_of(context_.scene)) names.push_back(column.name);
     return names;
   }
 
@@ -245,7 +239,7 @@ class Workers {
 
   void deliver(int k, const RunResult& result) {
     if (result.outcome.end == mechanics::Outcome::failed) note_failure(k, result.outcome.message);
-    rows_.deliver(k, sweep_.row(k, result));
+    rows_.deliver(k, {sweep_.row(k, result), rows_.keeps_samples() ? result.rows : io::Table{}});
   }
 
   void note_failure(int k, const std::string& message) {

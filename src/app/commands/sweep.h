@@ -8,6 +8,8 @@
 ///   of every column c of the model's own CSV file  c_end, c_min, c_max  over the samples, or of one that the motion
 ///   conserves  c  at the start and  c_drift = c_max − c_min.
 ///
+/// Where the scene asks for it, kept_trajectories.h, the samples themselves are kept as well.
+///
 /// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
 /// last row.
 ///

@@ -1,13 +1,16 @@
 #pragma once
-/// sweep.csv while several threads bring rows: written in the order of the runs, with a checkpoint now and then.
+/// sweep.csv, and trajectories.csv where it is kept, while several threads bring rows: written in the order of the
+/// runs, with a checkpoint now and then.
 
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/commands/kept_trajectories.h"
 #include "app/run/model_checkpoint.h"
 #include "app/run/run_context.h"
 #include "io/checkpoint.h"
@@ -15,6 +18,12 @@
 #include "io/progress.h"
 
 namespace pseudorigid::app {
+
+/// What is written of one run.
+struct RunRows {
+  std::vector<double> row;  ///< of sweep.csv
+  io::Table samples;
+};
 
 class SweepRows {
  public:
@@ -26,20 +35,29 @@ class SweepRows {
         n_runs_(n_runs),
         progress_(name, shows_progress, "runs") {
     const auto path = context.directory.csv(name);
-    if (context.resumes) n_written_ = static_cast<int>(io::Checkpoint::load(checkpoint_path_).get_integer("rows"));
+    std::int64_t n_samples = 0;
+    if (context.resumes) {
+      const io::Checkpoint checkpoint = io::Checkpoint::load(checkpoint_path_);
+      n_written_ = static_cast<int>(checkpoint.get_integer("rows"));
+      if (context.scene.sweep_trajectories) n_samples = checkpoint.get_integer("samples");
+    }
     csv_.emplace(context.resumes ? io::CsvWriter::resume(path, columns, n_written_)
                                  : io::CsvWriter::create(path, columns));
+    if (context.scene.sweep_trajectories) open_samples(context, n_samples);
     save();
   }
 
   int n_written() const { return n_written_; }
+  bool keeps_samples() const { return samples_.has_value(); }
 
-  void deliver(int run, std::vector<double> row) {
+  void deliver(int run, RunRows rows) {
     const std::lock_guard lock(mutex_);
-    waiting_.emplace(run, std::move(row));
+    waiting_.emplace(run, std::move(rows));
     for (auto first = waiting_.begin(); first != waiting_.end() && first->first == n_written_;
-         first = waiting_.erase(first), ++n_written_)
-      csv_->append(first->second);
+         first = waiting_.erase(first), ++n_written_) {
+      csv_->append(first->second.row);
+      if (samples_) append_samples(run_number(first->first), first->second.samples);
+    }
     progress_.step(static_cast<double>(n_written_) / n_runs_);
     if (Clock::now() - last_save_ > std::chrono::seconds(5)) save();
   }
@@ -52,11 +70,34 @@ class SweepRows {
  private:
   using Clock = std::chrono::steady_clock;
 
+  static double run_number(int run) { return run + 1.0; }
+
+  void open_samples(const RunContext& context, std::int64_t n_rows) {
+    std::vector<std::string> names{"run"};
+    for (std::string& name : columns_of_run(context.scene, context.needs)) names.push_back(std::move(name));
+    const auto path = context.directory.csv(trajectories_name);
+    samples_.emplace(context.resumes ? io::CsvWriter::resume(path, names, n_rows) : io::CsvWriter::create(path, names));
+  }
+
+  void append_samples(double run, const io::Table& samples) {
+    std::vector<double> row;
+    for (std::size_t i = 0; i < samples.n_rows(); ++i) {
+      const auto values = samples.row(i);
+      row.assign(1, run);
+      row.insert(row.end(), values.begin(), values.end());
+      samples_->append(row);
+    }
+  }
+
   void save() {
     csv_->flush();
     io::Checkpoint checkpoint;
     checkpoint.set("scene", identity_.frozen_scene);
     checkpoint.set("rows", n_written_);
+    if (samples_) {
+      samples_->flush();
+      checkpoint.set("samples", samples_->n_rows());
+    }
     checkpoint.save(checkpoint_path_);
     last_save_ = Clock::now();
   }
@@ -65,8 +106,8 @@ class SweepRows {
   std::filesystem::path checkpoint_path_;
   int n_runs_, n_written_ = 0;
   io::Progress progress_;
-  std::optional<io::CsvWriter> csv_;
-  std::map<int, std::vector<double>> waiting_;  ///< rows whose predecessors are still at work
+  std::optional<io::CsvWriter> csv_, samples_;
+  std::map<int, RunRows> waiting_;  ///< rows whose predecessors are still at work
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };
