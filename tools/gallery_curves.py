@@ -246,7 +246,7 @@ def polhodes(run, path):
         sphere.text(*(1.25 * axis), name)
         sphere.plot(*np.array([axis, 1.15 * axis]).T, color=BLACK, linewidth=0.8)
     sphere.view_init(22, 35)
-    sphere.set_box_aspect((1, 1, 1), zoom=1.5)
+    sphere.set_box_aspect((1, 1, 1), zoom=1.25)
     sphere.set_axis_off()
     turns.grid(color="#dddddd", linewidth=0.6)
     turns.spines[["top", "right"]].set_visible(False)
