@@ -8,6 +8,10 @@
 namespace pseudorigid::reduced {
 namespace {
 
+/// Of the volume of a body that is free to change it: laws that let volumes vanish have critical points at det Q = 0,
+/// which are no deformations.
+constexpr double collapsed = 1e-8;
+
 Eigen::VectorXd column_of(const Eigen::Matrix3d& A) { return A.reshaped(); }
 Eigen::Matrix3d basis_matrix(Eigen::Index k) { return Eigen::Matrix<double, 9, 1>::Unit(k).reshaped(3, 3); }
 
@@ -32,7 +36,8 @@ std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
 
 mechanics::Status StaticLandscape::admissible(const Eigen::Matrix3d& Q) const {
   const double J = Q.determinant();
-  if (!(J > 0) || !std::isfinite(J)) return mechanics::Status::failure("the body is turned inside out or not finite");
+  if (!(J > (incompressible_ ? 0 : collapsed)) || !std::isfinite(J))
+    return mechanics::Status::failure("the body is turned inside out, collapsed or not finite");
   if (!materials::admits(potential_, materials::to_tensor(Q)))
     return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(potential_)));
   return {};

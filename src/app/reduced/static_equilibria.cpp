@@ -33,8 +33,9 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
   row.insert(row.end(), {V.elastic, V.gravitational, V.external, V.total()});
   append_critical_point(p, row);
   const Eigen::Matrix3d gradient = potential.gradient(Q);
-  const double multiplier = p.lambda.size() > 0 ? p.lambda[0] : 0;
-  const double left = (gradient - multiplier * Q.inverse().transpose()).norm();
+  Eigen::Matrix3d rest = gradient;
+  if (p.lambda.size() > 0) rest -= p.lambda[0] * Q.inverse().transpose();
+  const double left = rest.norm();
   row.push_back(gradient.norm() > 0 ? left / gradient.norm() : left);
   return row;
 }
