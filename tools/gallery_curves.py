@@ -393,6 +393,78 @@ def tops(run, path):
     save(drawn, path)
 
 
+def spherical_pendulum(run, path):
+    t = table(run("spherical_pendulum"), "spherical_pendulum")
+    drawn, (way, forces) = figure(1, 2, height=3.6)
+    way.plot(t["x"], t["y"], color=BLUE, linewidth=0.9)
+    way.plot(t["x"][0], t["y"][0], "o", color=BLACK)
+    way.set_aspect("equal", "datalim")
+    way.set_title("from above", fontsize=10.5)
+    label_axes(way, "x (m)", "y (m)")
+    early = t["time"] < 5
+    forces.plot(t["time"][early], t["tension"][early], color=BLUE, label="by the multiplier")
+    forces.plot(t["time"][early][::6], t["tension_by_curvature"][early][::6], ".", color=BLACK, markersize=4,
+                label="by the curvature of the sphere")
+    label_axes(forces, "time (s)", "force of the rod (N)")
+    legend_above(forces, 1)
+    save(drawn, path)
+
+
+def rotor(run, path):
+    """The forces of both bearings in space over a turn, for one weight, two and three."""
+    drawn, axes = figure(1, 2, height=3.8)
+    weights = (("one weight", "0.2, 0, 0.1, 0.05", BLUE, "-"),
+               ("and one opposite, in another plane", "0.2, 0, 0.1, 0.05; -0.2, 0, -0.1, 0.05", ORANGE, "--"),
+               ("and one opposite, in its plane", "0.2, 0, 0.1, 0.05; -0.2, 0, 0.1, 0.05", GREEN, "o"))
+    for label, rows, colour, line in weights:
+        t = table(run("rotor", f"Fixed axis/Weights={rows}"), "fixed_axis")
+        for ax, letter in zip(axes, "AB"):
+            ax.plot(t[f"{letter}2"], t[f"{letter}1"], line, color=colour, label=label, markersize=5)
+    for ax, name in zip(axes, ("first bearing", "second bearing")):
+        ax.set_aspect("equal", "datalim")
+        label_axes(ax, f"{name}: horizontal force (N)", "vertical force (N)")
+    legend_above(axes[0], 1)
+    save(drawn, path)
+
+
+def t_handle(run, path):
+    t = table(run("t_handle"), "rigid_body")
+    drawn, (ax,) = figure(height=3.2)
+    names = ("about the bar", "about the stem", "across both")
+    for i, (colour, line, name) in enumerate(zip((ORANGE, BLUE, GREEN), ("--", "-", ":"), names), 1):
+        ax.plot(t["time"], t[f"Omega{i}"], line, color=colour, label=name)
+    label_axes(ax, "time (s)", "angular velocity (1/s)")
+    legend_above(ax, 3)
+    save(drawn, path)
+
+
+def jacobi_geodesics(run, path):
+    """Geodesics in the plane of the angles, with dots at equal arcs, over the potential."""
+    drawn, axes = figure(1, 2, height=3.9)
+    a = np.linspace(-np.pi, np.pi, 200)
+    first, second = np.meshgrid(a, a)
+    potentials = {"jacobi_torus": (3 + np.cos(first)) * np.cos(second),
+                  "jacobi_pendulum": -9.81 * (2 * np.cos(first) + np.cos(second))}
+    titles = {"jacobi_torus": "particle on a torus", "jacobi_pendulum": "double pendulum"}
+    labels = {"jacobi_torus": ("w", "u"), "jacobi_pendulum": ("angle of the upper rod", "angle of the lower rod")}
+    for ax, (scene, U) in zip(axes, potentials.items()):
+        ax.contourf(first, second, U, 12, cmap="Greys", alpha=0.45)
+        t = table(run(scene), "jacobi_geodesic")
+        shown = slice(0, 201)
+        q = [np.remainder(t[name][shown] + np.pi, 2 * np.pi) - np.pi for name in ("q1", "q2")]
+        jump = np.hypot(np.diff(q[0]), np.diff(q[1])) > np.pi
+        for x in q:
+            x[1:][jump] = np.nan
+        ax.plot(*q, color=BLUE, linewidth=1)
+        ax.plot(q[0][::4], q[1][::4], ".", color=BLACK, markersize=4)
+        ax.set_aspect("equal")
+        ax.set_xlim(-np.pi, np.pi)
+        ax.set_ylim(-np.pi, np.pi)
+        ax.set_title(titles[scene], fontsize=10.5)
+        label_axes(ax, *(f"{name} (radians)" for name in labels[scene]))
+    save(drawn, path)
+
+
 def foucault(run, path):
     t = table(run("foucault", "Output/Samples=3000"), "moving_frame")
     drawn, (ax,) = figure(height=4.2)
@@ -423,5 +495,9 @@ PICTURES = {
     "three_bodies_and_kepler": three_bodies_and_kepler,
     "double_pendulum": double_pendulum,
     "tops": tops,
+    "spherical_pendulum": spherical_pendulum,
+    "rotor": rotor,
+    "t_handle": t_handle,
+    "jacobi_geodesics": jacobi_geodesics,
     "foucault": foucault,
 }

@@ -1,7 +1,8 @@
 #pragma once
 /// The planar double pendulum in parameter files, in multiplier form (double_pendulum.h) or in Lagrange form
 /// (double_pendulum_chart.h): the same motion, computed in two ways. The reactions of the rods are, with λ_k the
-/// multipliers, the tensions  T_k = −λ_k / l_k.
+/// multipliers, the tensions  T_k = −λ_k / l_k; beside them stand R₁ and R₂ of (5.43) by the second fundamental form,
+/// without multipliers.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "entries/entry_kinds.h"
 #include "mechanics/core/chart_field.h"
+#include "mechanics/core/second_fundamental_form.h"
 #include "mechanics/equilibria/chart_landscape.h"
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/double_pendulum.h"
@@ -67,7 +69,13 @@ struct DoublePendulumScene {
             {"potential", "mass*length^2/time^2", "potential energy"},
             {"energy", "mass*length^2/time^2", "their sum"},
             {"tension1", "mass*length/time^2", "force along the upper rod, positive where it pulls"},
-            {"tension2", "mass*length/time^2", "force along the lower rod"}};
+            {"tension2", "mass*length/time^2", "force along the lower rod"},
+            {"R1x", "mass*length/time^2",
+             "reaction of the rods on the upper point by the second fundamental form (5.29), without multipliers, "
+             "horizontal"},
+            {"R1y", "mass*length/time^2", "likewise, downwards"},
+            {"R2x", "mass*length/time^2", "reaction on the lower point, horizontal"},
+            {"R2y", "mass*length/time^2", "likewise, downwards"}};
   }
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
@@ -86,7 +94,24 @@ struct DoublePendulumScene {
       row.insert(row.end(), {angles[0], angles[1], rates[0], rates[1]});
       row.insert(row.end(), state.q.begin(), state.q.end());
       row.insert(row.end(), {K, U, K + U, -lambda[0] / p.l1, -lambda[1] / p.l2});
+      const Eigen::Vector4d R = reactions(state, rates);
+      row.insert(row.end(), R.begin(), R.end());
       return {};
+    }
+
+   private:
+    /// (R₁, R₂) with φ the positions as functions of the angles: ∂φ/∂θ = (l₁e_θ, l₁e_θ), ∂φ/∂φ = (0, l₂e_φ), and
+    /// D²φ(q̇, q̇) = −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
+    Eigen::Vector4d reactions(const mechanics::State<DoublePendulum>& state, const Eigen::Vector2d& rates) const {
+      const auto& p = pendulum.parameters();
+      const Eigen::Vector2d upper = state.q.head<2>(), rod = state.q.tail<2>() - upper;
+      Eigen::Matrix<double, 4, 2> tangents;
+      tangents.col(0) << upper.y(), -upper.x(), upper.y(), -upper.x();
+      tangents.col(1) << 0, 0, rod.y(), -rod.x();
+      Eigen::Vector4d second;
+      second << -rates[0] * rates[0] * upper, -rates[0] * rates[0] * upper - rates[1] * rates[1] * rod;
+      return mechanics::reaction_by_second_fundamental_form<4, 2>(tangents, second, {p.m1, p.m1, p.m2, p.m2},
+                                                                  {0, p.m1 * p.g, 0, p.m2 * p.g});
     }
   };
 

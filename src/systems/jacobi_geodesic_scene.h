@@ -1,21 +1,26 @@
 #pragma once
-/// Geodesics of the Jacobi metric of a particle of unit mass in the plane (mechanics/core/jacobi_metric.h; Oliva,
-/// Geometric Mechanics, 5.2) in parameter files,
+/// Geodesics of the Jacobi metric (mechanics/core/jacobi_metric.h; Oliva, Geometric Mechanics, 5.2) in parameter files,
 ///
-///   g_h = 2(h − U) |dq|²,   U = ½k|q|²  or  −μ/|q|,
+///   g_h = 2(h − U) g,
 ///
-/// by their arc s̃, which takes the place of time in the scene, so Time/End and the column `time` are arcs, of the unit
-/// length²/time. By 5.2.1 they are the motions of energy h with ds̃ = 2(h − U)dt: beside the geodesic runs the motion
-/// from the same initial data, and with it ∫2(h − U)dt, which must be s̃ again.
+/// of a particle of unit mass in the plane, U = ½k|q|² or −μ/|q|, of a heavy particle of unit mass on an upright torus,
+/// and of the double pendulum with the first mass 1, by their arc s̃, which takes the place of time in the scene, so
+/// Time/End and the column `time` are arcs, of the unit length²/time. By 5.2.1 they are the motions of energy h with ds̃
+/// = 2(h − U)dt: beside the geodesic runs the motion from the same initial data, and with it ∫2(h − U)dt, which must be
+/// s̃ again.
 
 #include <Eigen/Core>
 #include <cmath>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "entries/entry_kinds.h"
 #include "mechanics/core/jacobi_metric.h"
 #include "mechanics/methods/dormand_prince_8.h"
+#include "systems/double_pendulum_chart.h"
 #include "systems/system_scene.h"
+#include "systems/torus.h"
 
 namespace pseudorigid::systems {
 
@@ -75,33 +80,64 @@ class MotionFollower {
 struct JacobiGeodesicScene {
   static constexpr std::string_view name = "jacobi geodesic", file = "jacobi_geodesic", section = "Jacobi geodesic";
   static constexpr std::string_view documentation =
-      "A geodesic of the Jacobi metric 2(h - U)|dq|^2 of a particle of unit mass in the plane. Time/End and the column "
-      "time are its arc, of the unit length^2/time; the time of the motion along it is the column t.";
+      "A geodesic of the Jacobi metric 2(h - U) g of a particle of unit mass in the plane or on a torus, or of a "
+      "double "
+      "pendulum. Time/End and the column time are its arc, of the unit length^2/time; the time of the motion along it "
+      "is "
+      "the column t. On the torus and of the pendulum q1, q2 and their rates take the place of x, y, vx, vy, and there "
+      "is no angular momentum.";
   static constexpr bool has_equilibria = false;
 
-  enum class Potential { harmonic, kepler };
-  static constexpr scene::Choice<Potential, 2> potential_kind{
-      {{{"harmonic", Potential::harmonic}, {"kepler", Potential::kepler}}}};
+  enum class Potential { harmonic, kepler, torus, double_pendulum };
+  static constexpr scene::Choice<Potential, 4> potential_kind{{{{"harmonic", Potential::harmonic},
+                                                                {"kepler", Potential::kepler},
+                                                                {"torus", Potential::torus},
+                                                                {"double pendulum", Potential::double_pendulum}}}};
 
   Potential potential = Potential::kepler;
-  double stiffness = 1, attraction = 1, energy = -0.5;
+  double stiffness = 1, attraction = 1, gravity = 1, R = 3, r = 1, second_mass = 1, second_length = 1, energy = -0.5;
   std::vector<double> position{1, 0}, direction{0, 1};
 
   template <class Self, class Visit>
   static void visit(Self& s, Visit&& visit) {
-    visit(s.potential, potential_kind,
-          About{"Jacobi geodesic/Potential", "",
-                "Potential per unit mass. harmonic: (Stiffness/2) |q|^2. kepler: -Attraction/|q|."});
+    visit(
+        s.potential, potential_kind,
+        About{"Jacobi geodesic/Potential", "",
+              "Potential per unit mass. In the plane: harmonic, (Stiffness/2) |q|^2; kepler, -Attraction/|q|. torus: a "
+              "heavy particle on an upright torus with Radius and Tube radius, as in System = torus. double pendulum: "
+              "the first mass is 1, on a rod of the length Radius."});
     visit(s.stiffness, scene::positive,
           About{"Jacobi geodesic/Stiffness", "1/time^2", "Stiffness of the harmonic potential."});
     visit(s.attraction, scene::positive, About{"Jacobi geodesic/Attraction", "length^3/time^2", "Kepler's constant."});
+    visit(s.gravity, scene::Number{.low = 0},
+          About{"Jacobi geodesic/Gravity", "length/time^2", "Acceleration of gravity of torus and double pendulum."});
+    visit(s.R, scene::positive,
+          About{"Jacobi geodesic/Radius", "length",
+                "Of the torus, from its axis to the middle of the tube; of the double pendulum, of the first rod."});
+    visit(s.r, scene::positive,
+          About{"Jacobi geodesic/Tube radius", "length", "Radius of the tube of the torus, less than Radius."});
+    visit(s.second_mass, scene::positive,
+          About{"Jacobi geodesic/Second mass", "", "Lower mass of the double pendulum over the upper one."});
+    visit(s.second_length, scene::positive,
+          About{"Jacobi geodesic/Second length", "length", "Length of the lower rod of the double pendulum."});
     visit(s.energy, scene::Number{},
           About{"Jacobi geodesic/Energy", "length^2/time^2",
                 "Energy h of the motions per unit mass; the metric exists only where U < h."});
-    visit(s.position, scene::Numbers{2}, About{"Jacobi geodesic/Position", "length", "Where the geodesic starts."});
+    visit(
+        s.position, scene::Numbers{2},
+        About{
+            "Jacobi geodesic/Position", "length",
+            "Where the geodesic starts; on the torus the angles w and u, of the double pendulum those of the rods from "
+            "the downward vertical, in radians."});
     visit(
         s.direction, scene::Numbers{2},
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
+  }
+
+  /// Angles are no lengths.
+  void rescale(const Scales& scales) {
+    if (!in_plane())
+      for (double& x : position) x *= scales.length;
   }
 
   /// The scene's time being an arc, the unit of time is that of length²/time.
@@ -110,6 +146,9 @@ struct JacobiGeodesicScene {
   std::optional<Refusal> refuses() const {
     if (potential == Potential::kepler && radius() == 0)
       return Refusal{"Jacobi geodesic/Position", "expected a place other than the centre, where U is infinite"};
+    if (potential == Potential::torus && !(r < R))
+      return Refusal{"Jacobi geodesic/Tube radius",
+                     "expected a tube thinner than Jacobi geodesic/Radius; otherwise the torus meets itself"};
     if (!(energy > potential_energy()))
       return Refusal{"Jacobi geodesic/Energy", "expected an energy above the potential at Position, which is " +
                                                    scene::print_number(potential_energy()) +
@@ -120,17 +159,27 @@ struct JacobiGeodesicScene {
   }
 
   std::vector<Column> columns() const {
-    return {{"t", "time", "time of the motion along the geodesic; the column time is the arc, in length^2/time"},
-            {"x", "length", "position"},
-            {"y", "length", "position"},
-            {"vx", "length/time", "velocity of the motion, dq/dt"},
-            {"vy", "length/time", "velocity of the motion"},
-            {"energy", "length^2/time^2", "|v|^2/2 + U along the geodesic, which is to be h"},
-            {"angular_momentum", "length^2/time", "x vy - y vx"},
-            {"jacobi_speed", "", "length of the geodesic's tangent in the Jacobi metric, which is to be 1"},
-            {"jacobi_length", "length^2/time",
-             "arc of the motion from the same initial data up to t, which is to be the column time"},
-            {"deviation", "length", "distance of the geodesic from that motion at the same t"}};
+    std::vector<Column> columns{
+        {"t", "time", "time of the motion along the geodesic; the column time is the arc, in length^2/time"}};
+    if (in_plane())
+      columns.insert(columns.end(), {{"x", "length", "position"},
+                                     {"y", "length", "position"},
+                                     {"vx", "length/time", "velocity of the motion, dq/dt"},
+                                     {"vy", "length/time", "velocity of the motion"}});
+    else
+      columns.insert(columns.end(), {{"q1", "", "first angle, w or that of the upper rod"},
+                                     {"q2", "", "second angle, u or that of the lower rod"},
+                                     {"q1_dot", "1/time", "its rate along the motion"},
+                                     {"q2_dot", "1/time", "likewise"}});
+    columns.push_back({"energy", "length^2/time^2", "K + U along the geodesic, which is to be h"});
+    if (in_plane()) columns.push_back({"angular_momentum", "length^2/time", "x vy - y vx"});
+    columns.insert(columns.end(),
+                   {{"jacobi_speed", "", "length of the geodesic's tangent in the Jacobi metric, which is to be 1"},
+                    {"jacobi_length", "length^2/time",
+                     "arc of the motion from the same initial data up to t, which is to be the column time"},
+                    {"deviation", in_plane() ? Unit("length") : Unit(),
+                     "distance of the geodesic from that motion at the same t, in the coordinates"}});
+    return columns;
   }
 
   template <class Chart>
@@ -151,11 +200,12 @@ struct JacobiGeodesicScene {
       if (auto status = motion.at(t, same); !status) return status;
       const Eigen::Vector2d q = state.q.template head<2>(), tangent = state.v.template head<2>();
       const Eigen::Vector2d v = tangent / state.v[2];
-      const double U = chart.potential(q);
+      const double U = chart.potential(q), K = mechanics::kinetic_energy(chart, q, v);
       const std::size_t first = row.size();
-      row.insert(row.end(),
-                 {t, q[0], q[1], v[0], v[1], 0.5 * v.squaredNorm() + U, q[0] * v[1] - q[1] * v[0],
-                  std::sqrt(2 * (h - U)) * tangent.norm(), same.q[2], (q - same.q.template head<2>()).norm()});
+      row.insert(row.end(), {t, q[0], q[1], v[0], v[1], K + U});
+      if constexpr (std::is_base_of_v<EuclideanPlane, Chart>) row.push_back(q[0] * v[1] - q[1] * v[0]);
+      row.insert(row.end(), {std::sqrt(4 * (h - U) * mechanics::kinetic_energy(chart, q, tangent)), same.q[2],
+                             (q - same.q.template head<2>()).norm()});
       for (std::size_t i = 0; i < units.size(); ++i) row[first + i] *= units[i];
       return {};
     }
@@ -168,20 +218,42 @@ struct JacobiGeodesicScene {
     std::vector<double> units;
     for (const Column& column : columns()) units.push_back(own(column.unit));
     const JacobiGeodesicScene scaled = in_scales(*this, own);
-    if (potential == Potential::harmonic) {
-      PlaneOscillator chart;
-      chart.k = scaled.stiffness;
-      return run(scaled.model(chart, units));
-    }
-    PlaneKepler chart;
-    chart.mu = scaled.attraction;
-    return run(scaled.model(chart, units));
+    return scaled.with_chart([&](const auto& chart) { return run(scaled.model(chart, units)); });
   }
 
  private:
+  bool in_plane() const { return potential == Potential::harmonic || potential == Potential::kepler; }
+
+  template <class Use>
+  auto with_chart(const Use& use) const {
+    switch (potential) {
+      case Potential::harmonic: {
+        PlaneOscillator chart;
+        chart.k = stiffness;
+        return use(chart);
+      }
+      case Potential::torus: {
+        Torus chart;
+        chart.R = R;
+        chart.r = r;
+        chart.gravity = gravity;
+        chart.c = 0;
+        return use(chart);
+      }
+      case Potential::double_pendulum:
+        return use(DoublePendulumChart{1, second_mass, R, second_length, gravity});
+      case Potential::kepler:
+        break;
+    }
+    PlaneKepler chart;
+    chart.mu = attraction;
+    return use(chart);
+  }
   template <class Chart>
   Model<Chart> model(const Chart& chart, const std::vector<double>& units) const {
-    const Eigen::Vector2d q(position.data()), v = speed() * Eigen::Vector2d(direction.data()).stableNormalized();
+    const Eigen::Vector2d q(position.data()),
+        along = Eigen::Vector2d(direction.data()).stableNormalized(),
+        v = std::sqrt((energy - chart.potential(q)) / mechanics::kinetic_energy(chart, q, along)) * along;
     using Motion = mechanics::JacobiLengthField<Chart>;
     const mechanics::JacobiGeodesicField<Chart> field(chart, energy);
     mechanics::State<mechanics::JacobiGeodesicField<Chart>> geodesic{0, field.make_vector(), field.make_vector()};
@@ -194,11 +266,17 @@ struct JacobiGeodesicScene {
 
   double radius() const { return Eigen::Vector2d(position.data()).stableNorm(); }
   double potential_energy() const {
-    return potential == Potential::harmonic ? 0.5 * stiffness * radius() * radius() : -attraction / radius();
+    if (potential == Potential::harmonic) return 0.5 * stiffness * radius() * radius();
+    if (potential == Potential::kepler) return -attraction / radius();
+    return with_chart([&](const auto& chart) -> double { return chart.potential(Eigen::Vector2d(position.data())); });
   }
+  /// √(2(h − U)), of a particle of unit mass its speed.
   double speed() const { return std::sqrt(2 * (energy - potential_energy())); }
-  /// The distance from the centre; of a start in the centre, the amplitude.
-  double length() const { return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness); }
+  /// The distance from the centre; of a start in the centre, the amplitude; of angles, the length that they refer to.
+  double length() const {
+    if (!in_plane()) return potential == Potential::torus ? r : R;
+    return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness);
+  }
 };
 
 }  // namespace pseudorigid::systems

@@ -6,6 +6,9 @@
 /// scales are the mass, the length L = √(tr E₀/m) and the time 1/ω,
 ///
 ///   ω² = the largest of |Ω|², |g||G|/L², k/m;  if all are zero, of |g|/L and |v|²/L².
+///
+/// A body may be given by mass points in place of mass, centre of mass and inertia (mass_distribution.h); of a free one
+/// Steiner's theorem then moves the origin to the centre of mass (5.6.11).
 
 #include <fmt/format.h>
 
@@ -113,7 +116,7 @@ struct RigidBodyScene {
   double mass = 1;
   std::vector<double> center{0, 0, 0};
   scene::Matrix3 inertia{{{0.4, 0, 0}, {0, 0.4, 0}, {0, 0, 0.4}}};  // a homogeneous ball of radius 1
-  std::vector<double> gravity{0, 0, 0}, springs;
+  std::vector<double> points, gravity{0, 0, 0}, springs;
   scene::Matrix3 rotation = scene::identity3;
   std::vector<double> angular_velocity{0, 0, 1}, position{0, 0, 0}, velocity{0, 0, 0};
 
@@ -134,6 +137,13 @@ struct RigidBodyScene {
     visit(s.inertia, scene::Matrix{},
           About{"Rigid body/Inertia", "mass*length^2",
                 "Inertia operator in the body about its origin; its diagonal holds the moments of inertia."});
+    visit(
+        s.points, scene::Rows{4, true},
+        About{"Rigid body/Points", "",
+              "The body as mass points: a row for each, its place in the body (3 numbers, length) and its mass. The "
+              "fixed "
+              "point is the origin of the places; of a free body it may be anywhere. Mass, Center and Inertia are then "
+              "ignored."});
     visit(s.gravity, scene::Numbers{3},
           About{"Rigid body/Gravity", "length/time^2", "Acceleration of gravity in space."});
     visit(s.springs, scene::Rows{8, true},
@@ -151,6 +161,10 @@ struct RigidBodyScene {
           About{"Rigid body/Velocity", "length/time", "Initial velocity of the centre of mass of a free body."});
   }
   void rescale(const Scales& scales) {
+    for (std::size_t k = 0; k < points.size(); k += n_point_columns) {
+      for (std::size_t j : {0, 1, 2}) points[k + j] /= scales("length");
+      points[k + 3] /= scales("mass");
+    }
     for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
       for (std::size_t j : {0, 1, 2, 3, 4, 5, 7}) springs[k + j] /= scales("length");
       springs[k + 6] /= scales("mass/time^2");
@@ -158,14 +172,16 @@ struct RigidBodyScene {
   }
 
   Scales scales() const {
-    const double L = std::sqrt(second_moment(matrix(inertia)).trace() / mass), g = vector(gravity).norm();
-    double omega_2 = std::max(vector(angular_velocity).squaredNorm(), g * vector(center).norm() / (L * L));
-    for (const BodySpring& spring : loads().springs) omega_2 = std::max(omega_2, spring.law.stiffness / mass);
+    const MassDistribution body = distribution();
+    const double L = std::sqrt(body.E0.trace() / body.mass), g = vector(gravity).norm();
+    double omega_2 = std::max(vector(angular_velocity).squaredNorm(), g * body.center.norm() / (L * L));
+    for (const BodySpring& spring : loads().springs) omega_2 = std::max(omega_2, spring.law.stiffness / body.mass);
     if (omega_2 == 0) omega_2 = std::max(g / L, vector(velocity).squaredNorm() / (L * L));
-    return {L, mass, omega_2 > 0 ? 1 / std::sqrt(omega_2) : 1};
+    return {L, body.mass, omega_2 > 0 ? 1 / std::sqrt(omega_2) : 1};
   }
 
   std::optional<Refusal> refuses() const {
+    if (auto refusal = points.empty() ? std::nullopt : refuses_points()) return refusal;
     if (auto refusal = refuses_inertia()) return refusal;
     const Eigen::Matrix3d R = matrix(rotation);
     if (const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(); !(off <= 1e-8))
@@ -235,7 +251,7 @@ struct RigidBodyScene {
 
   template <class Run>
   auto with_model(Run&& run) const {
-    const Eigen::Matrix3d A = matrix(inertia), R = nearest_rotation();
+    const Eigen::Matrix3d A = inertia_about_origin(), R = nearest_rotation();
     const Eigen::Vector3d Omega = vector(angular_velocity), x = vector(position), v = vector(velocity);
     const BodyObserver observer(A, loads(), fixed_point);
     const FixedPointBody body({second_moment(A), loads()});
@@ -250,8 +266,7 @@ struct RigidBodyScene {
   }
 
  private:
-  static constexpr std::size_t n_spring_columns = 8;
-  static constexpr const char* inertia_path = "Rigid body/Inertia";
+  static constexpr std::size_t n_spring_columns = 8, n_point_columns = 4;
 
   static Eigen::Vector3d vector(const std::vector<double>& x) { return {x[0], x[1], x[2]}; }
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
@@ -262,11 +277,30 @@ struct RigidBodyScene {
     const Eigen::Matrix3d R = matrix(rotation);
     return R + 0.5 * R * (Eigen::Matrix3d::Identity() - R.transpose() * R);
   }
+  MassDistribution distribution_of_points() const {
+    std::vector<WeightedPoint> list;
+    for (std::size_t k = 0; k < points.size(); k += n_point_columns)
+      list.push_back({{points[k], points[k + 1], points[k + 2]}, points[k + 3]});
+    return MassDistribution::of_points(list);
+  }
+  /// About the origin of the body.
+  MassDistribution distribution() const {
+    if (points.empty()) return {mass, vector(center), second_moment(matrix(inertia))};
+    const MassDistribution given = distribution_of_points();
+    return fixed_point ? given : given.about(given.center);
+  }
+  Eigen::Matrix3d inertia_about_origin() const {
+    return points.empty() ? matrix(inertia) : inertia_operator(distribution().E0);
+  }
   BodyLoads loads() const {
-    BodyLoads loads{.mass = mass, .center = vector(center), .gravity = vector(gravity)};
+    const MassDistribution body = distribution();
+    BodyLoads loads{.mass = body.mass, .center = body.center, .gravity = vector(gravity)};
+    if (!fixed_point) loads.center.setZero();  // of points it is that to round-off
+    const Eigen::Vector3d origin =
+        points.empty() || fixed_point ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : distribution_of_points().center;
     for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
       const double* s = &springs[k];
-      loads.springs.push_back({{s[0], s[1], s[2]}, {s[3], s[4], s[5]}, {s[6], s[7]}});
+      loads.springs.push_back({Eigen::Vector3d(s[0], s[1], s[2]) - origin, {s[3], s[4], s[5]}, {s[6], s[7]}});
     }
     return loads;
   }
@@ -279,10 +313,20 @@ struct RigidBodyScene {
     return columns;
   }
 
+  std::optional<Refusal> refuses_points() const {
+    constexpr const char* path = "Rigid body/Points";
+    for (std::size_t k = 0; k < points.size(); k += n_point_columns)
+      if (!(points[k + 3] > 0))
+        return Refusal{path, fmt::format("expected masses > 0, got {} in row {}", scene::print_number(points[k + 3]),
+                                         k / n_point_columns + 1)};
+    return {};
+  }
+
   /// What no body has, and what the form cannot have.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
-    const Eigen::Matrix3d A = matrix(inertia);
+    const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
+    const Eigen::Matrix3d A = inertia_about_origin();
     const double size = A.cwiseAbs().maxCoeff();
     if ((A - A.transpose()).cwiseAbs().maxCoeff() > round_off * size)
       return Refusal{inertia_path, "expected a symmetric matrix, got one that is not"};
@@ -293,9 +337,8 @@ struct RigidBodyScene {
     if (I(0) + I(1) < (1 - round_off) * I(2))
       return Refusal{inertia_path,
                      "expected principal moments of which none exceeds the sum of the two others, got " + moments};
-    const Eigen::Vector3d G = vector(center);
-    const Eigen::Matrix3d E0 = second_moment(A);
-    if (const double least = eigenvalues(E0 - mass * G * G.transpose())(0); least < -round_off * size)
+    const auto [m, G, E0] = distribution();
+    if (const double least = eigenvalues(E0 - m * G * G.transpose())(0); least < -round_off * size)
       return Refusal{inertia_path,
                      fmt::format("expected at least the inertia that the mass has at Center, got a second moment about "
                                  "Center of {:.6g}",

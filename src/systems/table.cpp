@@ -1,11 +1,13 @@
 #include "systems/table.h"
 
 #include "systems/double_pendulum_scene.h"
+#include "systems/fixed_axis_scene.h"
 #include "systems/geodesic_scene.h"
 #include "systems/jacobi_geodesic_scene.h"
 #include "systems/mass_points_scene.h"
 #include "systems/moving_frame_scene.h"
 #include "systems/rigid_body_scene.h"
+#include "systems/spherical_pendulum_scene.h"
 #include "systems/torus_scene.h"
 
 namespace pseudorigid::systems {
@@ -19,8 +21,9 @@ std::vector<AnySystemScene> make_table() {
 }  // namespace
 
 const std::vector<AnySystemScene>& system_table() {
-  static const auto table = make_table<MassPointsScene, DoublePendulumScene, RigidBodyScene, MovingFrameScene,
-                                       TorusScene, GeodesicScene, JacobiGeodesicScene>();
+  static const auto table =
+      make_table<MassPointsScene, DoublePendulumScene, RigidBodyScene, MovingFrameScene, TorusScene, GeodesicScene,
+                 JacobiGeodesicScene, SphericalPendulumScene, FixedAxisScene>();
   return table;
 }
 

@@ -81,6 +81,27 @@ class BadSystemInput(RefusedInputTest):
         self.refused_entries({rotation: "0.8, -0.6, 0; 0.6, 0.8, 0; 0, 0, 1"}, f"{rotation}: ", "not vertical", "Form = euler",
                              base={**free, **tilted, "Rigid body/Form": "lagrange"})
 
+    def test_bodies_of_points(self):
+        self.refused_by_system(
+            "rigid body", ("Rigid body/Points", "1, 0, 0", "rows of 4"),
+            ("Rigid body/Points", "1, 0, 0, 1; 0, 1, 0, 0; 0, 0, 1, 1", "masses > 0", "in row 2"),
+            ("Rigid body/Points", "1, 0, 0, 1; -1, 0, 0, 1", "Rigid body/Points", "positive"))
+
+    def test_fixed_axis(self):
+        self.refused_by_system(
+            "fixed axis", ("Fixed axis/Axis", "0, 0, 0", "a direction, got zero"),
+            ("Fixed axis/Bearings", "1, 1", "two different places"), ("Fixed axis/Bearings", "1", "2 numbers"),
+            ("Fixed axis/Weights", "1, 0, 0, -1", "masses > 0", "in row 1"), ("Fixed axis/Mass", "0", "a number > 0"),
+            ("Fixed axis/Inertia", "1, 0, 0; 0, 1, 0; 0, 0, 3", "triangle inequality"),
+            ("Fixed axis/Inertia", "1, 0.1, 0; 0, 1, 0; 0, 0, 1", "symmetric"), ("Fixed axis/Friction", "-1", "a number >= 0"))
+
+    def test_spherical_pendulum(self):
+        self.refused_by_system(
+            "spherical pendulum", ("Spherical pendulum/Mass", "0", "a number > 0"), ("Spherical pendulum/Angles", "1", "2 numbers"),
+            ("Spherical pendulum/Drag", "-1", "a number >= 0"))
+        self.refused_entries({"Spherical pendulum/Rates": "0, 1"}, "Spherical pendulum/Rates: ", "no rate of phi",
+                             base={**self.small_scene("spherical pendulum"), "Spherical pendulum/Angles": "0, 0"})
+
     def test_moving_frame(self):
         self.refused_by_system(
             "moving frame", ("Moving frame/Spin axis", "0, 0, 0", "a direction, got zero"),
@@ -105,7 +126,13 @@ class BadSystemInput(RefusedInputTest):
                                (energy, "-2", "U < h"), ("Jacobi geodesic/Position", "0, 0", "other than the centre"),
                                ("Jacobi geodesic/Direction", "0, 0", "a direction, got zero"),
                                ("Jacobi geodesic/Attraction", "-1", "> 0"),
-                               ("Jacobi geodesic/Potential", "morse", "harmonic or kepler"))
+                               ("Jacobi geodesic/Potential", "morse", "one of harmonic, kepler, torus, double pendulum"))
+        for potential, least in (("torus", 4), ("double pendulum", -7)):
+            self.refused_entries({energy: least}, f"{energy}: ", f"which is {least}",
+                                 base={**self.small_scene("jacobi geodesic"), "Jacobi geodesic/Potential": potential,
+                                       "Jacobi geodesic/Position": "0, 0"})
+        self.refused_entries({"Jacobi geodesic/Tube radius": 3}, "Jacobi geodesic/Tube radius: ", "thinner",
+                             base={**self.small_scene("jacobi geodesic"), "Jacobi geodesic/Potential": "torus"})
 
     def test_unknown_system(self):
         self.refused_by_system("torus", ("Time/Method", "rk4", "explicit-8"), ("Analysis", "modes", "offered for the ball"))

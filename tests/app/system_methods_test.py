@@ -4,8 +4,9 @@ import math
 import unittest
 
 from program_test import DONE, WRONG_INPUT, overrides, words
-from system_test import (ARC_FOR_TIME, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PARABOLOID,
-                         PENDULUM, POINTS, ROTATION, SystemTest, TOP, TORUS, UNITS_ON_THE_PARABOLOID, distance)
+from system_test import (ARC_FOR_TIME, BODY, BODY_OF_POINTS, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE,
+                         PARABOLOID, PENDULUM, POINTS, ROTATION, ROTOR, SPHERICAL_PENDULUM, SystemTest, TOP, TORUS,
+                         UNITS_ON_THE_PARABOLOID, distance)
 
 METHODS = words("Time/Method")  # auto and all others
 
@@ -190,6 +191,10 @@ class SystemMethods(SystemTest):
 
     def test_units_of_jacobi_geodesics(self):
         self.check_units(JACOBI, ARC_FOR_TIME)
+
+    def test_units_of_bodies_of_points_and_of_the_rotor(self):
+        for scene in (BODY_OF_POINTS, ROTOR, SPHERICAL_PENDULUM):
+            self.check_units(scene)
 
 
 if __name__ == "__main__":

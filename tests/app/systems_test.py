@@ -5,8 +5,8 @@ import re
 import unittest
 
 from program_test import DONE, STOPPED, overrides
-from system_test import (ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PENDULUM, ROTATION, SCENES, SystemTest, distance,
-                         drift)
+from system_test import (BODY_OF_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI, LAGRANGE, PENDULUM, ROTATION, ROTOR, SCENES,
+                         SPHERICAL_PENDULUM, SystemTest, distance, drift)
 
 
 def without_jumps(angles):
@@ -86,6 +86,114 @@ class SystemScenes(SystemTest):
             self.assertAlmostEqual(acceleration(y2), pull2[1] + 9.81, delta=1e-2)
             self.assertAlmostEqual(acceleration(x1), pull1[0] - pull2[0], delta=1e-2)
             self.assertAlmostEqual(acceleration(y1), pull1[1] - pull2[1] + 9.81, delta=1e-2)
+
+    def test_reactions_of_the_double_pendulum_without_multipliers(self):
+        """(5.43): R2 pulls along the lower rod, R1 + R2 along the upper one, with the tensions that the multipliers are."""
+        for form in ({}, LAGRANGE):
+            table = self.motion(PENDULUM, form)
+            for row in (dict(zip(table.header, row)) for row in table.rows):
+                upper, lower = (row["x1"], row["y1"]), (row["x2"] - row["x1"], row["y2"] - row["y1"])
+                for k, axis in enumerate("xy"):
+                    self.assertAlmostEqual(row[f"R2{axis}"], -row["tension2"] * lower[k] / 0.9, delta=1e-12)
+                    self.assertAlmostEqual(row[f"R1{axis}"] + row[f"R2{axis}"], -row["tension1"] * upper[k] / 1.2, delta=1e-12)
+
+    def test_spherical_pendulum(self):
+        table = self.motion("spherical_pendulum")
+        self.assertLess(drift(table, "energy", "momentum"), 1e-6)
+        self.assertAlmostEqual(min(table.column("z")), -0.89074, delta=2e-5)  # of 1000 samples
+        self.assertAlmostEqual(max(table.column("z")), -math.cos(1), delta=1e-6)
+        for scene in ("spherical_pendulum", SPHERICAL_PENDULUM):
+            table = self.motion(scene)
+            for a, b in zip(table.column("tension"), table.column("tension_by_curvature")):
+                self.assertAlmostEqual(a, b, delta=1e-12)
+                self.assertGreater(a, 1)
+
+    def test_rotor(self):
+        """Forces of 30 N and 70 N in the body; in space the bearings carry the weight on average."""
+        table = self.motion("rotor")
+        mean = {name: sum(table.column(name)[:-1]) / (len(table) - 1) for name in table.header}  # over a turn
+        self.assertAlmostEqual(mean["A_body1"], -30, delta=0.02)  # the weight falls: the rate varies by 1e-4
+        self.assertAlmostEqual(mean["B_body1"], -70, delta=0.05)
+        weight = 10 * 9.81 / 2
+        for name, part in (("A1", weight + 0.3 * 0.05 * 9.81), ("B1", weight + 0.7 * 0.05 * 9.81), ("A2", 0), ("B2", 0)):
+            self.assertAlmostEqual(mean[name], part, delta=0.1)
+        couple = self.motion("rotor", {"Fixed axis/Weights": "0.2, 0, 0.1, 0.05; -0.2, 0, -0.1, 0.05", "Fixed axis/Gravity": "0, 0, 0"})
+        for sign, letter in ((1, "A"), (-1, "B")):
+            for name, force in ((f"{letter}_body1", 40 * sign), (f"{letter}_body2", 0), (f"{letter}_body3", 0)):
+                self.assertLess(max(abs(x - force) for x in couple.column(name)), 1e-9, name)
+        balanced = self.motion("rotor", {"Fixed axis/Weights": "0.2, 0, 0.1, 0.05; -0.2, 0, 0.1, 0.05", "Fixed axis/Gravity": "0, 0, 0"})
+        self.assertLess(max(abs(x) for name in ("A_body1", "B_body1", "A_body2") for x in balanced.column(name)), 1e-10)
+
+    def test_bearings_change_momentum_and_angular_momentum(self):
+        """By central differences of order 4 of the momentum m R (omega x G) and of the angular momentum along a motion."""
+        h, n = 2e-3, 50
+        table = self.motion(ROTOR, {"Time/End": h * n, "Output/Samples": n, "Time/Tolerance": 1e-13})
+        points = [((0.3, 0.2, 0.1), 0.4), ((0, -0.5, 0.6), 0.1)]
+        axis = [x / math.hypot(0.3, -0.2, 1) for x in (0.3, -0.2, 1)]
+        mass, first_moment = 2.5, [2 * c + sum(m * x[i] for x, m in points) for i, c in enumerate((0.1, 0, 0.2))]
+        A = [[1, 0.1, 0], [0.1, 1.2, 0.05], [0, 0.05, 0.9]]
+        for x, m in points:
+            for i in range(3):
+                for j in range(3):
+                    A[i][j] += m * ((i == j) * sum(u * u for u in x) - x[i] * x[j])
+        def cross(u, v):
+            return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
+        def turned(u, angle):
+            along, across = sum(a * b for a, b in zip(axis, u)), cross(axis, u)
+            return [math.cos(angle) * u[i] + math.sin(angle) * across[i] + (1 - math.cos(angle)) * along * axis[i]
+                    for i in range(3)]
+        angles, rates = table.column("angle"), table.column("rate")
+        momenta = [turned([rate * p for p in cross(axis, first_moment)], angle) for angle, rate in zip(angles, rates)]
+        spins = [turned([rate * sum(a * b for a, b in zip(row, axis)) for row in A], angle) for angle, rate in zip(angles, rates)]
+        def derivative(values, k, i):
+            return (8 * (values[k + 1][i] - values[k - 1][i]) - (values[k + 2][i] - values[k - 2][i])) / (12 * h)
+        gravity = (0, 0.5, -2)
+        for k in range(2, n - 1):
+            forces = [[table.column(f"{letter}{i}")[k] for i in (1, 2, 3)] for letter in "AB"]
+            torques = [cross([place * e for e in axis], f) for place, f in zip((-0.4, 0.7), forces)]
+            of_weight = cross(turned(first_moment, angles[k]), gravity)
+            for i in range(3):
+                self.assertAlmostEqual(forces[0][i] + forces[1][i] + mass * gravity[i], derivative(momenta, k, i), delta=1e-7)
+                self.assertAlmostEqual(torques[0][i] + torques[1][i] + of_weight[i] - 0.05 * rates[k] * axis[i],
+                                       derivative(spins, k, i), delta=1e-7)
+
+    def test_t_handle(self):
+        """Half a period of Jacobi's functions between the turns, by the arithmetic-geometric mean (1e-6 from the separatrix)."""
+        table = self.motion("t_handle")
+        time, Omega2 = table.column("time"), table.column("Omega2")
+        turns = [t + (s - t) * a / (a - b) for t, s, a, b in zip(time, time[1:], Omega2, Omega2[1:]) if a * b < 0]
+        self.assertGreaterEqual(len(turns), 3)
+        for a, b in zip(turns, turns[1:]):
+            self.assertAlmostEqual(b - a, 2.34591, delta=2e-4)
+        self.assertAlmostEqual(turns[0], 2.34591 / 2, delta=2e-4)
+        by_inertia = self.motion("t_handle", {"Rigid body/Points": "", "Rigid body/Mass": 0.11,
+                                              "Rigid body/Inertia": "7.2e-5, 0, 0; 0, 2.16e-4, 0; 0, 0, 2.88e-4"})
+        self.assertLess(distance(table, by_inertia, ROTATION), 1e-6)
+
+    def test_bodies_of_mass_points(self):
+        """As by mass, centre of mass and inertia, computed here; springs of a free body shift with its origin."""
+        points = [((0.5, 0.1, 0), 0.7), ((-0.3, 0.8, 0.2), 0.4), ((0, -0.6, 0.3), 0.5), ((0.1, 0, 0.9), 0.4)]
+        mass = sum(m for _, m in points)
+        center = [sum(m * x[i] for x, m in points) / mass for i in range(3)]
+        def inertia(origin):
+            A = [[0.0] * 3 for _ in range(3)]
+            for x, m in points:
+                y = [a - b for a, b in zip(x, origin)]
+                for i in range(3):
+                    for j in range(3):
+                        A[i][j] += m * ((i == j) * sum(u * u for u in y) - y[i] * y[j])
+            return "; ".join(", ".join(map(repr, row)) for row in A)
+        spring = [a - b for a, b in zip((0.3, 0, 0.1), center)]
+        free = self.motion({**BODY_OF_POINTS, "Time/Tolerance": 1e-10})
+        explicit = {**{path: value for path, value in BODY_OF_POINTS.items() if path != "Rigid body/Points"},
+                    "Rigid body/Mass": mass, "Time/Tolerance": 1e-10}
+        self.assertLess(distance(free, self.motion({
+            **explicit, "Rigid body/Inertia": inertia(center),
+            "Rigid body/Springs": ", ".join(map(repr, spring)) + ", 1, 0.2, 0, 0.8, 0.2"})), 1e-8)
+        fixed = {"Rigid body/Fixed point": "true", "Rigid body/Position": "0, 0, 0", "Rigid body/Velocity": "0, 0, 0"}
+        self.assertLess(distance(self.motion({**BODY_OF_POINTS, **fixed, "Time/Tolerance": 1e-10}), self.motion({
+            **explicit, **fixed, "Rigid body/Inertia": inertia((0, 0, 0)),
+            "Rigid body/Center": ", ".join(map(repr, center))})), 1e-8)
 
     def test_heavy_top(self):
         table = self.motion("heavy_top", {"Output/Samples": 1600})
@@ -218,6 +326,34 @@ class SystemScenes(SystemTest):
         # The ellipse (x + 0.6)² + y²/0.64 = 1 about the centre of force.
         for x, y in zip(table.column("x"), table.column("y")):
             self.assertAlmostEqual((x + 0.6)**2 + y**2 / 0.64, 1, delta=1e-8)
+
+
+    def test_jacobi_geodesics_of_torus_and_double_pendulum(self):
+        """Motions of energy h as geodesics; the same in other units."""
+        for scene, energy in (("jacobi_torus", 5), ("jacobi_pendulum", 40)):
+            table = self.motion(scene)
+            self.assertEqual(table.header, ["time", "t", "q1", "q2", "q1_dot", "q2_dot", "energy", "jacobi_speed",
+                                            "jacobi_length", "deviation"])
+            self.assertLess(max(table.column("deviation")), 1e-6)
+            self.assertLess(max(abs(x - energy) for x in table.column("energy")), 1e-8 * energy)
+            self.assertLess(max(abs(x - 1) for x in table.column("jacobi_speed")), 1e-8)
+            self.assertLess(max(abs(a - b) for a, b in zip(table.column("time"), table.column("jacobi_length"))),
+                            1e-8 * table.column("time")[-1])
+        other = self.motion("jacobi_pendulum", {
+            "Jacobi geodesic/Radius": 2, "Jacobi geodesic/Second length": 2, "Jacobi geodesic/Gravity": 9.81 * 2 / 9,
+            "Jacobi geodesic/Energy": 40 * 4 / 9, "Time/End": 300 * 4 / 3})  # lengths double, times three times as long
+        self.assertLess(distance(table, other, ["q1", "q2"]), 1e-6)
+        self.assertAlmostEqual(other.column("t")[-1], 3 * table.column("t")[-1], delta=1e-6)
+
+    def test_jacobi_geodesics_of_the_double_pendulum_are_its_motions(self):
+        """The motion that System = double pendulum computes, at the time that the geodesic has come to."""
+        geodesic = self.motion("jacobi_pendulum", {"Output/Samples": 1})
+        t, rates = geodesic.column("t")[-1], [geodesic.column(name)[0] for name in ("q1_dot", "q2_dot")]
+        motion = self.motion({"System": "double pendulum", "Double pendulum/Form": "lagrange", "Double pendulum/Angles": "0.5, 0.3",
+                              "Double pendulum/Rates": ", ".join(map(repr, rates)), "Time/End": repr(t), "Time/Tolerance": 1e-12,
+                              "Output/Samples": 1})
+        for angle, name in (("theta", "q1"), ("phi", "q2")):
+            self.assertAlmostEqual(math.remainder(motion.column(angle)[-1] - geodesic.column(name)[-1], 2 * math.pi), 0, delta=1e-6)
 
 
 class SystemEquilibria(SystemTest):

@@ -5,12 +5,12 @@
 #include "app/run/model_files.h"
 #include "app/run/refuses_method.h"
 #include "app/systems/system_run.h"
-#include "examples/spherical_pendulum_scene.h"
 #include "io/csv.h"
 #include "io/log.h"
 #include "scene/print_scene.h"
 #include "scene/scene_files.h"
 #include "scene/validate.h"
+#include "systems/spherical_pendulum_scene.h"
 
 namespace pseudorigid::app {
 namespace {

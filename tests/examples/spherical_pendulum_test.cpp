@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "examples/spherical_pendulum_scene.h"
 #include "mechanics/equilibria/critical_points.h"
 #include "mechanics/methods/methods.h"
 #include "support/conserved.h"
 #include "support/order_test.h"
 #include "systems/conservative_checks.h"
+#include "systems/spherical_pendulum_scene.h"
 
 namespace pseudorigid::testing {
 

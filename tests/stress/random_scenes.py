@@ -148,10 +148,11 @@ def choose_method(rng, entries, time_unit, cheap):
 
 def system(rng):
     """A system beside the ball: a scene in which every force acts, all its numbers changed by chance."""
-    from system_test import (ANGLES, BODY, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI,
-                             LAGRANGE, PARABOLOID, PENDULUM, POINTS, TOP, TORUS)
+    from system_test import (ANGLES, BODY, BODY_OF_POINTS, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI,
+                             LAGRANGE, PARABOLOID, PENDULUM, POINTS, ROTOR, SPHERICAL_PENDULUM, TOP, TORUS)
     entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, {**TOP, **ANGLES}, BODY,
-                               {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI)))
+                               {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI,
+                               BODY_OF_POINTS, SPHERICAL_PENDULUM, ROTOR)))
     kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Mass points/Springs", "Mass points/Dashpots",
             "Output/Samples")
     for path, value in entries.items():
@@ -208,7 +209,7 @@ def energy_drift(run):
 
 def is_conservative(entries):
     return not any(path in entries for path in ("Material/Viscosity", "Material/Drag", "Mass points/Drag",
-                                                "Mass points/Dashpots", "Torus/Damping"))
+                                                "Mass points/Dashpots", "Torus/Damping", "Spherical pendulum/Drag", "Fixed axis/Friction"))
 
 
 def faults_of_energy(entries, run):

@@ -10,7 +10,8 @@ from program_test import ProgramTest, SOURCE, largest_difference, overrides
 SCENES = {
     "three_bodies": "mass_points", "double_pendulum": "double_pendulum", "heavy_top": "rigid_body",
     "free_body": "rigid_body", "foucault": "moving_frame", "torus": "torus", "geodesic": "geodesic",
-    "jacobi_kepler": "jacobi_geodesic",
+    "jacobi_kepler": "jacobi_geodesic", "spherical_pendulum": "spherical_pendulum", "rotor": "fixed_axis",
+    "t_handle": "rigid_body",
 }
 
 # Scenes in which every force acts.
@@ -37,6 +38,22 @@ TOP = {
 BODY = {
     **TOP, "Rigid body/Fixed point": "false", "Rigid body/Center": "0, 0, 0", "Rigid body/Springs": "",
     "Rigid body/Position": "1, 2, -1", "Rigid body/Velocity": "0.3, -0.2, 0.5",
+}
+BODY_OF_POINTS = {
+    **{path: value for path, value in BODY.items() if path not in ("Rigid body/Mass", "Rigid body/Inertia", "Rigid body/Center")},
+    "Rigid body/Points": "0.5, 0.1, 0, 0.7; -0.3, 0.8, 0.2, 0.4; 0, -0.6, 0.3, 0.5; 0.1, 0, 0.9, 0.4",
+    "Rigid body/Springs": "0.3, 0, 0.1, 1, 0.2, 0, 0.8, 0.2",
+}
+SPHERICAL_PENDULUM = {
+    "System": "spherical pendulum", "Spherical pendulum/Mass": 1.5, "Spherical pendulum/Length": 1.2,
+    "Spherical pendulum/Gravity": 9.81, "Spherical pendulum/Drag": 0.1, "Spherical pendulum/Angles": "1, 0.4",
+    "Spherical pendulum/Rates": "0.3, 1", "Time/End": 5, "Output/Samples": 50,
+}
+ROTOR = {
+    "System": "fixed axis", "Fixed axis/Mass": 2, "Fixed axis/Center": "0.1, 0, 0.2",
+    "Fixed axis/Inertia": "1, 0.1, 0; 0.1, 1.2, 0.05; 0, 0.05, 0.9", "Fixed axis/Weights": "0.3, 0.2, 0.1, 0.4; 0, -0.5, 0.6, 0.1",
+    "Fixed axis/Axis": "0.3, -0.2, 1", "Fixed axis/Bearings": "-0.4, 0.7", "Fixed axis/Gravity": "0, 0.5, -2",
+    "Fixed axis/Friction": 0.05, "Fixed axis/Angle": 0.3, "Fixed axis/Rate": 3, "Time/End": 5, "Output/Samples": 50,
 }
 FRAME = {
     "System": "moving frame", "Moving frame/Position": "1, 0.2, -0.3", "Moving frame/Velocity": "0.1, 0.4, 0",
@@ -78,6 +95,7 @@ ROTATION = [f"R{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
 UNITS_OF_ROWS = {
     "Mass points/Springs": ("", "", "mass/time^2", "length"), "Mass points/Dashpots": ("", "", "mass/time"),
     "Rigid body/Springs": 6 * ("length",) + ("mass/time^2", "length"),
+    "Rigid body/Points": ("length", "length", "length", "mass"), "Fixed axis/Weights": ("length", "length", "length", "mass"),
 }
 UNITS_ON_THE_PARABOLOID = {
     "Geodesic/Point": "length", "Geodesic/Velocity": "length/time", "q1": "length", "q2": "length",

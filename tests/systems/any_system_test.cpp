@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "examples/spherical_pendulum_scene.h"
+#include "systems/spherical_pendulum_scene.h"
 #include "mechanics/core/any_field.h"
 #include "mechanics/core/any_system.h"
 #include "mechanics/core/chart_field.h"

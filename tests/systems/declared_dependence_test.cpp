@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "examples/spherical_pendulum_scene.h"
+#include "systems/spherical_pendulum_scene.h"
 
 namespace pseudorigid::systems {
 namespace {

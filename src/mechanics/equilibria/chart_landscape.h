@@ -21,12 +21,13 @@ class ChartLandscape {
   int n_coordinates() const { return n; }
   int n_constraints() const { return 0; }
   Eigen::VectorXd periods() const {
-    if constexpr (HasPeriods<C>) return chart().periods();
-    return Vector::Zero();
+    Eigen::VectorXd P = Eigen::VectorXd::Zero(n);
+    if constexpr (HasPeriods<C>) copy(chart().periods(), P);
+    return P;
   }
   double potential(const Vector& q) const { return chart().potential(q); }
   Status gradient(const Vector& q, Eigen::VectorXd& dV) const {
-    dV = potential_differential(chart(), q);
+    copy(potential_differential(chart(), q), dV);
     return finite(dV);
   }
   Status constraint(const Vector&, Eigen::VectorXd& g) const {
@@ -35,10 +36,10 @@ class ChartLandscape {
   }
   void constraint_gradient(const Vector&, Eigen::MatrixXd& G) const { G.resize(0, n); }
   Status hessian(const Vector& q, const Eigen::VectorXd&, Eigen::MatrixXd& H) const {
-    H = second_order_jet<n>([this](const auto& x) { return chart().potential(x); }, q).hessian;
+    copy(second_order_jet<n>([this](const auto& x) { return chart().potential(x); }, q).hessian, H);
     return finite(H);
   }
-  void mass(const Vector& q, Eigen::MatrixXd& M) const { M = chart().metric(q); }
+  void mass(const Vector& q, Eigen::MatrixXd& M) const { copy(ChartMatrix<C>(chart().metric(q)), M); }
   Status damping(const Vector& q, Eigen::MatrixXd& damping) const {
     damping.setZero(n, n);
     if constexpr (ChartField<C>::velocity_dependent()) {
@@ -58,6 +59,11 @@ class ChartLandscape {
 
  private:
   const C& chart() const { return field_.chart(); }
+  /// Entry by entry: where there is but one, g++ 12 takes a copy by Eigen for an access beyond it, and warns.
+  static void copy(const auto& from, auto& to) {
+    to.resize(from.rows(), from.cols());
+    for (Eigen::Index i = 0; i < from.size(); ++i) to.data()[i] = from.data()[i];
+  }
   static Status finite(const auto& x) {
     return x.allFinite() ? Status() : Status::failure("the potential is not finite in this place of the chart");
   }

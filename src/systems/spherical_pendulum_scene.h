@@ -129,7 +129,9 @@ struct SphericalPendulumScene {
             {"potential", "mass*length^2/time^2", "potential energy, 0 at the height of the suspension"},
             {"energy", "mass*length^2/time^2", "their sum"},
             {"momentum", "mass*length^2/time", "angular momentum about the vertical"},
-            {"tension", "mass*length/time^2", "force along the rod, positive where it pulls"}};
+            {"tension", "mass*length/time^2", "force along the rod by the multiplier, positive where it pulls"},
+            {"tension_by_curvature", "mass*length/time^2",
+             "the same by the second fundamental form of the sphere (5.29), without multiplier"}};
   }
 
   struct Model {
@@ -145,7 +147,11 @@ struct SphericalPendulumScene {
       const auto& p = system.parameters();
       row.insert(row.end(), state.q.begin(), state.q.end());
       row.insert(row.end(), state.v.begin(), state.v.end());
-      row.insert(row.end(), {K, V, K + V, p.m * state.q.cross(state.v).z(), -lambda / p.l});
+      Eigen::Vector3d force;
+      if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;
+      // R = m[B(v, v) − (μ⁻¹F)^⊥] with B(v, v) = −|v|²q/l² is −(m|v|² + ⟨F, q⟩) q/l².
+      const double by_curvature = (p.m * state.v.squaredNorm() + force.dot(state.q)) / p.l;
+      row.insert(row.end(), {K, V, K + V, p.m * state.q.cross(state.v).z(), -lambda / p.l, by_curvature});
       return {};
     }
     auto landscape() const { return mechanics::ConstrainedLandscape<System>(system); }

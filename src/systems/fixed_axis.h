@@ -1,0 +1,70 @@
+#pragma once
+/// A rigid body that turns about a fixed axis (Oliva, Geometric Mechanics, 5.6.10) with the unit vector e, through the
+/// origin of the body, under its weight and the friction torque −cθ̇:
+///
+///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
+///
+/// The axis is held by bearings at a e and b e. In the body, with ω = θ̇e, ω̇ = θ̈e, force and torque of both are
+///
+///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g,
+///
+/// and with  f_a + f_b = F,  ae × f_a + be × f_b = N − ⟨N, e⟩e  across the axis
+///
+///   f_b^⊥ = −(e × N + aF^⊥)/(b − a),   f_a^⊥ = F^⊥ − f_b^⊥.
+///
+/// Along the axis only the sum is determined; the first bearing carries it. Where e is a principal axis through the
+/// centre of mass, the bearings feel the weight alone, at any speed.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <numbers>
+
+#include "mechanics/core/automatic_differentiation.h"
+#include "systems/mass_distribution.h"
+
+namespace pseudorigid::systems {
+
+/// On the circle of angles.
+struct FixedAxis {
+  static constexpr int dimension = 1;
+  MassDistribution body;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ(), gravity = Eigen::Vector3d::Zero();  // e, g
+  double friction = 0;                                                                 // c
+
+  double moment_of_inertia() const { return axis.dot(inertia_operator(body.E0) * axis); }
+
+  template <class T>
+  Eigen::Matrix<T, 1, 1> metric(const mechanics::Coordinates<T, 1>&) const {
+    return Eigen::Matrix<T, 1, 1>(T(moment_of_inertia()));
+  }
+  template <class T>
+  T potential(const mechanics::Coordinates<T, 1>& q) const {
+    using std::cos, std::sin;
+    const Eigen::Vector3d along = axis.dot(body.center) * axis, across = body.center - along,
+                          ahead = axis.cross(body.center);
+    return -body.mass * (gravity.dot(along) + gravity.dot(across) * cos(q[0]) + gravity.dot(ahead) * sin(q[0]));
+  }
+  using Angle = Eigen::Matrix<double, 1, 1>;
+  Angle dissipation(const Angle&, const Angle& v) const { return -friction / moment_of_inertia() * v; }
+  Angle periods() const { return Angle(2 * std::numbers::pi); }
+
+  Eigen::Matrix3d rotation(double angle) const { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+};
+
+/// Forces of the bearings on the body, in the body.
+struct BearingForces {
+  Eigen::Vector3d first, second;
+};
+inline BearingForces bearing_forces(const FixedAxis& system, double first, double second, double angle, double rate,
+                                    double acceleration) {
+  const auto& [m, G, E0] = system.body;
+  const Eigen::Matrix3d A = inertia_operator(E0);
+  const Eigen::Vector3d e = system.axis, omega = rate * e, omega_dot = acceleration * e,
+                        g = system.rotation(-angle) * system.gravity;
+  const Eigen::Vector3d F = m * (omega_dot.cross(G) + omega.cross(omega.cross(G)) - g),
+                        N = A * omega_dot + omega.cross(A * omega) - m * G.cross(g);
+  const Eigen::Vector3d F_across = F - F.dot(e) * e, f_second = -(e.cross(N) + first * F_across) / (second - first);
+  return {F - f_second, f_second};
+}
+
+}  // namespace pseudorigid::systems
