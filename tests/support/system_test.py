@@ -149,10 +149,10 @@ class SystemTest(ProgramTest):
         table.folder, table.file = folder, file.removesuffix(".csv")
         return table
 
-    def documented_columns(self, file, n_points=2):
+    def documented_columns(self, file, n_points=2, of=""):
         """[(column, unit)] by the page of parameters, with its rule for n points."""
         page = self.run_done("parameters").stdout
-        section = re.search(rf"^## Columns of {file}\.csv\n(.*?)(?=^## |\Z)", page, re.M | re.S)[1]
+        section = re.search(rf"^## Columns of {file}\.csv{of}\n(.*?)(?=^## |\Z)", page, re.M | re.S)[1]
         columns = [("time", "time")] + re.findall(r"^\| `(\w+)` \| (\S*) +\|", section, re.M)
         if file != "mass_points":
             return columns
