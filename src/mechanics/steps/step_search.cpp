@@ -72,10 +72,13 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Accepts the stability limit if a glance finds twenty times less error than is allowed.
+/// Accepts the stability limit if a glance finds twenty times less error than is allowed. A multistep method has begun
+/// with about as many small steps of another method as its order is, which say nothing of its own.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   constexpr double part_of_window = 1.0 / 8, doubt = 20;
-  const double window = part_of_window * window_;
+  const bool is_multistep = method.n_stages == 1;
+  const double window = std::max(part_of_window * window_, is_multistep ? 2 * method.order * trial.limit : 0);
+  if (window > window_) return false;
   const Grid grid(window, trial.limit);
   const PilotRun coarse = pilot(method, window, grid.n_samples, grid.n_steps);
   const PilotRun fine = pilot(method, window, grid.n_samples, 2 * grid.n_steps);
