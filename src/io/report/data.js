@@ -38,10 +38,13 @@ function adjectiveOf(model) {
 
 // The models of the run, the richest in motions first. What moves in other ways than x = QX is drawn through its own
 // points: with elements shapes.csv, else shapes-<model>.csv.
-const STYLES = ["pseudo-rigid", "third-model", "fourth-model", "fifth-model", "sixth-model"];
-const MODELS = (manifest.ball || []).map((model, i) => ({key: model.name, name: `${adjectiveOf(model)} ball`, hasElements: model.discretized,
-  isAffine: model.affine ?? !model.discretized, shapes: tables[model.discretized ? "shapes" : `shapes-${model.name}`],
-  style: model.discretized ? "elastic" : STYLES[i % STYLES.length], table: tables[model.name]}))
+// The pseudo-rigid ball and that with elements have styles of their own, the others one after the other.
+const STYLES = ["third-model", "fourth-model", "fifth-model", "sixth-model"];
+const isAffine = model => model.affine ?? !model.discretized;
+const styleOf = (model, i, all) => model.discretized ? "elastic" : isAffine(model) ? "pseudo-rigid" : STYLES[all.slice(0, i).filter(m => !isAffine(m)).length % STYLES.length];
+const MODELS = (manifest.ball || []).map((model, i, all) => ({key: model.name, name: `${adjectiveOf(model)} ball`, hasElements: model.discretized,
+  isAffine: isAffine(model), shapes: tables[model.discretized ? "shapes" : `shapes-${model.name}`],
+  style: styleOf(model, i, all), table: tables[model.name]}))
   .filter(model => model.table && model.table.has("time")).reverse();
 if (MODELS.length === 1) MODELS[0].style += " solid";  // dashes are for telling it from the other
 

@@ -73,8 +73,8 @@ function section(title, intro, ...content) {
 
 function deformationSections() {
   if (!MODELS.some(m => m.table.has("Q11"))) return [];
-  const withElements = MODELS.find(m => m.hasElements);
-  const meaning = withElements ? ` Of the ${withElements.name} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
+  const others = MODELS.filter(m => !m.isAffine);
+  const meaning = others.length ? ` Of the ${others.map(m => m.name).join(" and the ")} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
     ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, numbered by size at the start and followed through the times at which two of them are equal. The files have them by size at each time: a1 ≥ a2 ≥ a3.", legend(MODELS),

@@ -62,9 +62,10 @@ const describedColumns = name => Object.fromEntries(((manifest.columns || {})[`$
 
 // A chart for each column of any table; columns that are equal share one. What is constant, or nothing but round-off
 // beside the columns of the same unit, is named in a line of text.
+const LABELS = ["index", "kind", "degree", "odd_in_z", "m"];  // names of what a row is, no functions of the parameter
 function genericCharts(name, x, xLabel, style) {
   const table = tables[name], described = describedColumns(name), of = (column, what) => (described[column] || {})[what] || "";
-  const columns = table.names.filter(n => n !== x && n !== "index" && n !== "kind" && n !== "degree").map(n => ({names: [n], y: table.columns[n], unit: of(n, "unit"), size: largest(table.columns[n])}));
+  const columns = table.names.filter(n => n !== x && !LABELS.includes(n)).map(n => ({names: [n], y: table.columns[n], unit: of(n, "unit"), size: largest(table.columns[n])}));
   const scaleOf = unit => unit ? Math.max(...columns.filter(c => c.unit === unit).map(c => c.size)) : 1;
   const level = columns.filter(c => { const [least, most] = extent(c.y); return most - least <= 1e-13 * c.size; });
   const noise = columns.filter(c => !level.includes(c) && c.size <= 1e-12 * scaleOf(c.unit));
