@@ -23,6 +23,19 @@ void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
   });
 }
 
+/// Says where the tolerance is beyond what the arithmetic gives.
+inline void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context) {
+  if (choice.round_off_rules_from)
+    context.log->warn(
+        "{}: the motion is unstable: within a time of {:.6g} round-off grows beyond the tolerance, and to {:.1e} by "
+        "the "
+        "end, so that the end depends on the last digits of the arithmetic",
+        model, *choice.round_off_rules_from * context.units.time, choice.error);
+  else if (choice.at_round_off)
+    context.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
+                      model, choice.error);
+}
+
 template <class Model>
 class ModelStepping {
   using System = typename Model::System;
@@ -202,9 +215,7 @@ class ModelStepping {
       context_.log->info("{}: {}{}, step {:.4g} (estimated time error {:.1e})", model_.name,
                          mechanics::method_name(choice.method), promise(choice.method),
                          choice.step * context_.units.time, choice.error);
-    if (choice.at_round_off)
-      context_.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
-                         model_.name, choice.error);
+    warn_of_round_off(choice, model_.name, context_);
     context_.log->debug("{}: {}", model_.name, choice.why);
   }
 

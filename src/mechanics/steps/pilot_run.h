@@ -14,6 +14,7 @@
 #include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
+#include "mechanics/steps/kicked_method.h"
 
 namespace pseudorigid::mechanics {
 
@@ -61,6 +62,8 @@ struct FixedStepMethod {
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
+  /// The same kicked by round-off times `part` after every step (kicked_method.h).
+  std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
@@ -129,19 +132,25 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                const QOf& Q_of) {
-  return {id, [&](double local_tolerance) {
-            const auto& field = field_of(system);
-            const double window = pilot_window(request);
-            return run_pilot<Method>(field, initial, request, Q_of, window, max_pilot_samples, 1, [&](auto& workspace) {
-              workspace.tolerance = local_tolerance;
-              workspace.h_max = request.step_bound;
-            });
+  const auto pilot = [&]<class Stepper>(Stepper, double local_tolerance, auto&& prepare) {
+    const auto& field = field_of(system);
+    return run_pilot<Stepper>(field, initial, request, Q_of, pilot_window(request), max_pilot_samples, 1,
+                              [&](auto& workspace) {
+                                workspace.tolerance = local_tolerance;
+                                workspace.h_max = request.step_bound;
+                                prepare(workspace);
+                              });
+  };
+  return {id, [pilot](double local_tolerance) { return pilot(Method{}, local_tolerance, [](auto&) {}); },
+          [pilot](double local_tolerance, double part) {
+            return pilot(Kicked<Method>{}, local_tolerance, [&](auto& workspace) { workspace.part = part; });
           }};
 }
 
 inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   double d = 0;
-  for (std::size_t k = 0; k < a.q.size(); ++k) d = std::max(d, max_norm<Eigen::VectorXd>(a.q[k] - b.q[k]));
+  for (std::size_t k = 0; k < std::min(a.q.size(), b.q.size()); ++k)
+    d = std::max(d, max_norm<Eigen::VectorXd>(a.q[k] - b.q[k]));
   return d;
 }
 
@@ -160,6 +169,8 @@ struct Trial {
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
+  /// Where round-off grows beyond the tolerance: from which time on.
+  std::optional<double> round_off_rules_from{};
   std::string reason{};
 };
 

@@ -96,6 +96,7 @@ class MethodChoice {
     choice.local_tolerance = best_->local_tolerance;
     choice.error = best_->error;
     choice.at_round_off = best_->at_round_off;
+    choice.round_off_rules_from = best_->round_off_rules_from;
     choice.why = describe(*best_, request_, trials_);
     return choice;
   }

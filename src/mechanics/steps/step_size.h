@@ -26,9 +26,11 @@ struct [[nodiscard]] StepChoice {
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0;            ///< estimated error of the configuration over the run
   bool at_round_off = false;   ///< the tolerance is below what double precision gives
-  double rattle_limit = 0;     ///< as requested
-  long n_force = 0;            ///< forces spent on pilot runs
-  std::string why{};           ///< one sentence for the log
+  /// From when on round-off, grown with the motion, is more than the tolerance.
+  std::optional<double> round_off_rules_from{};
+  double rattle_limit = 0;  ///< as requested
+  long n_force = 0;         ///< forces spent on pilot runs
+  std::string why{};        ///< one sentence for the log
 };
 
 /// |Q⁻¹Q̇|₂: the rate of an affine motion, which stands for the turning and stretching of the modes themselves.

@@ -2,8 +2,34 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace pseudorigid::mechanics::detail {
+namespace {
+
+/// How far two runs that are kicked by round-off, each against the other, leave a pilot.
+struct RoundOff {
+  double difference = 0;
+  std::optional<double> beyond_from{};  ///< the first sample at which it is more than a bound
+};
+
+RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
+                      double bound, long& n_force) {
+  RoundOff found;
+  for (const double part : {1.0, -1.0}) {
+    const PilotRun twin = method.kicked_pilot(tau, part);
+    n_force += twin.n_force;
+    for (std::size_t k = 0; k < std::min(twin.q.size(), pilot.q.size()); ++k) {
+      const double d = max_norm<Eigen::VectorXd>(twin.q[k] - pilot.q[k]);
+      found.difference = std::max(found.difference, d);
+      const double t = pilot_window(request) * static_cast<double>(k) / max_pilot_samples;
+      if (d > bound && !(found.beyond_from && *found.beyond_from <= t)) found.beyond_from = t;
+    }
+  }
+  return found;
+}
+
+}  // namespace
 
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force) {
   constexpr int max_trials = 6;
@@ -22,8 +48,12 @@ Trial search_tolerance(const StepRequest& request, bool compensated, const Adapt
     if (e <= target || e <= walk || tau <= least_tolerance) {
       trial.verdict = Trial::Verdict::accepted;
       trial.local_tolerance = e > target ? tau / finer : tau;
-      trial.error = e + walk;
+      RoundOff round_off;
+      if (!request.spare_pilots)
+        round_off = round_off_of(request, method, tau, coarse, request.tolerance / (times * times), n_force);
+      trial.error = e + std::max(walk, round_off.difference * times * times);
       trial.at_round_off = std::max(e, walk) > target;
+      trial.round_off_rules_from = round_off.beyond_from;
       trial.n_forces_of_run = n_forces_of_run;
       return trial;
     }

@@ -6,6 +6,11 @@
 ///
 /// for the error of a method without geometric structure grows like t² (its energy drifts; Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, X.3). Then e ~ τ gives the tolerance.
+///
+/// Round-off grows with the motion, near an unstable point like e^{λt}, and two pilots that leave such a point on the
+/// same side by the same error of rounding say nothing of it. So two more are kicked by round-off after every step, one
+/// against the other (kicked_method.h), and what they leave the first by is part of the estimate. Where that is more
+/// than the tolerance, the run says from which time on.
 
 #include "mechanics/steps/pilot_run.h"
 
