@@ -372,6 +372,56 @@ def double_pendulum(run, path):
     save(drawn, path)
 
 
+def sections(run, path):
+    """At theta = 0 with unit masses and rods and g = 1: K = E + 2 + cos phi, of which the lower rod's own rate takes a part."""
+    drawn, axes = figure(2, 2, height=7)
+    for ax, energy in zip(axes, (-2.4, -1.6, -1.0, 0.5)):
+        starts = []
+        for part in (0, 0.25, 0.5, 0.75):
+            widest = np.arccos(max(-1, -energy - 2))
+            starts += [(part * widest, 0), (-part * widest, 0)] if part else [(0, 0), (0, 0.6), (0, -0.6)]
+        for k, (phi, share) in enumerate(starts):
+            # K = a² + ½b² + a b with the rates a of theta and b of phi, at phi: a b cos phi; b = share · its greatest.
+            kinetic, c = energy + 2 + np.cos(phi), np.cos(phi)
+            b = share * np.sqrt(kinetic / (0.5 - c * c / 4))
+            a = -b * c / 2 + np.sqrt(b * b * c * c / 4 - b * b / 2 + kinetic)
+            crossings = table(run("double_pendulum_section", f"Double pendulum/Angles=0, {phi:.6f}", "Output/Report=false",
+                                  f"Double pendulum/Rates={a:.8f}, {b:.8f}", "Time/End=1500"), "section")
+            ax.plot(crossings["phi"], crossings["phi_dot"], ".", markersize=1.1, color=plt.cm.tab20(k % 20), rasterized=True)
+        ax.set_title(f"energy {energy:g}".replace("-", "−"), fontsize=10.5)
+        label_axes(ax, "φ", "rate of φ")
+    save(drawn, path)
+
+
+def torus_manifolds(run, path):
+    drawn, axes = figure(1, 2, height=4)
+    for ax, overrides, title in zip(axes, ((), ("Torus/Grain=0.3", "Torus/Grain angle=0.8")),
+                                    ("friction the same in all directions", "greater along an oblique grain")):
+        directory = run("torus_manifolds", *overrides)
+        curves, points = table(directory, "manifolds"), table(directory, "equilibria")
+        low = -np.pi / 2
+        wrapped = {name: low + np.mod(curves[name] - low, 2 * np.pi) for name in ("w", "u")}
+        for curve in np.unique(curves["curve"]):
+            of = (curves["curve"] == curve) & (curves["stable"] == 0)
+            if not of.any():
+                continue
+            colour, width = {4: (SKY, 0.7), 3: (ORANGE, 2.2), 2: (BLACK, 1.8)}[int(curves["point"][of][0])]
+            w, u = wrapped["w"][of], wrapped["u"][of]
+            breaks = np.flatnonzero((np.abs(np.diff(w)) > np.pi) | (np.abs(np.diff(u)) > np.pi)) + 1
+            ax.plot(np.insert(w, breaks, np.nan), np.insert(u, breaks, np.nan), color=colour, linewidth=width,
+                    zorder=width)
+        ax.plot(low + np.mod(points["w"] - low, 2 * np.pi), low + np.mod(points["u"] - low, 2 * np.pi), "o", color=BLACK,
+                markersize=5, zorder=5)
+        for name, w, u in zip(("sink", "lower saddle", "upper saddle", "source"), points["w"], points["u"]):
+            ax.annotate(name, (low + np.mod(w - low, 2 * np.pi), low + np.mod(u - low, 2 * np.pi)), (-6, 5), ha="right",
+                        textcoords="offset points", fontsize=9, zorder=6, bbox={"fc": "white", "ec": "none", "pad": 0.5})
+        ax.set_title(title, fontsize=10.5)
+        label_axes(ax, "w, around the tube", "u, around the axis")
+        for ticks in (ax.set_xticks, ax.set_yticks):
+            ticks([0, np.pi / 2, np.pi, 3 * np.pi / 2], ["0", "π/2", "π", "3π/2"])
+    save(drawn, path)
+
+
 def tops(run, path):
     drawn, (heavy, free) = figure(1, 2, height=3.8)
     t = table(run("heavy_top", "Output/Samples=1600"), "rigid_body")
@@ -494,6 +544,8 @@ PICTURES = {
     "sweep_of_releases": sweep_of_releases,
     "three_bodies_and_kepler": three_bodies_and_kepler,
     "double_pendulum": double_pendulum,
+    "double_pendulum_section": sections,
+    "torus_manifolds": torus_manifolds,
     "tops": tops,
     "spherical_pendulum": spherical_pendulum,
     "rotor": rotor,

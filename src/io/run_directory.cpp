@@ -19,9 +19,10 @@ namespace {
 
 /// Every name that a run may give to a file of its directory, but for those of models and systems, which prepare_fresh
 /// is told, and the checkpoints.
-constexpr std::array<std::string_view, 12> owned_names{
-    "used.prm",  "manifest.json",  "log.txt",    "comparison.csv", "comparison.json", "modes.csv",
-    "modes.pvd", "equilibria.csv", "shapes.csv", "sweep.csv",      "report.html",     "trajectories.csv"};
+constexpr std::array<std::string_view, 15> owned_names{
+    "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
+    "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
+    "manifolds.csv", "connections.csv", "section.csv",    "report.html",    "trajectories.csv"};
 
 /// Begins the name of a lock that was being written when its run was killed.
 constexpr std::string_view abandoned_lock = "run.lock-";

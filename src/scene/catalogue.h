@@ -78,7 +78,8 @@ struct SystemDescription {
   std::vector<Column> columns;  ///< of a scene of defaults
   /// Those of a scene, whose number may depend on its values.
   std::function<std::vector<Column>(const Scene&)> columns_of;
-  bool has_equilibria = false;  ///< Analysis = equilibrium is offered
+  bool has_equilibria = false;  ///< Analysis = equilibrium, manifolds are offered
+  bool complete = false;        ///< every motion exists for all time: it may be run backwards
   /// What is wrong with a scene of this system, if anything, beyond each entry's own range.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
@@ -141,6 +142,8 @@ struct Catalogue {
   /// The poorest in motions first: others are compared with the last of a scene.
   std::vector<ModelDescription> models{};
   std::vector<SystemDescription> systems{};
+  /// Columns of connections.csv.
+  std::vector<Column> connections{};
   /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
   std::vector<Column> equilibria{};
 

@@ -9,11 +9,15 @@
 
 namespace pseudorigid::scene {
 
-inline constexpr Choice<Analysis, 3> analysis_kind{{{
+inline constexpr Choice<Analysis, 5> analysis_kind{{{
     {"motion", Analysis::motion},
     {"modes", Analysis::modes},
     {"equilibrium", Analysis::equilibrium},
+    {"manifolds", Analysis::manifolds},
+    {"section", Analysis::section},
 }}};
+inline constexpr Choice<Crossings, 3> crossings_kind{
+    {{{"up", Crossings::up}, {"down", Crossings::down}, {"both", Crossings::both}}}};
 /// The names are those of the laws' own table, materials/law_table.h.
 inline constexpr Choice<Law, 8> law_kind{{{
     {"neo-hookean", Law::neo_hookean},

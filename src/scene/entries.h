@@ -40,17 +40,20 @@ void visit_problem(S& scene, Visit& visit) {
         About{"System", "",
               "What moves: the elastic ball, or one of the finite-dimensional systems of mechanics, each of which "
               "has a subsection and a CSV file of its own."});
-  visit(scene.analysis, analysis_kind,
-        About{"Analysis", "",
-              "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
-              "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
-              "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, or its "
-              "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial "
-              "bodies, where the family "
-              "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
-              "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
-              "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
-              "has none, under a unit friction."});
+  visit(
+      scene.analysis, analysis_kind,
+      About{"Analysis", "",
+            "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
+            "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
+            "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, or its "
+            "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, "
+            "where the family "
+            "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
+            "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
+            "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
+            "has none, under a unit friction. Of these systems, manifolds (manifolds.csv, connections.csv): motions on "
+            "the unstable and stable manifolds of the critical points, and where they end, see Manifolds/Starts; "
+            "section (section.csv): where the motion crosses a surface of section, see Section/Column."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -175,9 +178,39 @@ void visit_modes(S& scene, Visit& visit) {
 }
 
 template <SceneOrConst S, class Visit>
+void visit_manifolds(S& scene, Visit& visit) {
+  visit(scene.manifolds.starts, Integer{1, 10'000},
+        About{"Manifolds/Starts", "",
+              "Number of motions that Analysis = manifolds follows away from a critical point with several unstable "
+              "directions, spread around it; from a point with one, both motions are followed. On the stable "
+              "manifolds of the points that are unstable the motions come in along single directions. Each is "
+              "followed until it is within 1e-6 of a critical point, or for Time/End."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_section(S& scene, Visit& visit) {
+  auto& [column, value, period, crossings] = scene.section;
+  visit(column, Text{},
+        About{"Section/Column", "",
+              "The column of the system's CSV file that Analysis = section watches: every crossing of Value until "
+              "Time/End is a row of section.csv, with the columns of the motion at that time."});
+  visit(value, Number{}, About{"Section/Value", "", "The value that is crossed, in the column's own unit."});
+  visit(period, not_negative,
+        About{"Section/Period", "",
+              "For a column that is an angle and counts its turns: the values Value + k Period, k any integer, are "
+              "crossed as well. 0: none. Where a column jumps, it crosses nothing."});
+  visit(crossings, crossings_kind,
+        About{"Section/Direction", "", "Which crossings count: of a column that rises, that falls, or both."});
+}
+
+template <SceneOrConst S, class Visit>
 void visit_time(S& scene, Visit& visit) {
   auto& [end, step, method, tolerance, constraint_tolerance] = scene.time;
-  visit(end, positive, About{"Time/End", "time", "The motion is computed from time 0 to this time."});
+  visit(end, Number{},
+        About{"Time/End", "time",
+              "The motion is computed from time 0 to this time. Less than 0: backwards, of systems whose motions "
+              "exist for all time, in the form of a field on coordinates: the torus, and the double pendulum with "
+              "Form = lagrange."});
   visit(step, AutoOrNumber{positive},
         About{"Time/Step", "time",
               "Upper bound of the time step (for rattle-4, -6, -8 of the whole composed step); each interval "
@@ -355,6 +388,8 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_initial_state(scene, visit);
   visit_equilibria(scene, visit);
   visit_modes(scene, visit);
+  visit_manifolds(scene, visit);
+  visit_section(scene, visit);
   visit_systems(scene, visit);
   visit_time(scene, visit);
   visit_polynomial(scene, visit);

@@ -25,6 +25,9 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
       return model.has_modes;
     case Analysis::equilibrium:
       return model.has_equilibria;
+    case Analysis::manifolds:
+    case Analysis::section:
+      return false;
   }
   return false;
 }

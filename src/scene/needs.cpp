@@ -165,8 +165,15 @@ std::string list(const char* title, const std::vector<std::string>& lines) {
 void describe_system(const SystemDescription& system, const Scene& scene, Needs& needs) {
   needs.needed.push_back(fmt::format("{}: {}", system.name, system.documentation));
   needs.skipped.push_back("ball: another system moves; no mesh, no deal.II, MPI or PETSc");
-  sort_out(needs, scene.analysis == Analysis::equilibrium, "critical points of the potential (equilibria.csv)",
-           fmt::format("critical points: Analysis is motion ({}.csv)", system.file));
+  const bool manifolds = scene.analysis == Analysis::manifolds;
+  sort_out(needs, manifolds || scene.analysis == Analysis::equilibrium,
+           "critical points of the potential (equilibria.csv)",
+           fmt::format("critical points: Analysis is {}", analysis_kind.print(scene.analysis)));
+  if (manifolds)
+    needs.needed.push_back("unstable and stable manifolds of the critical points (manifolds.csv, connections.csv)");
+  if (scene.analysis == Analysis::section)
+    needs.needed.push_back(
+        fmt::format("section: {} = {} (section.csv)", scene.section.column, print_number(scene.section.value)));
   needs.skipped.push_back("graphics: offered for the ball");
 }
 
@@ -217,7 +224,8 @@ Needs needs(const Scene& scene) {
 }
 
 std::string summary(const Scene& scene, const Needs& needs) {
-  const std::string end = scene.analysis == Analysis::motion ? ", until time " + print_number(scene.time.end) : "";
+  const bool moves = scene.analysis == Analysis::motion || scene.analysis == Analysis::section;
+  const std::string end = moves ? ", until time " + print_number(scene.time.end) : "";
   if (needs.system) return fmt::format("{} of the {}{}", analysis_kind.print(scene.analysis), scene.system, end);
   return fmt::format("{} of {} ball of radius {}, density {}, {}{}", analysis_kind.print(scene.analysis),
                      scene.body.incompressible ? "an incompressible" : "a compressible",

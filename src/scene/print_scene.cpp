@@ -131,6 +131,11 @@ std::string columns_tables(const Catalogue& catalogue) {
   for (const SystemDescription& system : catalogue.systems)
     text += columns_table(file_of(system.file), fmt::format("{} The first column is `time`.", system.documentation),
                           system.columns);
+  if (!catalogue.connections.empty())
+    text += columns_table(file_of("connections"),
+                          "Of the systems beside the ball: where the motions of manifolds.csv end (Analysis = "
+                          "manifolds), a row each.",
+                          catalogue.connections);
   if (!catalogue.equilibria.empty())
     text += columns_table("equilibria.csv of systems beside the ball",
                           "The critical points of the potential (Analysis = equilibrium), a row each.",

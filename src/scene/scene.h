@@ -14,7 +14,9 @@
 
 namespace pseudorigid::scene {
 
-enum class Analysis { motion, modes, equilibrium };
+enum class Analysis { motion, modes, equilibrium, manifolds, section };
+/// Which crossings of a section count: with a column that rises, that falls, or both.
+enum class Crossings { up, down, both };
 enum class Law {
   neo_hookean,
   mooney_rivlin,
@@ -112,8 +114,17 @@ struct Scene {
   struct Modes {
     int number = 8;
   } modes;
+  struct Manifolds {
+    int starts = 24;
+  } manifolds;
+  struct Section {
+    std::string column;
+    double value = 0;
+    double period = 0;  ///< of the column; 0: none
+    Crossings crossings = Crossings::up;
+  } section;
   struct Time {
-    double end = 10;
+    double end = 10;                ///< < 0: backwards
     std::optional<double> step;     ///< empty: auto
     std::string method{automatic};  ///< or the name of a method of the catalogue
     double tolerance = 1e-6;

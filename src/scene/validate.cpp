@@ -61,6 +61,10 @@ class Validator {
 
  private:
   void check_ball() {
+    if (scene_.analysis == Analysis::manifolds || scene_.analysis == Analysis::section)
+      refuse("Analysis", fmt::format("{} is offered for the systems beside the ball; set System",
+                                     analysis_kind.print(scene_.analysis)));
+    if (scene_.time.end < 0) refuse("Time/End", needs_complete_system());
     check_problem();
     if (scene_.analysis == Analysis::motion)
       if (const auto refusal = refuses_duration(scene_.time.end, time_unit())) refuse(refusal->path, refusal->sentence);
@@ -102,10 +106,33 @@ class Validator {
     scene_.models.clear();
     if (scene_.analysis == Analysis::modes)
       refuse("Analysis", fmt::format("modes are offered for the ball, not for System = {}", system.name));
-    if (scene_.analysis == Analysis::equilibrium && !system.has_equilibria)
-      refuse("Analysis", fmt::format("equilibrium is not offered for System = {}, which has no critical points to find",
-                                     system.name));
+    const bool wants_critical_points =
+        scene_.analysis == Analysis::equilibrium || scene_.analysis == Analysis::manifolds;
+    if (wants_critical_points && !system.has_equilibria)
+      refuse("Analysis", fmt::format("{} is not offered for System = {}, which has no critical points to find",
+                                     analysis_kind.print(scene_.analysis), system.name));
+    if (scene_.time.end < 0 && !system.complete) refuse("Time/End", needs_complete_system());
     if (const auto refusal = system.refuses(scene_)) refuse(refusal->path, refusal->sentence);
+    if (scene_.analysis == Analysis::section) check_section(system);
+  }
+
+  void check_section(const SystemDescription& system) const {
+    std::vector<std::string_view> names;
+    const auto columns = system.columns_of(scene_);
+    for (const Column& column : columns) names.push_back(column.name);
+    if (std::ranges::find(names, scene_.section.column) == names.end())
+      refuse("Section/Column", fmt::format("expected a column of {}.csv, one of {}; got \"{}\"", system.file,
+                                           joined(names), scene_.section.column));
+  }
+
+  /// Of an end before the start.
+  std::string needs_complete_system() const {
+    std::vector<std::string_view> names;
+    for (const SystemDescription& system : catalogue_of(scene_).systems)
+      if (system.complete) names.push_back(system.name);
+    return fmt::format(
+        "expected a number > 0, got {}; backwards in time go the systems whose motions exist for all time: {}",
+        print_number(scene_.time.end), joined(names));
   }
 
   double time_unit() const { return time_scale(scene_); }
@@ -294,18 +321,20 @@ class Validator {
 
   void check_time() const {
     const auto& time = scene_.time;
+    const double length = std::abs(time.end);
+    if (length == 0) refuse("Time/End", "expected a number > 0, got \"0\"");
     if (scene_.analysis != Analysis::motion) return;
     if (!std::isnormal(time.end / scene_.output.samples))
       refuse("Time/End", fmt::format("expected an end that Output/Samples = {} can divide, got {}",
                                      scene_.output.samples, print_number(time.end)));
-    if (time.step && *time.step > time.end)
+    if (time.step && *time.step > length)
       refuse("Time/Step", fmt::format("expected a step not longer than Time/End = {}, got {}", print_number(time.end),
                                       print_number(*time.step)));
-    if (time.step && time.end / *time.step > most_steps)
+    if (time.step && length / *time.step > most_steps)
       refuse("Time/Step",
              fmt::format("a run until Time/End = {} would take {:.3g} steps; expected at most {:.0g} of them, "
                          "that is a step of at least {:.3g}, got {}",
-                         print_number(time.end), time.end / *time.step, most_steps, time.end / most_steps,
+                         print_number(time.end), length / *time.step, most_steps, length / most_steps,
                          print_number(*time.step)));
   }
 

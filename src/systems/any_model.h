@@ -11,6 +11,7 @@
 
 #include "mechanics/core/any_field.h"
 #include "mechanics/core/any_system.h"
+#include "mechanics/core/reversed_field.h"
 #include "mechanics/core/vector_space.h"
 #include "mechanics/equilibria/any_landscape.h"
 #include "scene/catalogue.h"
@@ -33,12 +34,25 @@ class AnyModel {
   const Form& form() const { return form_; }
   const State& start() const { return start_; }
   mechanics::Status row(const State& state, Workspace& workspace, std::vector<double>& row) {
+    if (reversed_)
+      return held_->row({-state.t, state.q, -state.v},
+                        workspace.as<mechanics::ReversedField<mechanics::AnyField>::Workspace>().field, row);
     return held_->row(state, workspace, row);
   }
   double rate(const State& state) const { return held_->rate(state); }
   /// Of systems with equilibria; it refers to this model.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
+  /// The same system at rest in a point of the landscape; start().q is that point in the coordinates of the motion.
+  AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
+
+  /// From now on time runs backwards, of a model whose form is a field: states are (−t, q, −q̇), rows as before.
+  void reverse() {
+    form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
+    start_.v *= -1;
+    reversed_ = !reversed_;
+  }
+  bool reversed() const { return reversed_; }
 
  private:
   struct Interface {
@@ -47,6 +61,7 @@ class AnyModel {
     virtual double rate(const State& state) const = 0;
     virtual mechanics::AnyLandscape landscape() const = 0;
     virtual std::vector<scene::Column> coordinates() const = 0;
+    virtual AnyModel resting_at(const Eigen::VectorXd& q) const = 0;
   };
 
   template <class Model>
@@ -69,6 +84,15 @@ class AnyModel {
     std::vector<scene::Column> coordinates() const override {
       if constexpr (requires { model.coordinates(); }) return model.coordinates();
       return {};
+    }
+    AnyModel resting_at(const Eigen::VectorXd& q) const override {
+      if constexpr (requires { model.resting_at(q); }) {
+        return AnyModel(model.resting_at(q));
+      } else {
+        Model at_rest = model;
+        at_rest.initial = own({0, q, Eigen::VectorXd::Zero(q.size())});
+        return AnyModel(std::move(at_rest));
+      }
     }
 
     static Own own(const State& s) {
@@ -95,6 +119,7 @@ class AnyModel {
 
   Form form_;
   State start_;
+  bool reversed_ = false;
   std::unique_ptr<Interface> held_;
 };
 

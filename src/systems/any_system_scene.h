@@ -57,6 +57,11 @@ AnySystemScene any_system_scene() {
       .columns = SystemScene{}.columns(),
       .columns_of = [](const scene::Scene& scene) { return system_scene<SystemScene>(scene).columns(); },
       .has_equilibria = SystemScene::has_equilibria,
+      .complete =
+          [] {
+            if constexpr (requires { SystemScene::complete; }) return SystemScene::complete;
+            return false;
+          }(),
       .refuses = detail::refuses<SystemScene>};
   const SystemScene defaults;
   SystemScene::visit(defaults, [&]<class Value>(const Value& member, const auto& kind, const scene::About& about) {

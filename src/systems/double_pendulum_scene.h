@@ -23,7 +23,7 @@ struct DoublePendulumScene {
   static constexpr std::string_view name = "double pendulum", file = "double_pendulum", section = "Double pendulum";
   static constexpr std::string_view documentation =
       "Planar double pendulum (two heavy points on massless rods), y pointing down, angles from the downward vertical.";
-  static constexpr bool has_equilibria = true;
+  static constexpr bool has_equilibria = true, complete = true;
 
   enum class Form { multiplier, lagrange };
   static constexpr scene::Choice<Form, 2> form_kind{{{{"multiplier", Form::multiplier}, {"lagrange", Form::lagrange}}}};

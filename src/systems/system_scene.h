@@ -9,6 +9,7 @@
 ///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // one call an entry
 ///       Scales scales() const;                                            // units in which everything is of order 1
 ///       std::optional<Refusal> refuses() const;                           // in the user's units
+///       static constexpr bool complete;                                   // optional: motions exist for all time
 ///       std::vector<Column> columns() const;                              // after `time`
 ///       template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
 ///     };
@@ -22,6 +23,7 @@
 ///     double rate(state) const;                                         // optional, default |v|/(1 + |q|)
 ///     auto landscape() const;                                           // of V, for Analysis = equilibrium
 ///     std::vector<Column> coordinates() const;                          // names of q there
+///     Model resting_at(q) const;                                        // optional, where q of the landscape is another
 ///   };
 
 #include <cmath>

@@ -41,6 +41,12 @@ class Report(ReportTest, RefusedInputTest):
     def test_critical_points_of_a_system(self):
         self.check_samples(self.run_reported({"System": "double pendulum", "Analysis": "equilibrium"}), "equilibria.csv")
 
+    def test_manifolds_and_sections(self):
+        self.check_samples(self.run_reported({"System": "torus", "Analysis": "manifolds", "Manifolds/Starts": 3}),
+                           "manifolds.csv")
+        self.check_samples(self.run_reported({"System": "double pendulum", "Analysis": "section",
+                                              "Section/Column": "theta"}), "section.csv")
+
     def test_sweep(self):
         page = self.run_reported({**SCENE, "Time/End": 1, "Output/Samples": 4, "Material/Shear modulus": "$(m)", "Sweep/Parameters": "m: 1, 2"})
         self.check_samples(page, "sweep.csv")

@@ -160,9 +160,25 @@ def system(rng):
             entries[path] = changed_numbers(rng, str(value))
     entries["Output/Samples"] = rng.randint(2, 30)
     choose_method(rng, entries, 1.0, True)
-    if rng.random() < 0.1:
+    choose_analysis(rng, entries)
+    if "Analysis" not in entries and float(entries["Time/End"]) > 0 and rng.random() < 0.1:
         keep_trajectories(rng, entries)
     return entries, 1
+
+
+def choose_analysis(rng, entries):
+    """Now and then a section, the manifolds of the critical points, or a motion backwards in time."""
+    columns = {"mass points": "x1", "double pendulum": "theta", "torus": "u", "geodesic": "q2", "moving frame": "relative_x"}
+    system, chance = entries["System"], rng.random()
+    if chance < 0.15 and system in columns:
+        entries.update({"Analysis": "section", "Section/Column": columns[system], "Section/Value": repr(rng.gauss(0, 0.5)),
+                        "Section/Direction": rng.choice(("up", "down", "both"))})
+    elif chance < 0.2 and system in ("double pendulum", "torus"):
+        entries.update({"Analysis": "manifolds", "Manifolds/Starts": rng.randint(1, 5)})
+    elif chance < 0.4 and (system == "torus" or entries.get("Double pendulum/Form") == "lagrange"):
+        entries["Time/End"] = repr(-float(entries["Time/End"]))
+    if "Analysis" in entries:
+        entries.pop("Time/Method", None)
 
 
 def keep_trajectories(rng, entries):
@@ -193,7 +209,7 @@ def energy_drift(run):
     energy is to stay."""
     drifts = {}
     for path in run.files(".csv"):
-        if path.stem in ("comparison", "moving_frame"):
+        if path.stem in ("comparison", "moving_frame", "manifolds"):
             continue
         table = run.table(path.stem)
         if "energy" not in table.header or "kinetic" not in table.header or len(table) < 2:
@@ -237,7 +253,7 @@ def one(program, seed, number, with_continuum=True):
         found = faults_of_energy(entries, run)
     elif run.code == STOPPED and found_nothing(run):
         record["reason"] = "no equilibrium at rest was found"
-    elif run.code == STOPPED and not found and not run.too_long:
+    elif run.code == STOPPED and not found and not run.too_long and "Analysis" not in entries:
         record["reason"] = reason_without_numbers(run.stop()[1])
         found, again = faults_of_resume(program, run, name, limit=LONGEST, ranks=ranks)
         record["resumed"] = {DONE: "finished", STOPPED: "stopped"}.get(again.code, "refused")

@@ -67,7 +67,8 @@ FRAME = {
 }
 TORUS = {
     "System": "torus", "Torus/Radius": 2.5, "Torus/Tube radius": 0.8, "Torus/Gravity": 1.3, "Torus/Damping": 0.2,
-    "Torus/Tilt": 0.1, "Torus/Angles": "0.5, 0.7", "Torus/Rates": "0.4, -0.3", "Time/End": 10, "Output/Samples": 50,
+    "Torus/Damping variation": "0.05, -0.08", "Torus/Grain": 0.3, "Torus/Grain angle": 0.6, "Torus/Tilt": 0.1,
+    "Torus/Angles": "0.5, 0.7", "Torus/Rates": "0.4, -0.3", "Time/End": 10, "Output/Samples": 50,
 }
 ELLIPSOID = {
     "System": "geodesic", "Geodesic/Surface": "ellipsoid", "Geodesic/Semi-axes": "1.2, 1, 0.7", "Geodesic/Point": "1.1, 0.3",

@@ -11,11 +11,11 @@
 #include "mechanics/equilibria/chart_landscape.h"
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "mechanics/equilibria/critical_points.h"
+#include "mechanics/equilibria/unstable_manifold.h"
 #include "mechanics/sphere_particle.h"
 #include "support/differences.h"
 #include "support/integrate.h"
 #include "support/surface_curves.h"
-#include "support/unstable_manifold.h"
 #include "systems/mass_points.h"
 #include "systems/torus.h"
 
@@ -205,8 +205,7 @@ TEST(Statement_5_8_8, TheInnerCircleIsInvariant) {
 struct Connection {
   double miss, distance_to_sink;
 };
-Connection follow(double tilt, double epsilon) {
-  const Torus torus{{3, 1}, 1, 1, tilt};
+Connection follow(const Torus& torus, double epsilon) {
   const auto found = critical_points(torus);
   const ChartLandscape landscape(torus);
   const ChartField field(torus);
@@ -217,6 +216,8 @@ Connection follow(double tilt, double epsilon) {
   return {outcome.nearest,
           mechanics::phase_distance(outcome.end.q, outcome.end.v, found.points[0].q, landscape.periods())};
 }
+
+Connection follow(double tilt, double epsilon) { return follow(Torus{{3, 1}, 1, 1, tilt}, epsilon); }
 
 /// 5.8.8: the unstable manifold (dimension 1) of the upper saddle lies in the stable manifold of the lower one: both
 /// branches come to within 10⁻⁶ of it. They do not come nearer, since there round-off η = 10⁻¹⁶ across the circle grows
@@ -238,6 +239,50 @@ TEST(Statement_5_8_6, TiltingBreaksTheConnection) {
     }
     EXPECT_GT(follow(0.01, side * 1e-6).miss, 0.3);
     EXPECT_GT(follow(0.1, side * 1e-6).miss, 1);
+  }
+}
+
+/// 5.8.6, the other half: with V fixed, the upright torus, a change of D alone breaks the connection. Friction that is
+/// greater along a grain e, D(v) = −c (v + β⟨v, e⟩e), pushes a particle that slides along the circle across it unless e
+/// is along or across. A friction c(q) v never does.
+TEST(Statement_5_8_6, AGrainBreaksTheConnection) {
+  const auto with_grain = [](double grain, double angle) {
+    Torus torus{{3, 1}, 1, 1, 0};
+    torus.grain = grain;
+    torus.grain_angle = angle;
+    return torus;
+  };
+  for (const double side : {1.0, -1.0}) {
+    double before = 1e-6;
+    for (const double grain : {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5}) {
+      const Connection broken = follow(with_grain(grain, 0.6), side * 1e-6);
+      EXPECT_GT(broken.miss, 1.2 * before) << "grain " << grain;
+      EXPECT_LT(broken.distance_to_sink, 1e-6);
+      before = broken.miss;
+    }
+    EXPECT_GT(before, 0.5);
+    EXPECT_LT(follow(with_grain(0.5, 0), side * 1e-6).miss, 1e-6);
+    Torus uneven{{3, 1}, 1, 1, 0};
+    uneven.c_w = 0.3;
+    uneven.c_u = -0.5;
+    EXPECT_LT(follow(uneven, side * 1e-6).miss, 1e-6);
+  }
+}
+
+/// The grain in the metric: ⟨D(v), v⟩ = −c(q) (|v|² + β⟨v, e⟩²) with e of length 1, so D is dissipative (5.8), and its
+/// greatest ratio to |v|², over directions, is c(q)(1 + β).
+TEST(Statement_5_8, AGrainDissipates) {
+  Torus torus{{3, 1}, 1, 0.7, 0.2};
+  torus.grain = 0.8;
+  torus.grain_angle = 0.4;
+  torus.c_w = 0.3;
+  torus.c_u = -0.5;
+  for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 50)) {
+    const double rho = 3 + std::cos(q[0]), c = 0.7 * (1 + 0.3 * std::cos(q[0]) - 0.5 * std::cos(q[1]));
+    const Vector2d along(v[0], rho * v[1]), e(std::cos(0.4), std::sin(0.4));  // in the orthonormal frame
+    const double power = torus.dissipation(q, v).dot(torus.metric(q) * v);
+    EXPECT_NEAR(power, -c * (along.squaredNorm() + 0.8 * std::pow(along.dot(e), 2)), 1e-12 * (1 + along.squaredNorm()));
+    EXPECT_LE(-power, torus.greatest_damping() * along.squaredNorm());
   }
 }
 
@@ -272,9 +317,13 @@ TEST(Statement_5_8_6, SplittingIsOfFirstOrderInTheTilt) {
 /// Example 5.8.9: with D(v) = −c(q)v on a compact Q, μ = max c and k = |min V|, backwards in time
 /// E_m(t) + k ≤ (E_m(0) + k) e^{−2μt}, t < 0: motions do not escape in finite time.
 TEST(Statement_5_8_9, EnergyIsBoundedBackwards) {
-  const Torus torus{{3, 1}, 1, 0.7, 0.2};
+  Torus torus{{3, 1}, 1, 0.5, 0.2};
+  torus.c_w = 0.3;
+  torus.c_u = 0.1;
   const ChartField field(torus);
-  const double k = std::abs(critical_points(torus).points[0].V), mu = torus.c;
+  const double k = std::abs(critical_points(torus).points[0].V), mu = 0.5 * (1 + 0.3 + 0.1);
+  EXPECT_NEAR(torus.depth(), k, 1e-13);
+  EXPECT_NEAR(torus.greatest_damping(), mu, 1e-15);
   double tightest = 0;
   for (const auto& [q, v, ignored] : random_jets({-pi, -pi}, {pi, pi}, 10)) {
     const TorusState start{0, q, v};

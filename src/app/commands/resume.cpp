@@ -14,6 +14,7 @@
 #include "entries/entry_kinds.h"
 #include "entries/wording.h"
 #include "io/checkpoint.h"
+#include "io/files.h"
 #include "scene/prm_reader.h"
 #include "scene/user_error.h"
 
@@ -86,16 +87,23 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const Entries before = entries_of(found.front());
   const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;
-  const double interval = *end / *n, n_intervals = std::round(scene.time.end / interval);
-  if (scene.time.end < *end)
+  // Checkpoints count time from the start, whichever way it runs; used.prm knows which.
+  const auto used = number(entries_of(io::read_file(directory.used_prm())), end_of_time);
+  if (used && (*used < 0) != (scene.time.end < 0))
+    throw UserError(
+        fmt::format("Time/End = {} is on the other side of the start than the end of the run, {}, which a "
+                    "resumed run ends there or later",
+                    scene::print_number(scene.time.end), scene::print_number(*used)));
+  const double length = std::abs(scene.time.end), interval = *end / *n, n_intervals = std::round(length / interval);
+  if (length < *end)
     throw UserError(fmt::format("Time/End = {} is before the end of the run, {}; a resumed run ends there or later",
                                 scene::print_number(scene.time.end), scene::print_number(*end)));
-  if (std::abs(scene.time.end / interval - n_intervals) > 1e-9 * n_intervals)
+  if (std::abs(length / interval - n_intervals) > 1e-9 * n_intervals)
     throw UserError(
         fmt::format("Time/End = {} is not a multiple of the interval between samples, {}, which a resumed run keeps; "
                     "the next multiple is {}",
                     scene::print_number(scene.time.end), scene::print_number(interval),
-                    scene::print_number(std::ceil(scene.time.end / interval) * interval)));
+                    scene::print_number(std::copysign(std::ceil(length / interval) * interval, scene.time.end))));
   scene.output.samples = static_cast<int>(n_intervals);
 }
 

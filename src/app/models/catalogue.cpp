@@ -3,6 +3,7 @@
 #include "app/models/ball_models.h"
 #include "app/reduced/reduced_scene.h"
 #include "app/systems/equilibria.h"
+#include "app/systems/manifolds.h"
 #include "app/systems/system_run.h"
 #include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
@@ -17,7 +18,11 @@ constexpr bool for_discretized =
     mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, ElasticBody<true>>();
 
 scene::Catalogue make_catalogue() {
-  scene::Catalogue catalogue{.methods = {}, .models = {}, .systems = {}, .equilibria = equilibria_columns({}, 1)};
+  scene::Catalogue catalogue{.methods = {},
+                             .models = {},
+                             .systems = {},
+                             .connections = connections_columns(),
+                             .equilibria = equilibria_columns({}, 1)};
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_discretized<Method>});
   });

@@ -31,7 +31,7 @@ std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& 
 
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
-                            const RunContext& context) {
+                            const RunContext& context, mechanics::CriticalPoints* points) {
   // Coordinates that are not periodic are places in the system's own unit of length (systems/*_scene.h). Starts are in
   // a box of twice that; what lies outside, or on a scale of its own like a rod a thousandth as long, is found only
   // where Newton's iteration leads there: a search, as the log says.
@@ -53,6 +53,7 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
   for (const mechanics::CriticalPoint& point : found.points)
     csv.append(equilibria_row(++index, point, columns, scales));
   csv.flush();
+  if (points) *points = found;
   report_search(found, scales("mass*length^2/time^2"), context, outcome);
   return outcome;
 }

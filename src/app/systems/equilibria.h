@@ -9,6 +9,7 @@
 
 #include "app/run/run_context.h"
 #include "mechanics/equilibria/any_landscape.h"
+#include "mechanics/equilibria/critical_points.h"
 #include "systems/system_scene.h"
 
 namespace pseudorigid::app {
@@ -16,9 +17,10 @@ namespace pseudorigid::app {
 /// The columns for a system with these coordinates and n_modes degrees of freedom.
 std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
-/// Finds and writes them; `coordinates` name the configuration, `scales` are those of the landscape.
+/// Finds and writes them; `coordinates` name the configuration, `scales` are those of the landscape. `points`, with the
+/// system's own rates, are for who goes on from them.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
-                            const RunContext& context);
+                            const RunContext& context, mechanics::CriticalPoints* points = nullptr);
 
 }  // namespace pseudorigid::app

@@ -44,7 +44,7 @@ class SystemModel {
 
   mechanics::Status row(double time, const State& state, systems::AnyModel::Workspace& workspace,
                         std::vector<double>& row) {
-    row.assign(1, time);
+    row.assign(1, model_.reversed() ? -time : time);
     if (mechanics::Status status = model_.row(state, workspace, row); !status) return status;
     for (std::size_t i = 0; i < units_.size(); ++i) row[i + 1] *= units_[i];
     return {};

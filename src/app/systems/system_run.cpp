@@ -1,5 +1,8 @@
 #include "app/systems/system_run.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -8,6 +11,8 @@
 #include "app/run/refuses_method.h"
 #include "app/run/run_models.h"
 #include "app/systems/equilibria.h"
+#include "app/systems/manifolds.h"
+#include "app/systems/section.h"
 #include "app/systems/system_model.h"
 #include "mechanics/core/declared_dependence.h"
 #include "scene/scales.h"
@@ -18,9 +23,26 @@ namespace {
 
 std::optional<scene::Refusal> refuses_scene(const systems::AnySystemScene& system, const scene::Scene& scene) {
   if (auto refusal = system.description.refuses(scene)) return refusal;
-  if (scene.analysis == scene::Analysis::motion)
-    if (auto refusal = scene::refuses_duration(scene.time.end, system.scales(scene).time)) return refusal;
-  return std::visit([&](const auto& form) { return refuses_method(scene, form); }, system.model(scene).form());
+  using enum scene::Analysis;
+  if (scene.analysis != equilibrium)
+    if (auto refusal = scene::refuses_duration(std::abs(scene.time.end), system.scales(scene).time)) return refusal;
+  const std::string_view method = scene.time.method;
+  if ((scene.analysis == manifolds || scene.analysis == section) && method != scene::automatic &&
+      method != mechanics::DormandPrince8::name)
+    return scene::Refusal{"Time/Method", fmt::format("expected auto or {}, by which manifolds and sections are "
+                                                     "computed, got {}",
+                                                     mechanics::DormandPrince8::name, method)};
+  const systems::AnyModel model = system.model(scene);
+  if (scene.time.end < 0 && !std::holds_alternative<mechanics::AnyField>(model.form()))
+    return scene::Refusal{"Time/End", fmt::format("expected a number > 0, got {}; backwards in time go systems in "
+                                                  "coordinates, this one with Form = lagrange",
+                                                  scene::print_number(scene.time.end))};
+  return std::visit([&](const auto& form) { return refuses_method(scene, form); }, model.form());
+}
+
+/// The run of the same scene from its start to a later end, whichever way time runs.
+RunContext with_scene(const RunContext& context, const scene::Scene& scene) {
+  return derived(context, scene, context.needs);
 }
 
 }  // namespace
@@ -36,6 +58,14 @@ ModelOutcome run_system(const systems::AnySystemScene& system, const RunContext&
   RunContext context = of_program;
   context.units = {scales.length, scales.mass, scales.time};
   systems::AnyModel model = system.model(of_program.scene);
+  if (context.scene.analysis == scene::Analysis::manifolds) return run_manifolds(system, model, scales, context);
+  scene::Scene forwards = of_program.scene;
+  if (forwards.time.end < 0) {
+    model.reverse();
+    forwards.time.end *= -1;
+  }
+  if (context.scene.analysis == scene::Analysis::section)
+    return run_section(system, model, scales, with_scene(context, forwards));
   return std::visit(
       [&](const auto& form) {
         if (const auto status = mechanics::check_declared_dependence(form, model.start()); !status)
@@ -43,7 +73,8 @@ ModelOutcome run_system(const systems::AnySystemScene& system, const RunContext&
         if (context.scene.analysis == scene::Analysis::equilibrium)
           return run_equilibria(model.landscape(), mechanics::dissipative(form), model.coordinates(), scales, context);
         SystemModel motion(system.description, form, model, scales, context.scene);
-        return ModelRun(motion, context).run();
+        const RunContext of_motion = with_scene(context, forwards);
+        return ModelRun(motion, of_motion).run();
       },
       model.form());
 }

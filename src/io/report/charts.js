@@ -94,8 +94,8 @@ function placeText(text, at, width, rightFirst) {
 }
 
 // series: [{x, y, name, style, points: bool, jump}], the curve is broken where y changes by more than `jump`; marks:
-// [{x, text, style}] are upright lines.
-function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xRange = null, wholeX = false, note = ""}) {
+// [{x, text, style}] are upright lines. NaN breaks a curve too. `reads`: values are shown at the pointer.
+function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xRange = null, wholeX = false, note = "", reads = true}) {
   const host = make("div"), readout = make("div", {class: "readout"});
   const figure = make("figure", {}, make("div", {class: "heading"}, make("div", {class: "title"}, title), readout), host,
     note ? make("figcaption", {}, note) : null);
@@ -131,12 +131,13 @@ function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xR
       const places = s.x.length > 2 * width ? thinned(s.x, s.y, X) : s.x.keys();
       let path = "", before = NaN;
       for (const i of places) {
-        if (!(s.x[i] >= xs[0] && s.x[i] <= xs[1])) continue;
+        if (!(s.x[i] >= xs[0] && s.x[i] <= xs[1])) { before = NaN; continue; }
         path += `${Math.abs(s.y[i] - before) <= (s.jump || Infinity) ? "L" : "M"}${X(s.x[i]).toFixed(1)} ${Y(s.y[i]).toFixed(1)}`;
         before = s.y[i];
       }
       draw(svg, "path", {class: `curve ${s.style}`, d: path});
     }
+    if (!reads) return;
     const cursor = draw(svg, "line", {class: "cursor", y1: top, y2: bottom, visibility: "hidden"});
     const say = event => {
       const box = svg.getBoundingClientRect(), {x, text} = readingOf(series, X, Y, (event.clientX - box.left) / box.width * width, (event.clientY - box.top) / box.height * height);
@@ -151,8 +152,9 @@ function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xR
   return figure;
 }
 
-// Circles, of the pseudo-rigid ball diamonds, of what is neither squares.
+// Circles, of the pseudo-rigid ball diamonds, of what is neither squares; dots where there are many.
 function marker(svg, style, x, y) {
+  if (style === "dot") { draw(svg, "circle", {class: style, cx: x.toFixed(1), cy: y.toFixed(1), r: 1.2}); return; }
   if (style === "other") { draw(svg, "rect", {class: style, "stroke-width": 2, x: x - 4, y: y - 4, width: 8, height: 8, fill: "none"}); return; }
   if (style === "pseudo-rigid") draw(svg, "path", {class: `${style} solid`, "stroke-width": 2, d: `M${x} ${y - 6}l6 6l-6 6l-6 -6z`, fill: "none"});
   else draw(svg, "circle", {class: style, "stroke-width": 2, cx: x, cy: y, r: 4, fill: "none"});

@@ -10,6 +10,8 @@ function inWords() {
     const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1))), [{ball}] = ballsOf("modes");
     return `The ${tables.modes.n} lowest frequencies of the ${ball} about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;
   }
+  if (tables.connections) return `${tables.connections.n} motions on the manifolds of ${tables.equilibria.n} critical points of the potential.`;
+  if (tables.section) return `${tables.section.n} crossings of ${scene["Section/Column"]} = ${scene["Section/Value"]}.`;
   if (tables.equilibria && !tables.equilibria.has("kind")) return `${tables.equilibria.n} critical points of the potential.`;
   const families = ballsOf("equilibria").map(({name}) => tables[name].columns.kind);
   if (families.length) {
@@ -124,6 +126,49 @@ function modesOf(t, ball, heading) {
     tableOf(["mode", "kind", "copies", withUnit("ω", "1/time"), "exact sphere", "difference", "spread", "pseudo-rigid ball"], rows));
 }
 
+// An angle that counts its turns, in a range that has 0 and π in its inside.
+const isAngle = name => /full turns are counted|-pi to pi|^angle.*likewise/.test((describedColumns(systemFile)[name] || {}).meaning || "");
+const wrapped = (name, values) => isAngle(name) ? values.map(v => v - 2 * Math.PI * Math.floor((v + Math.PI / 2) / (2 * Math.PI))) : values;
+
+// The manifolds over the first two columns of the system, and where they end.
+function manifoldsSections() {
+  const t = tables.manifolds, ends = tables.connections;
+  if (!t || !ends) return [];
+  const [first, second] = t.names.slice(4, 6), x = wrapped(first, [...t.columns[first]]), y = wrapped(second, [...t.columns[second]]);
+  const of = stable => {
+    const curve = {x: [], y: []};
+    for (let i = 0; i < t.n; ++i) {
+      if (t.at("stable", i) !== stable) continue;
+      const begins = i === 0 || t.at("curve", i) !== t.at("curve", i - 1), jumps = (v, name) => isAngle(name) && Math.abs(v[i] - v[i - 1]) > Math.PI;
+      if (begins || jumps(x, first) || jumps(y, second)) { curve.x.push(NaN); curve.y.push(y[i]); }
+      curve.x.push(x[i]); curve.y.push(y[i]);
+    }
+    return curve;
+  };
+  const curves = [[0, "elastic", "unstable manifolds"], [1, "pseudo-rigid", "stable manifolds, along single directions"]].map(([stable, style, name]) => ({...of(stable), name, style: `${style} manifold`})).filter(s => s.x.length);
+  const e = tables.equilibria, points = e.has(first) && e.has(second) ? [{x: wrapped(first, [...e.columns[first]]), y: wrapped(second, [...e.columns[second]]), name: "critical points", style: "other", points: true}] : [];
+  const groups = new Map();
+  for (let i = 0; i < ends.n; ++i) {
+    const key = ["from", "stable", "to"].map(c => ends.at(c, i)).join();
+    groups.set(key, (groups.get(key) || 0) + 1);
+  }
+  const rows = [...groups].map(([key, n]) => { const [from, stable, to] = key.split(","); return [from, stable === "1" ? "stable" : "unstable", n, to === "0" ? "none" : to]; });
+  return section("Manifolds of the critical points", "Motions on the unstable manifolds, and backwards in time on the stable ones. Squares: the critical points, numbered by rising potential.",
+    legend(curves), make("div", {class: "charts wide"}, chart({title: `${second} over ${first}`, series: [...curves, ...points], xLabel: first, yLabel: second, height: 420, reads: false})),
+    tableOf(["from point", "manifold", "motions", "to point"], rows));
+}
+
+// The points of a section: the first column beside that of the section, and its rate.
+function sectionSections() {
+  const t = tables.section;
+  if (!t) return [];
+  const others = t.names.filter(n => n !== "time" && n !== scene["Section/Column"]), first = others[0];
+  const second = [`${first}_dot`, `v${first}`].find(n => t.has(n)) || others[1];
+  const unit = n => (describedColumns(systemFile)[n] || {}).unit || "";
+  return section("Section", `Where the motion crosses ${scene["Section/Column"]} = ${scene["Section/Value"]} (${scene["Section/Direction"]}).`,
+    make("div", {class: "charts wide"}, chart({title: `${second} over ${first}`, series: [{x: wrapped(first, [...t.columns[first]]), y: [...t.columns[second]], name: "", style: "dot", points: true}], xLabel: withUnit(first, unit(first)), yLabel: withUnit(second, unit(second)), height: 420})));
+}
+
 const FAMILY_PARAMETERS = {maclaurin: "eccentricity e", spheroids: "a3 / radius", spinning: withUnit("spin", "1/time")};
 const SPECIAL = {1: "fold: spin or circulation has an extremum", 3: "index: the number of negative directions changes, a branch may leave", 4: "instability: a growth rate begins or ends"};
 function equilibriaSections() {
@@ -196,6 +241,6 @@ function systemSections() {
   return systemFile && tables[systemFile] ? section("Motion", "", genericCharts(systemFile, "time", timeLabel, "elastic")) : [];
 }
 
-document.getElementById("report").append(...[head(), bodiesSections(), systemSections(), deformationSections(), differenceSections(), spectrumSections(), nonaffineSections(), energySections(), modesSections(), equilibriaSections(),
+document.getElementById("report").append(...[head(), bodiesSections(), systemSections(), deformationSections(), differenceSections(), spectrumSections(), nonaffineSections(), energySections(), modesSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
   sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat().filter(Boolean));
 redraws.forEach(redraw => redraw());

@@ -1,0 +1,220 @@
+#include "app/systems/manifolds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <variant>
+
+#include "app/systems/equilibria.h"
+#include "io/csv.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/equilibria/manifold_starts.h"
+#include "mechanics/equilibria/unstable_manifold.h"
+#include "mechanics/methods/dormand_prince_8.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using mechanics::CriticalPoint;
+using mechanics::PhaseVector;
+using mechanics::Status;
+
+/// Distances of the start from the critical point: along single directions, and around it along the slowest one; where
+/// a motion has arrived at a point; where it has left one.
+constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
+constexpr double local_tolerance = 1e-13;
+
+struct Curve {
+  int number, from;
+  bool stable;
+};
+
+/// Where a motion ends.
+struct End {
+  int to = 0;  ///< index of the critical point, 0: none
+  double distance = HUGE_VAL, time = 0;
+};
+
+std::vector<std::string> names_of(const std::vector<scene::Column>& columns, std::vector<std::string> names) {
+  for (const scene::Column& column : columns) names.push_back(column.name);
+  return names;
+}
+
+class ManifoldRun {
+ public:
+  ManifoldRun(const systems::AnySystemScene& system, const systems::AnyModel& model, const systems::Scales& scales,
+              const RunContext& context, const std::vector<CriticalPoint>& points)
+      : model_(model),
+        scales_(scales),
+        context_(context),
+        points_(points),
+        landscape_(model.landscape()),
+        periods_(landscape_.periods()),
+        length_(context.internal_time(std::abs(context.scene.time.end))),
+        rows_(io::CsvWriter::create(
+            context.directory.csv("manifolds"),
+            names_of(system.description.columns_of(context.scene), {"curve", "point", "stable", "time"}))),
+        ends_(io::CsvWriter::create(context.directory.csv("connections"), names_of(connections_columns(), {}))) {
+    for (const scene::Column& column : system.description.columns_of(context.scene))
+      units_.push_back(scales(column.unit));
+    if (points.empty()) return;
+    const double depth = points.back().V - points.front().V;  // by rising V
+    if (depth > 0) highest_energy_ = points.back().V + depth;
+  }
+
+  Status run() {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const auto unstable = mechanics::manifold_basis(points_[i], true);
+      if (unstable.empty()) continue;
+      const int from = static_cast<int>(i) + 1;
+      const auto leaving = unstable.size() == 1
+                               ? mechanics::both_ways(unstable, start_along)
+                               : mechanics::all_around(unstable, context_.scene.manifolds.starts, start_around);
+      if (Status status = follow_all(from, false, leaving); !status) return status;
+      const auto arriving = mechanics::both_ways(mechanics::manifold_basis(points_[i], false), start_along);
+      if (Status status = follow_all(from, true, arriving); !status) return status;
+    }
+    rows_.flush();
+    ends_.flush();
+    return {};
+  }
+
+  int n_curves() const { return n_curves_; }
+
+ private:
+  Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
+    std::vector<int> n_ends(points_.size() + 1, 0);
+    for (const PhaseVector& start : starts) {
+      if (context_.interrupted()) return Status::failure("interrupted");
+      const Curve curve{++n_curves_, from, stable};
+      systems::AnyModel at_rest = model_.resting_at(points_[static_cast<std::size_t>(from - 1)].q);
+      End end;
+      const Status status =
+          std::visit([&](const auto& form) { return follow(form, at_rest, curve, start, end); }, at_rest.form());
+      if (!status) return status;
+      ++n_ends[static_cast<std::size_t>(end.to)];
+      const double values[] = {double(curve.number), double(from), double(stable),
+                               double(end.to),       end.distance, end.time * context_.units.time};
+      ends_.append(values);
+    }
+    std::string text;
+    for (std::size_t to = 1; to < n_ends.size(); ++to)
+      if (n_ends[to] > 0)
+        text += fmt::format("{}{} {} point {}", text.empty() ? "" : ", ", n_ends[to], stable ? "from" : "to", to);
+    if (n_ends[0] > 0) text += fmt::format("{}{} to no point", text.empty() ? "" : ", ", n_ends[0]);
+    context_.log->info("  point {}, {} manifold: {} motions, {}", from, stable ? "stable" : "unstable", starts.size(),
+                       text);
+    return {};
+  }
+
+  /// The motion from the start on, backwards on a stable manifold, until it has arrived or left the heights of the
+  /// critical points far below.
+  template <class Form>
+  Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
+    using Method = mechanics::DormandPrince8;
+    const auto& field = mechanics::field_of(form);
+    using Field = std::decay_t<decltype(field)>;
+    const auto& rest = at_rest.start().q;
+    offset_ = points_[static_cast<std::size_t>(curve.from - 1)].q - rest;
+    mechanics::State<Field> state{0, rest + start.q, start.v};
+    auto system_workspace = form.make_workspace();
+    Method::Workspace<Field> w(field, local_tolerance);
+    if constexpr (mechanics::ProjectedField<Field>)
+      if (Status status = field.project(state.q, state.v, w.system); !status) return status;
+    mechanics::State<Field> between = state;
+    const double t_end = curve.stable ? -length_ : length_, interval = t_end / context_.scene.output.samples;
+    if (Status status = append(curve, state, at_rest, system_workspace); !status) return status;
+    bool has_left = false;
+    for (long k = 1; state.t != t_end;) {
+      if (!Method::step(field, t_end, state, w)) break;  // backwards a motion may grow without bounds
+      for (; std::abs(interval * static_cast<double>(k)) <= std::abs(state.t); ++k) {
+        if (Status status = Method::interpolate(field, interval * static_cast<double>(k), between, w); !status)
+          return status;
+        if (Status status = append(curve, between, at_rest, system_workspace); !status) return status;
+      }
+      if (arrives(curve, state, has_left, end)) return {};
+      if (curve.stable && energy(state) > highest_energy_) break;
+    }
+    end.to = 0;
+    return {};
+  }
+
+  /// Whether the state is at a critical point; one that it has not left does not count.
+  template <class State>
+  bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
+    end = {};
+    end.time = state.t;
+    for (std::size_t j = 0; j < points_.size(); ++j) {
+      const Eigen::VectorXd q = state.q + offset_;
+      const double d = mechanics::phase_distance(q, state.v, points_[j].q, periods_);
+      const bool is_own = static_cast<int>(j) + 1 == curve.from;
+      if (is_own && d > departure_distance) has_left = true;
+      if ((!is_own || has_left) && d < end.distance) {
+        end.distance = d;
+        end.to = static_cast<int>(j) + 1;
+      }
+    }
+    if (end.to == 0) end.distance = 0;
+    return end.to != 0 && end.distance < arrival_distance;
+  }
+
+  template <class State>
+  double energy(const State& state) const {
+    Eigen::MatrixXd M;
+    const Eigen::VectorXd q = state.q + offset_;
+    landscape_.mass(q, M);
+    return landscape_.potential(q) + 0.5 * state.v.dot(M * state.v);
+  }
+
+  template <class State, class Workspace>
+  Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
+    row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t * context_.units.time});
+    if (Status status = at_rest.row({state.t, state.q, state.v}, workspace, row_); !status) return status;
+    for (std::size_t i = 0; i < units_.size(); ++i) row_[i + 4] *= units_[i];
+    if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
+      return Status::failure("a motion has grown beyond what numbers can hold");
+    rows_.append(row_);
+    return {};
+  }
+
+  const systems::AnyModel& model_;
+  const systems::Scales& scales_;
+  const RunContext& context_;
+  const std::vector<CriticalPoint>& points_;
+  mechanics::AnyLandscape landscape_;
+  Eigen::VectorXd periods_, offset_;  ///< of the landscape's coordinates from those of the motion
+  double length_, highest_energy_ = HUGE_VAL;
+  std::vector<double> units_, row_;
+  io::CsvWriter rows_, ends_;
+  int n_curves_ = 0;
+};
+
+}  // namespace
+
+std::vector<scene::Column> connections_columns() {
+  return {{"curve", "", "number of the motion, as in manifolds.csv"},
+          {"from", "", "number of the critical point whose manifold it is on, as in equilibria.csv"},
+          {"stable", "", "1: on the stable manifold, followed backwards in time; 0: on the unstable one"},
+          {"to", "", "number of the critical point at its other end; 0: none within Time/End"},
+          {"distance", "", "distance from the nearest point at its end, in positions and rates, in the scene's units"},
+          {"time", "time", "when it has come there; less than 0 on stable manifolds"}};
+}
+
+ModelOutcome run_manifolds(const systems::AnySystemScene& system, const systems::AnyModel& model,
+                           const systems::Scales& scales, const RunContext& context) {
+  const bool dissipative = std::visit([](const auto& form) { return mechanics::dissipative(form); }, model.form());
+  mechanics::CriticalPoints found;
+  ModelOutcome outcome = run_equilibria(model.landscape(), dissipative, model.coordinates(), scales, context, &found);
+  if (outcome.end != mechanics::Outcome::finished) return outcome;
+  ManifoldRun run(system, model, scales, context, found.points);
+  if (const Status status = run.run(); !status) {
+    outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
+    outcome.message = "the manifolds are not complete: " + status.reason();
+  }
+  outcome.statistics.counters["motions"] = run.n_curves();
+  return outcome;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,191 @@
+#include "app/systems/section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/run/model_stepping.h"
+#include "app/systems/system_model.h"
+#include "io/csv.h"
+#include "io/signals.h"
+#include "mechanics/core/bracketed_root.h"
+#include "mechanics/core/field_of.h"
+#include "mechanics/methods/dormand_prince_8.h"
+#include "mechanics/steps/step_size.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using mechanics::Status;
+using Method = mechanics::DormandPrince8;
+
+constexpr int looks_per_step = 8, steps_between_interrupts = 256;
+/// Of the piece of motion on which a crossing is located: the least that the method takes.
+constexpr double tolerance_of_location = 1e-15;
+
+template <class Form>
+class SectionRun {
+  using Field = mechanics::FieldOf<Form>;
+  using State = mechanics::State<Form>;
+
+ public:
+  SectionRun(const Form& form, SystemModel<Form>& motion, const RunContext& context)
+      : form_(form),
+        motion_(motion),
+        context_(context),
+        field_(mechanics::field_of(form)),
+        workspace_(form.make_workspace()),
+        watched_(static_cast<std::size_t>(std::ranges::find(motion.columns(), context.scene.section.column) -
+                                          motion.columns().begin())),
+        end_(context.internal_time(std::abs(context.scene.time.end))),
+        csv_(io::CsvWriter::create(context.directory.csv("section"), motion.columns())) {}
+
+  ModelOutcome run() {
+    const auto start = std::chrono::steady_clock::now();
+    ModelOutcome outcome;
+    auto& counters = outcome.statistics.counters;
+    typename Method::template Workspace<Field> w(field_, choose_tolerance(counters));
+    if (context_.scene.time.step) w.h_max = context_.internal_time(*context_.scene.time.step);
+    State state = motion_.initial_state();
+    const Status status = go(state, w, outcome.end);
+    csv_.flush();
+    if (!status) {
+      outcome.message =
+          fmt::format("{} stopped at t = {:.6g}: {}", motion_.name, state.t * context_.units.time, status.reason());
+    }
+    counters["steps"] = static_cast<double>(w.counters.n_steps);
+    counters["forces"] = static_cast<double>(w.counters.n_force);
+    counters["crossings"] = static_cast<double>(csv_.n_rows());
+    outcome.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const auto& section = context_.scene.section;
+    context_.log->info("{} crossings of {} = {}", csv_.n_rows(), section.column, section.value);
+    return outcome;
+  }
+
+ private:
+  /// The local tolerance that Time/Tolerance asks for.
+  double choose_tolerance(std::map<std::string, double>& counters) {
+    const double tolerance = context_.scene.time.tolerance;
+    const mechanics::StepRequest request{.end = end_,
+                                         .window = motion_.pilot_window(end_),
+                                         .tolerance = tolerance,
+                                         .step_bound = end_,
+                                         .interval = end_,
+                                         .method = mechanics::id_of<Method>,
+                                         .give_up = [this] { return context_.interrupted(); }};
+    const auto choice = mechanics::choose_step(form_, motion_.initial_state(), request,
+                                               [](const State& s) -> Eigen::VectorXd { return s.q; });
+    counters["pilot_forces"] = static_cast<double>(choice.n_force);
+    if (!choice.status) {
+      const double least = std::max(1e-3 * tolerance, 1e-14);
+      context_.log->warn("{}: the error cannot be fitted to the tolerance ({}); local tolerance {:.1e}", motion_.name,
+                         choice.status.reason(), least);
+      return least;
+    }
+    counters["estimated_time_error"] = choice.error;
+    context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", motion_.name, Method::name,
+                       choice.local_tolerance, choice.error);
+    warn_of_round_off(choice, motion_.name, context_);
+    return choice.local_tolerance;
+  }
+
+  template <class Workspace>
+  Status go(State& state, Workspace& w, mechanics::Outcome& end) {
+    end = mechanics::Outcome::failed;
+    double before = 0;
+    if (Status status = level(state, before); !status) return status;
+    State between = state, start = state;
+    while (state.t < end_) {
+      start = state;
+      if (Status status = Method::step(field_, end_, state, w); !status) return status;
+      ++w.counters.n_steps;
+      double early = start.t;
+      for (int i = 1; i <= looks_per_step; ++i) {
+        const double late = i == looks_per_step ? state.t : start.t + (state.t - start.t) * i / looks_per_step;
+        if (Status status = Method::interpolate(field_, late, between, w); !status) return status;
+        double after = 0;
+        if (Status status = level(between, after); !status) return status;
+        if (Status status = take(start, early, late, before, after); !status) return status;
+        // A start on the surface is a crossing of neither kind.
+        before = after;
+        early = late;
+      }
+      if (w.counters.n_steps % steps_between_interrupts == 0 && context_.interrupted()) {
+        end = mechanics::Outcome::interrupted;
+        return Status::failure("interrupted");
+      }
+    }
+    end = mechanics::Outcome::finished;
+    return {};
+  }
+
+  /// How far the state is above the nearest value of the section.
+  Status level(const State& state, double& distance) {
+    if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
+    if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
+      return Status::failure("the motion has grown beyond what numbers can hold");
+    const auto& section = context_.scene.section;
+    distance = row_[watched_] - section.value;
+    if (section.period > 0) distance = std::remainder(distance, section.period);
+    return {};
+  }
+
+  bool counts(double before, double after) const {
+    const scene::Crossings wanted = context_.scene.section.crossings;
+    const bool rises = before < 0 && after >= 0, falls = before > 0 && after <= 0;
+    return (rises && wanted != scene::Crossings::down) || (falls && wanted != scene::Crossings::up);
+  }
+
+  /// Locates the crossing between two times within the step from `start`, if there is one, and writes it.
+  Status take(const State& start, double early, double late, double before, double after) {
+    if (!counts(before, after)) return {};
+    Status status;
+    State at = start;
+    const auto level_after = [&](double s) {
+      double distance = std::nan("");
+      at = start;
+      typename Method::template Workspace<Field> local(field_, tolerance_of_location);
+      while (status && at.t < start.t + s) status = Method::step(field_, start.t + s, at, local);
+      if (status) status = level(at, distance);
+      return distance;
+    };
+    const auto crossing = mechanics::bracketed_root(level_after, early - start.t, late - start.t);
+    if (!status) return status;
+    if (!crossing) return {};  // the dense output is beyond the surface by round-off, and the motion is not
+    const double distance = std::abs(level_after(*crossing));
+    if (!status) return status;
+    const bool jumps = distance > 1e-3 * (std::abs(before) + std::abs(after)) && distance > 1e-9;
+    if (!jumps) csv_.append(row_);
+    return {};
+  }
+
+  const Form& form_;
+  SystemModel<Form>& motion_;
+  const RunContext& context_;
+  decltype(mechanics::field_of(std::declval<const Form&>())) field_;
+  typename Form::Workspace workspace_;
+  std::size_t watched_;
+  double end_;
+  io::CsvWriter csv_;
+  std::vector<double> row_;
+};
+
+}  // namespace
+
+ModelOutcome run_section(const systems::AnySystemScene& system, systems::AnyModel& model, const systems::Scales& scales,
+                         const RunContext& context) {
+  return std::visit(
+      [&]<class Form>(const Form& form) {
+        SystemModel motion(system.description, form, model, scales, context.scene);
+        return SectionRun<Form>(form, motion, context).run();
+      },
+      model.form());
+}
+
+}  // namespace pseudorigid::app

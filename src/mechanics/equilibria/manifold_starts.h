@@ -1,0 +1,89 @@
+#pragma once
+/// Where motions on the unstable and the stable manifold of a critical point start: at q* + x, q̇ = y with (x, y) small
+/// and in the eigenspace of the linearised field, spanned by (Re δ, Re zδ) and (Im δ, Im zδ) of its rates z with
+/// directions δ; on the manifold up to terms of second order (Oliva, Geometric Mechanics, 5.8.3).
+///
+/// Around a point with several unstable directions the motions would all leave along the fastest. So they start at
+/// ε^{Re z/Re z_min} in each direction: all directions are of order 1 at the same time.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "mechanics/equilibria/critical_point.h"
+
+namespace pseudorigid::mechanics {
+
+struct PhaseVector {
+  Eigen::VectorXd q, v;
+  double rate = 0;  ///< |Re z|
+};
+
+/// A basis of the tangent space of the unstable manifold, or of the stable one, the fastest rates first.
+inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
+  constexpr double zero_rate = 1e-6;  // as critical_point.cpp counts
+  const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index i = 0; i < p.rates.size(); ++i)
+    if ((unstable ? 1 : -1) * p.rates[i].real() > zero && p.rates[i].imag() >= 0) order.push_back(i);
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index i, Eigen::Index j) {
+    return std::abs(p.rates[i].real()) > std::abs(p.rates[j].real());
+  });
+  std::vector<PhaseVector> basis;
+  for (const Eigen::Index i : order) {
+    Eigen::VectorXcd delta = p.directions.col(i);
+    Eigen::Index largest;
+    delta.cwiseAbs().maxCoeff(&largest);
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // whatever phase the eigensolver has given it
+    const Eigen::VectorXcd velocity = p.rates[i] * delta;
+    const double rate = std::abs(p.rates[i].real());
+    basis.push_back({delta.real(), velocity.real(), rate});
+    if (p.rates[i].imag() > 0) basis.push_back({delta.imag(), velocity.imag(), rate});
+  }
+  return basis;
+}
+
+/// At ε along each vector of a basis, and along its opposite.
+inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis, double epsilon) {
+  std::vector<PhaseVector> starts;
+  for (const PhaseVector& e : basis)
+    for (const double part : {epsilon, -epsilon}) starts.push_back({part * e.q, part * e.v, e.rate});
+  return starts;
+}
+
+/// n starts around the point: at equal angles in a plane, at random in more dimensions.
+inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
+  constexpr double least = 1e-12;  // of a direction much faster than the slowest, above the round-off of q*
+  std::vector<double> sizes;
+  for (const PhaseVector& e : basis) sizes.push_back(std::max(least, std::pow(epsilon, e.rate / basis.back().rate)));
+  std::mt19937_64 generator(1);
+  std::normal_distribution<double> normal;
+  std::vector<PhaseVector> starts;
+  for (int k = 0; k < n; ++k) {
+    Eigen::VectorXd part(static_cast<Eigen::Index>(basis.size()));
+    if (basis.size() == 2) {
+      // Multiples of a quarter turn are along the basis itself, without round-off across.
+      const double quarters = 4.0 * k / n, whole = std::round(quarters),
+                   angle = (quarters - whole) * std::numbers::pi / 2;
+      const double c = std::cos(angle), s = std::sin(angle);
+      const Eigen::Vector2d turned[] = {{c, s}, {-s, c}, {-c, -s}, {s, -c}};
+      part = turned[static_cast<int>(whole) % 4];
+    } else {
+      for (double& x : part) x = normal(generator);
+      part.normalize();
+    }
+    PhaseVector start{0 * basis[0].q, 0 * basis[0].v, basis.back().rate};
+    for (std::size_t i = 0; i < basis.size(); ++i) {
+      start.q += part[static_cast<Eigen::Index>(i)] * sizes[i] * basis[i].q;
+      start.v += part[static_cast<Eigen::Index>(i)] * sizes[i] * basis[i].v;
+    }
+    starts.push_back(start);
+  }
+  return starts;
+}
+
+}  // namespace pseudorigid::mechanics
