@@ -91,8 +91,8 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const auto used = number(entries_of(io::read_file(directory.used_prm())), end_of_time);
   if (used && (*used < 0) != (scene.time.end < 0))
     throw UserError(
-        fmt::format("Time/End = {} is on the other side of the start than the end of the run, {}, which a "
-                    "resumed run ends there or later",
+        fmt::format("Time/End = {} is on the other side of the start than the end of the run, {}; a "
+                    "resumed run goes on the same way",
                     scene::print_number(scene.time.end), scene::print_number(*used)));
   const double length = std::abs(scene.time.end), interval = *end / *n, n_intervals = std::round(length / interval);
   if (length < *end)
