@@ -21,7 +21,7 @@ from ball_release import SCENE, largest_difference, read_reference
 
 ROUNDS = 5
 METHOD = "symmetric-4"
-TOLERANCES = [1e-3, 1e-4]
+TOLERANCES = [5e-3, 1e-3, 1e-4]
 DEGREES = [1, 3, 5, 7, 9, 11, 13]
 DISCRETIZATIONS = [(3, 0), (4, 0), (5, 0), (6, 0)]
 S2 = 2.665622189235601  # of the incompressible sphere, 9 digits beyond any error here (tests/analysis)

@@ -97,7 +97,7 @@ def errors_of_the_ball(data):
          lambda f, d, i: f.draw_release(d, i), ["release", "release_runs", "peers"]),
         ("Ladder of models", "ladder",
          ["The same release by polynomial bodies of degree N and by finite elements of degree k, symmetric-4 with the "
-          "tolerances 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "
+          "tolerances 5e-3, 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "
           "for the step is contained. Table: with 1e-4. N = 1 is the pseudo-rigid body."],
          lambda f, d, i: f.draw_ladder(d, i), ["ladder"]),
         ("Elastic ball: the release over commits", "release",
