@@ -46,8 +46,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"overflow", entry("Time", "End = 1e999"), {}, "scene.prm:2: Time/End: expected a finite number, got"},
         BadInput{
             "trailing", entry("Time", "End = 3 s"), {}, "scene.prm:2: Time/End: expected a finite number, got \"3 s\""},
-        BadInput{"hex", entry("Time", "End = 0x10"), {}, "scene.prm:2: Time/End: expected a finite number, got \"0x10\""},
-        BadInput{"decimal_comma", entry("Time", "End = 1,5"), {}, "scene.prm:2: Time/End: expected a finite number, got"},
+        BadInput{
+            "hex", entry("Time", "End = 0x10"), {}, "scene.prm:2: Time/End: expected a finite number, got \"0x10\""},
+        BadInput{
+            "decimal_comma", entry("Time", "End = 1,5"), {}, "scene.prm:2: Time/End: expected a finite number, got"},
         BadInput{"plus_minus", entry("Time", "End = +-1"), {}, "scene.prm:2: Time/End: expected a finite number, got"},
         BadInput{
             "empty", entry("Body", "Radius ="), {}, "scene.prm:2: Body/Radius: expected a number > 0, got nothing"},

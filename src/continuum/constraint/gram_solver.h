@@ -1,8 +1,9 @@
 #pragma once
-/// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball, matrix-free, by conjugate residuals (mechanics/core/conjugate_residuals.h)
-/// preconditioned for the symmetric Gram operator S = G M⁻¹ Gᵀ of some earlier position: with its inverse (dense_gram.h) while that is small, beyond and on
-/// several ranks with two levels (two_level_gram.h). The preconditioner is renewed when the iterations that its age
-/// has cost exceed the cost of a new one.
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball, matrix-free, by conjugate residuals
+/// (mechanics/core/conjugate_residuals.h) preconditioned for the symmetric Gram operator S = G M⁻¹ Gᵀ of some earlier
+/// position: with its inverse (dense_gram.h) while that is small, beyond and on several ranks with two levels
+/// (two_level_gram.h). The preconditioner is renewed when the iterations that its age has cost exceed the cost of a new
+/// one.
 
 #include <memory>
 
