@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "systems/spherical_pendulum_scene.h"
 #include "mechanics/core/any_field.h"
 #include "mechanics/core/any_system.h"
 #include "mechanics/core/chart_field.h"
 #include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
 #include "systems/sample_systems.h"
+#include "systems/spherical_pendulum_scene.h"
 #include "systems/torus.h"
 
 namespace pseudorigid::testing {
