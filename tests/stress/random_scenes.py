@@ -153,7 +153,7 @@ def system(rng):
     entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, {**TOP, **ANGLES}, BODY,
                                {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI,
                                BODY_OF_POINTS, SPHERICAL_PENDULUM, ROTOR)))
-    kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Mass points/Springs", "Mass points/Dashpots",
+    kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Fixed axis/Inertia", "Mass points/Springs", "Mass points/Dashpots",
             "Output/Samples")
     for path, value in entries.items():
         if path not in kept:

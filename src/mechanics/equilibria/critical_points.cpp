@@ -162,7 +162,9 @@ Status find_own_rates(const AnyLandscape& landscape, CriticalPoint& p) {
   CriticalPoint undamped;
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());
   Status status = describe_critical_point(landscape, p.q, p.lambda, none, undamped);
-  if (status) p.rates = undamped.rates;
+  if (!status) return status;
+  p.rates = undamped.rates;
+  p.directions = undamped.directions;
   return status;
 }
 
