@@ -184,7 +184,7 @@ def faults_of_resume(program, run, name="scene", **options):
     """A run that could not go on, taken up with a smaller step: (faults, resumed run)."""
     before, at = last_time(run), run.stop()[0]
     counters = next((m["counters"] for m in reversed(run.manifest()["models"].values()) if "step" in m["counters"]), {})
-    step = counters.get("step", 1e-3) / 4
+    step = (counters.get("step") or 1e-3) / 4  # 0: it stopped before one was chosen
     again = program.run(None, name, resume=True, changes={"Time/Step": repr(step)}, **options)
     found = faults(again, resumed=True)
     if not found and again.code == STOPPED and not again.too_long and last_time(again) < before:

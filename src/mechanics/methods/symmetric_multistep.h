@@ -59,9 +59,15 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
+    // A step that accuracy or stability admits takes a few tens of them. Nobody can interrupt them.
+    constexpr int most = 2000;
     const double t_end = state.t + h;
-    while (state.t != t_end)
+    for (int n = 0; state.t != t_end; ++n) {
+      if (n == most)
+        return Status::failure(
+            "the first steps of the multistep method take more than 2000 small ones each; use a smaller step");
       if (Status status = DormandPrince8::step(field, t_end, state, workspace); !status) return status;
+    }
     w.q_rounding = workspace.q_rounding;
     return {};
   }
