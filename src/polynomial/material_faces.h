@@ -11,6 +11,7 @@
 #include <array>
 #include <vector>
 
+#include "mechanics/core/shape_columns.h"
 #include "polynomial/polynomial_space.h"
 
 namespace pseudorigid::polynomial {
@@ -19,11 +20,8 @@ class MaterialFaces {
  public:
   explicit MaterialFaces(const PolynomialSpace& space);
 
-  /// What a point is told by, as of the finite elements (continuum/output/material_faces.h): number of the patch, plane
-  /// (0: the surface; 1, 2, 3: the coordinate plane with this normal), X and x. The points of a patch follow one
-  /// another.
-  static constexpr std::array<const char*, 8> columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
-  static constexpr std::size_t first_length = 2;  ///< of the columns from which on they are lengths
+  static constexpr auto columns = mechanics::shape_columns;
+  static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
   std::vector<std::vector<double>> rows(const Eigen::VectorXd& q) const;
 

@@ -142,6 +142,21 @@ class PolynomialRun(ProgramTest):
         self.assertGreater(counters["estimated_time_error"], 1e-10)
         self.assertLess(counters["estimated_time_error"], 5e-8)
 
+    def test_a_step_far_too_long_for_a_multistep_method_stops_with_a_sentence(self):
+        """Its first steps, by small ones of another method, did not end and could not be interrupted."""
+        self.scene({"Models": "polynomial", "Polynomial/Degree": 3, "Material/Law": "gent", "Material/Gent limit": 4.16165836575061,
+                    "Initial state/Deformation": "1.0636191781466777, -0.5471677117414776, 1.071569546922301; "
+                    "-0.8575766621875578, -0.6066590616336801, -0.6851100664953423; "
+                    "0.63318329639514, -1.1001433461522396, -0.1271525761272486",
+                    "Initial state/Velocity": "1.7735652440998373, 2.3757391864257515, 0.17531691760620383; "
+                    "0.863463957787348, 1.015096512744471, 1.3751550178433865; "
+                    "4.869248480629993, 3.609884113432417, 1.1446581193513536",
+                    "Time/End": 1.3244146370455958, "Time/Method": "symmetric-8", "Time/Step": 0.34338858156955665,
+                    "Output/Samples": 4})
+        result = self.run_program("run", "scene.prm")
+        self.assertEqual(result.returncode, STOPPED)
+        self.assertIn("more than 2000 small ones each; use a smaller step", result.stderr)
+
     def test_what_is_refused(self):
         for entries, words in (({"Polynomial/Degree": 0}, "from 1 to 13"), ({"Polynomial/Degree": 14}, "from 1 to 13"),
                                ({"Polynomial/Degree": "3, 1"}, "must rise"),

@@ -121,6 +121,7 @@ class DegreeOne : public ::testing::Test {
     ASSERT_TRUE(mechanics::multiplier_of_motion(reduced, r, of_r, Lambda));
     if constexpr (GroupType::incompressible) {
       const double expected = Lambda / reduced.body().m_bar();
+      // A sum of stresses, times Vol/m̄ = 5, over a Gram matrix: some hundred units in the last place of 1.
       EXPECT_NEAR(polynomial.mean_multiplier(p.q, lambda), expected, 6e-14 * (1 + std::abs(expected)));
     }
   }

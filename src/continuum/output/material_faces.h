@@ -13,6 +13,7 @@
 
 #include "continuum/mesh/ball_space.h"
 #include "continuum/mesh/surface_faces.h"
+#include "mechanics/core/shape_columns.h"
 
 namespace pseudorigid::continuum {
 
@@ -20,10 +21,8 @@ class MaterialFaces {
  public:
   explicit MaterialFaces(const BallSpace& space);
 
-  /// What a point is told by: number of the face, plane (0: the surface; 1, 2, 3: the coordinate plane with this
-  /// normal), X and x. The points of a face follow one another.
-  static constexpr std::array<const char*, 8> columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
-  static constexpr std::size_t first_length = 2;  ///< of the columns from which on they are lengths
+  static constexpr auto columns = mechanics::shape_columns;
+  static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
   std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< of all ranks
   /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on the others. Collective.
