@@ -14,8 +14,12 @@ class Run:
     manifest: dict
     wall: float  # seconds from start to end of the process
     cpu: float  # seconds, user and system, of the process
-    megabytes: float  # largest resident set
     folder: pathlib.Path
+
+    @property
+    def megabytes(self):
+        """Largest resident set; not that of wait4, which counts what a forked child holds before it is the program."""
+        return self.manifest["peak_memory_bytes"] / 1e6
 
     def table(self, name):
         """Columns of a CSV file by name."""
@@ -36,7 +40,7 @@ def run(program, scene, folder, entries=()):
     if process.returncode != 0:
         raise SystemExit(f"error: exit code {process.returncode} of {' '.join(map(str, command))}")
     folder = pathlib.Path(folder)
-    return Run(read_manifest(folder), wall, used.ru_utime + used.ru_stime, used.ru_maxrss / 1e3, folder)
+    return Run(read_manifest(folder), wall, used.ru_utime + used.ru_stime, folder)
 
 
 def read_manifest(folder):

@@ -9,8 +9,8 @@ finite elements are on either side both runs are shortened to t ≤ 1 with 20 sa
 for the scene have a reason and no numbers. tests/app/skipping_test.py shows that results do not change.
 
 Columns: scene, part, seconds and seconds_with (processor time of the process, start-up included), megabytes and
-megabytes_with (largest resident set; not less than that of the Python that starts it, 17 MB), work and work_with (of
-the continuum unknowns × forces, else forces, by the manifest's counters), refused (what the program says).
+megabytes_with (largest resident set), work and work_with (of the continuum unknowns × forces, else forces, by the
+manifest's counters), refused (what the program says).
 """
 import argparse
 import csv

@@ -153,6 +153,13 @@ std::string cpu_model() {
   return "unknown";
 }
 
+std::int64_t peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string name; status >> name;)
+    if (std::int64_t kilobytes = 0; name == "VmHWM:" && status >> kilobytes) return 1024 * kilobytes;
+  return 0;
+}
+
 ManifestFile::ManifestFile(std::filesystem::path path, Manifest content)
     : path_(std::move(path)), content_(std::move(content)), start_(SystemClock::now()) {
   write(std::nullopt);
@@ -179,6 +186,7 @@ void ManifestFile::write(const std::optional<End>& end) {
     const auto now = SystemClock::now();
     json["end"] = utc(now);
     json["wall_seconds"] = std::chrono::duration<double>(now - start_).count();
+    json["peak_memory_bytes"] = peak_memory();
     json["state"] = state_word(end->outcome);
     if (end->exit_code) json["exit_code"] = *end->exit_code;
     if (!end->message.empty()) json["message"] = end->message;

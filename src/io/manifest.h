@@ -2,6 +2,7 @@
 /// manifest.json: what ran, with what, on what, for how long, and how it ended.
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -80,5 +81,7 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();
+/// Largest resident set of this process so far, in bytes; 0 where the system does not say.
+std::int64_t peak_memory();
 
 }  // namespace pseudorigid::io

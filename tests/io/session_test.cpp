@@ -142,6 +142,8 @@ TEST(Manifest, TellsWhatRanAndHowItEnded) {
   EXPECT_EQ(json["entries"]["Body/Radius"], "0.5");
   for (const char* name : {"version", "git_hash", "compiler", "flags", "cpu", "start", "end", "wall_seconds"})
     EXPECT_TRUE(json.contains(name)) << name;
+  EXPECT_GT(json["peak_memory_bytes"], 1 << 20);
+  EXPECT_LT(json["peak_memory_bytes"], std::int64_t{1} << 40);
   EXPECT_FALSE(json["cpu"].get<std::string>().empty());
 }
 

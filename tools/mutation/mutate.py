@@ -40,6 +40,9 @@ MEMORY = 6 << 30
 
 
 class Workplace:
+    name = "mutation"
+    shares = LAYERS
+
     def __init__(self, options):
         self.options = options
         self.folder = options.build
@@ -66,7 +69,7 @@ class Workplace:
         """A sample of each layer: at most one mutant a line, no file with more than a fifth of them."""
         generator = random.Random(self.options.seed)
         chosen = []
-        for layer, share in LAYERS.items():
+        for layer, share in self.shares.items():
             count = round(share * self.options.scale)
             files = sorted(path for path in (SOURCE / "src" / layer).rglob("*") if path.suffix in (".h", ".cpp"))
             candidates = [mutant for path in files
@@ -129,6 +132,9 @@ class Workplace:
     def tests_of(self, layer, further):
         return self.targets([layer] + (FURTHER[layer] if further else []))
 
+    def targets_to_build(self):
+        return [name for layer in self.layers() for name in self.tests_of(layer, self.options.further)]
+
     def build(self):
         self.take_over("tests")
         if not (self.binaries / "build.ninja").exists():
@@ -137,10 +143,9 @@ class Workplace:
                             f"-DPSEUDORIGID_CONTINUUM={with_continuum}", "-DPSEUDORIGID_UNITY=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG",
                             "-DCMAKE_CXX_FLAGS=-ftemplate-backtrace-limit=0"],
                            check=True, stdout=subprocess.DEVNULL)
-        targets = [name for layer in self.layers() for name in self.tests_of(layer, self.options.further)]
+        command = ["nice", "-n", "10", "ninja", "-C", self.binaries, "-k", "0", f"-j{self.options.jobs}", *self.targets_to_build()]
         while True:
-            result = subprocess.run(["nice", "-n", "10", "ninja", "-C", self.binaries, "-k", "0", f"-j{self.options.jobs}", *targets],
-                                    capture_output=True, text=True)
+            result = subprocess.run(command, capture_output=True, text=True)
             if result.returncode == 0:
                 return
             self.drop(result.stdout)
@@ -264,10 +269,10 @@ class Workplace:
                 print(self.describe(int(number), verdict))
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def main(workplace, text):
+    parser = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("command", choices=("make", "build", "run", "report"))
-    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build/mutation", help="where all is kept")
+    parser.add_argument("--build", type=pathlib.Path, default=SOURCE / "build" / workplace.name, help="where all is kept")
     parser.add_argument("--layers", default=",".join(LAYERS), help="those to build and run")
     parser.add_argument("--further", action="store_true", help="the tests of neighbouring layers as well")
     parser.add_argument("--survivors", action="store_true", help="try them again, with the tests as they are now")
@@ -277,7 +282,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     options.build = options.build.resolve()
-    getattr(Workplace(options), options.command)()
+    getattr(workplace(options), options.command)()
 
 
-main()
+if __name__ == "__main__":
+    main(Workplace, __doc__)

@@ -206,7 +206,8 @@ function costSections() {
     ...names.map(n => [COUNTERS[n] || n.replaceAll("_", " "), ...models.map(([, m]) => cell((m.counters || {})[n], n))])];
   const named = key => (manifest.ball || []).find(model => model.name === key);
   const title = key => named(key) ? `${adjectiveOf(named(key))} ball` : key.replaceAll("_", " ");
-  return section("Cost", manifest.wall_seconds ? `The whole run took ${show(manifest.wall_seconds, 3)} s on ${manifest.cpu}.` : "", tableOf(["", ...models.map(([key]) => title(key))], rows));
+  const memory = manifest.peak_memory_bytes ? ` and ${show(manifest.peak_memory_bytes / 1e6, 3)} MB of memory` : "";
+  return section("Cost", manifest.wall_seconds ? `The whole run took ${show(manifest.wall_seconds, 3)} s${memory} on ${manifest.cpu}.` : "", tableOf(["", ...models.map(([key]) => title(key))], rows));
 }
 
 function needsSections() {

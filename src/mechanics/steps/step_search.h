@@ -12,10 +12,11 @@
 /// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
 /// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
 ///
-/// Where it is asked for, a glance comes first, the same with a window of w/8. Errors have hardly begun to grow in it:
-/// its estimate was 0.07 to 9 times too small in releases, spins, tides and figures of equilibrium of the ball, and is
-/// multiplied by 20. A method of high order at its stability limit often has room for that, and the pilots cost a
-/// fifth.
+/// Where it is asked for, a glance comes first, the same with a part w' of the window: w/8, and if that leaves it a
+/// chance w/2. Errors have hardly begun to grow in it, so its estimate is multiplied by (w/w')^(3/2): 23 and 2.8. In
+/// releases, spins, tides and figures of equilibrium of the ball it was 0.07 to 9 times too small at w/8, and 0.4 to
+/// 2.1 times at w/2. A method of high order at its stability limit often has room for that, and the pilots cost a fifth
+/// or a half.
 ///
 /// Round-off walks at random through the velocity and so costs about
 ///
