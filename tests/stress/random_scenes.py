@@ -119,8 +119,8 @@ def ball(rng, with_continuum):
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
-    if reduced_only and rng.random() < 0.1:
-        at_rest(entries)
+    if reduced_only and rng.random() < 0.15:
+        look_for_equilibria(rng, entries, rate)
     elif rng.random() < 0.3:
         bend(rng, entries)
     choose_method(rng, entries, 1 / rate, reduced_only)
@@ -190,9 +190,24 @@ def keep_trajectories(rng, entries):
         entries["Time/Step"] = repr(min(float(entries["Time/Step"]), 0.5 * end))
 
 
-def at_rest(entries):
-    """The equilibria at rest in place of the motion."""
-    entries.update({"Analysis": "equilibrium", "Equilibrium/Family": "static"})
+def look_for_equilibria(rng, entries, rate):
+    """Those at rest in place of the motion, or a family of figures that turn, of bodies that may bend as well. Most of these
+    have nothing that families refuse: loads that know a direction, dissipation, figures that bend with circulation within."""
+    family = rng.choice(words("Equilibrium/Family"))
+    entries.update({"Analysis": "equilibrium", "Equilibrium/Family": family})
+    if family == "static":
+        return
+    scale = rate if family == "spinning" else 1
+    first, last = sorted(scale * rng.uniform(0.02, 0.98) for _ in range(2))
+    entries.update({"Equilibrium/First": repr(first), "Equilibrium/Last": repr(last), "Equilibrium/Number": rng.randint(2, 6),
+                    "Equilibrium/Axis ratio": repr(math.exp(rng.gauss(0, 0.3)))})
+    if rng.random() < (0.1 if family.startswith(("dedekind", "riemann")) else 0.6):
+        entries["Models"] = rng.choice(("polynomial", "reduced, polynomial"))
+        entries["Polynomial/Degree"] = rng.choice(("1", "2", "3", "1, 3", "4"))
+    if rng.random() < 0.8:
+        refused = ("Loads/", "Material/Viscosity", "Material/Drag", "Body/Semi-axes")
+        for path in [path for path in entries if path.startswith(refused)]:
+            del entries[path]
 
 
 def changed_numbers(rng, value):
@@ -252,7 +267,7 @@ def one(program, seed, number, with_continuum=True):
     if run.code == DONE and not found:
         found = faults_of_energy(entries, run)
     elif run.code == STOPPED and found_nothing(run):
-        record["reason"] = "no equilibrium at rest was found"
+        record["reason"] = "no equilibrium was found"
     elif run.code == STOPPED and not found and not run.too_long and "Analysis" not in entries:
         record["reason"] = reason_without_numbers(run.stop()[1])
         found, again = faults_of_resume(program, run, name, limit=LONGEST, ranks=ranks)
