@@ -149,12 +149,13 @@ def choose_method(rng, entries, time_unit, cheap):
 def system(rng):
     """A system beside the ball: a scene in which every force acts, all its numbers changed by chance."""
     from system_test import (ANGLES, BODY, BODY_OF_POINTS, DAMPED_POINTS, ELLIPSOID, EULER, FRAME, INERTIAL, JACOBI,
-                             LAGRANGE, PARABOLOID, PENDULUM, POINTS, ROTOR, SPHERICAL_PENDULUM, TOP, TORUS)
+                             JACOBI_PENDULUM, JACOBI_TORUS, LAGRANGE, PARABOLOID, PENDULUM, POINTS, ROTOR,
+                             SPHERICAL_PENDULUM, TOP, TORUS)
     entries = dict(rng.choice((PENDULUM, {**PENDULUM, **LAGRANGE}, POINTS, DAMPED_POINTS, TOP, {**TOP, **ANGLES}, BODY,
                                {**BODY, **EULER}, FRAME, {**FRAME, **INERTIAL}, TORUS, ELLIPSOID, PARABOLOID, JACOBI,
-                               BODY_OF_POINTS, SPHERICAL_PENDULUM, ROTOR)))
-    kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Fixed axis/Inertia", "Mass points/Springs", "Mass points/Dashpots",
-            "Output/Samples")
+                               JACOBI_TORUS, JACOBI_PENDULUM, BODY_OF_POINTS, SPHERICAL_PENDULUM, ROTOR)))
+    kept = ("System", "Rigid body/Inertia", "Rigid body/Rotation", "Fixed axis/Inertia", "Mass points/Springs",
+            "Mass points/Dashpots", "Output/Samples")
     for path, value in entries.items():
         if path not in kept:
             entries[path] = changed_numbers(rng, str(value))

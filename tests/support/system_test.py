@@ -82,6 +82,15 @@ JACOBI = {
     "Jacobi geodesic/Energy": 2, "Jacobi geodesic/Position": "0.8, 0.1", "Jacobi geodesic/Direction": "0.3, 1",
     "Time/End": 10, "Output/Samples": 50,
 }
+JACOBI_TORUS = {
+    **JACOBI, "Jacobi geodesic/Potential": "torus", "Jacobi geodesic/Radius": 3, "Jacobi geodesic/Tube radius": 0.8,
+    "Jacobi geodesic/Gravity": 1.2, "Jacobi geodesic/Energy": 6, "Jacobi geodesic/Position": "0.5, 0.2",
+}
+JACOBI_PENDULUM = {
+    **JACOBI, "Jacobi geodesic/Potential": "double pendulum", "Jacobi geodesic/Radius": 1.1, "Jacobi geodesic/Second mass": 0.7,
+    "Jacobi geodesic/Second length": 0.9, "Jacobi geodesic/Gravity": 9.81, "Jacobi geodesic/Energy": 60,
+    "Jacobi geodesic/Position": "0.5, 0.3",
+}
 
 # The second form of each.
 LAGRANGE = {"Double pendulum/Form": "lagrange"}
