@@ -23,13 +23,26 @@ bool is_binary(char c) {
   return std::iscntrl(byte) && !std::isspace(byte);
 }
 
+/// `; did you mean "…"?` with the scene beside a file that is not there whose name is nearest, or nothing.
+std::string scene_meant(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path folder = file.parent_path();
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, ignored))
+    if (entry.path().extension() == ".prm") found.push_back((folder / entry.path().filename()).string());
+  std::sort(found.begin(), found.end());
+  return fs::exists(file, ignored) ? "" : did_you_mean(file.string(), {found.begin(), found.end()});
+}
+
 /// Everything in the file; `blame` begins the message if it cannot be had.
 std::string text_of(const fs::path& file, const std::string& blame) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
     throw UserError(fmt::format("{}: expected a parameter file, but {} is a directory", blame, quote(file.string())));
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw UserError(fmt::format("{}: cannot open the parameter file {}", blame, quote(file.string())));
+  if (!stream)
+    throw UserError(
+        fmt::format("{}: cannot open the parameter file {}{}", blame, quote(file.string()), scene_meant(file)));
   std::string text(largest_file + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) throw UserError(fmt::format("{}: cannot read the file {}", blame, quote(file.string())));

@@ -177,6 +177,8 @@ class BadInput(RefusedInputTest):
 
     def test_missing_file(self):
         self.refused("run", "nowhere.prm", fragments=('"nowhere.prm"', "cannot open"))
+        self.scene({}, "quickstart.prm")
+        self.refused("run", "quikstart.prm", fragments=('"quikstart.prm"', "cannot open", 'did you mean "quickstart.prm"?'))
 
     def test_directory_in_place_of_a_file(self):
         (self.scratch / "folder").mkdir()

@@ -1,3 +1,4 @@
+#include "continuum/kernels/cell_products.h"
 #include "continuum/kernels/packed_product.h"
 #include "continuum/levels.h"
 
@@ -14,4 +15,6 @@ std::unique_ptr<continuum::LocalKernels> make_kernels(int, const continuum::Loca
 
 extern const pseudorigid::continuum::KernelTable PSEUDORIGID_KERNEL_TABLE{
     .make_local_kernels = pseudorigid::testing::make_kernels,
-    .multiply_packed = pseudorigid::continuum::multiply_packed};
+    .multiply_packed = pseudorigid::continuum::multiply_packed,
+    .add_product = pseudorigid::continuum::add_product,
+    .multiply_transposed = pseudorigid::continuum::multiply_transposed};

@@ -80,5 +80,31 @@ TEST(Levels, MultiplyAlikeToSinglePrecision) {
   }
 }
 
+TEST(Levels, MultiplyMatricesOfCells) {
+  for (const std::size_t n_rows : {8u, 24u, 56u, 64u, 88u, 120u})
+    for (const std::size_t n_columns : {1u, 4u, 27u, 35u}) {
+      std::vector<float> A(n_rows * n_columns), of_columns(n_columns), of_rows(n_rows);
+      for (std::size_t i = 0; i < A.size(); ++i) A[i] = static_cast<float>(std::sin(1.0 + 0.7 * double(i)));
+      for (std::size_t i = 0; i < n_columns; ++i) of_columns[i] = static_cast<float>(std::cos(2.0 * double(i)));
+      for (std::size_t i = 0; i < n_rows; ++i) of_rows[i] = static_cast<float>(std::cos(3.0 * double(i)));
+      for (const auto* build : builds_here()) {
+        std::vector<float> y(n_rows, 0.5f), z(n_columns, 7);
+        build->table->add_product(A.data(), n_rows, n_columns, of_columns.data(), y.data());
+        build->table->multiply_transposed(A.data(), n_rows, n_columns, of_rows.data(), z.data());
+        constexpr double round_off = 6e-8 * 4;  // a term
+        for (std::size_t r = 0; r < n_rows; ++r) {
+          double expected = 0.5;
+          for (std::size_t c = 0; c < n_columns; ++c) expected += double(A[c * n_rows + r]) * of_columns[c];
+          EXPECT_NEAR(y[r], expected, double(n_columns) * round_off) << build->instructions;
+        }
+        for (std::size_t c = 0; c < n_columns; ++c) {
+          double expected = 0;
+          for (std::size_t r = 0; r < n_rows; ++r) expected += double(A[c * n_rows + r]) * of_rows[r];
+          EXPECT_NEAR(z[c], expected, double(n_rows) * round_off) << build->instructions;
+        }
+      }
+    }
+}
+
 }  // namespace
 }  // namespace pseudorigid::testing

@@ -6,7 +6,6 @@ the tests of the rows, until every row has been red three times or no mutant is 
 """
 import collections
 import concurrent.futures
-import json
 import os
 import random
 import re

@@ -5,9 +5,10 @@
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ
 ///
 /// S_cc: the block of S of one cell. P: the L²-projections onto the multipliers of the continuous functions N_i ∈ Q_m,
-/// m = ⌈k/2⌉, that vanish on the free surface; K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX, since S is the weak form of
-/// −div(ρ⁻¹ grad) in current coordinates, with λ = 0 on the free surface. Measured condition numbers of BS (octant, one
-/// to three refinements): 3.0–3.9 for k = 2, 5.0–6.8 for k = 4, 8.4 for k = 6.
+/// m = 1 for k ≤ 4 and 2 beyond, that vanish on the free surface; K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX, since S is the weak
+/// form of −div(ρ⁻¹ grad) in current coordinates, with λ = 0 on the free surface. The matrices of the cells are in
+/// single precision. Iterations until the residual has fallen by 10⁻⁴ (octant, one to three refinements, at rest and
+/// sheared): 7–10 for k = 2, 14–19 for k = 4, 16–21 for k = 6.
 ///
 /// K⁻¹ is a KSP of PETSc with the options' prefix gram_coarse_: by default one V-cycle of its algebraic multigrid
 /// (GAMG).
@@ -58,13 +59,15 @@ class TwoLevelGram final : public GramPreconditioner {
   std::vector<unsigned int> local_functions_;                                 ///< likewise, local numbers, all cells
   std::vector<bool> on_surface_;                                              ///< of the local numbers
   std::vector<Eigen::MatrixXd> tables_;  ///< values of N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::vector<double> projections_;      ///< P, one matrix a cell: [function of ψ + n_pressure · i]
-  std::vector<double> inverse_blocks_;   ///< S_cc⁻¹, one matrix a cell
+  std::size_t n_rows_;                   ///< of the matrices of the cells: the multipliers, and zeros
+  std::vector<float> projections_;       ///< P, one matrix a cell: [function of ψ + n_rows · i]
+  std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix a cell: [i + n_rows · j]
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< its constructor wants PETSc to run
   KSP coarse_solver_ = nullptr;
   PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< and nothing else
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;
   mutable Vector restricted_, correction_;
+  mutable std::vector<float> multipliers_, of_functions_;  ///< of one cell
 };
 
 }  // namespace pseudorigid::continuum

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "continuum/kernels/cell_products.h"
 #include "continuum/kernels/packed_product.h"
 
 namespace pseudorigid::continuum {
@@ -35,4 +36,6 @@ std::unique_ptr<LocalKernels> make_kernels(int degree, const LocalCells& cells, 
 
 extern const pseudorigid::continuum::KernelTable PSEUDORIGID_KERNEL_TABLE{
     .make_local_kernels = pseudorigid::continuum::make_kernels,
-    .multiply_packed = pseudorigid::continuum::multiply_packed};
+    .multiply_packed = pseudorigid::continuum::multiply_packed,
+    .add_product = pseudorigid::continuum::add_product,
+    .multiply_transposed = pseudorigid::continuum::multiply_transposed};

@@ -14,6 +14,9 @@ struct KernelTable {
   std::unique_ptr<LocalKernels> (*make_local_kernels)(int degree, const LocalCells& cells, const StoredEnergy& stored);
   /// y ← A x for the lower triangle of A by rows.
   void (*multiply_packed)(const float* entries, std::size_t n, const float* x, float* y);
+  /// cell_products.h
+  void (*add_product)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
+  void (*multiply_transposed)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
 };
 
 /// Defined by the build, the best first.
