@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,16 +16,17 @@ namespace pseudorigid::continuum {
 class GramSolver::Impl {
  public:
   Impl(const BallSpace& space, const CellKernels& kernels, GramMethod method)
-      : space_(space), kernels_(kernels), method_(method), reaction_(space.make_vector()) {
+      : space_(space),
+        kernels_(kernels),
+        method_(method),
+        of_q0_(kernels, precision_of(method)),
+        of_q1_(kernels, precision_of(method)),
+        reaction_(space.make_vector()) {
     history_.renewed_at = space.make_vector();
     if (method == GramMethod::dense)
       preconditioner_ = std::make_unique<DenseGram>(space, kernels);
     else
       preconditioner_ = std::make_unique<TwoLevelGram>(space, kernels);
-    if (method == GramMethod::dense) {
-      of_q0_.emplace(kernels);
-      of_q1_.emplace(kernels);
-    }
   }
 
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
@@ -49,9 +49,9 @@ class GramSolver::Impl {
   }
 
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) {
-    if (!of_q0_) return kernels_.add_reaction(x, lambda, f);
-    of_q0_->move_to(x);
-    kernels_.add_reaction(of_q0_->tangent(), lambda, f);
+    if (method_ != GramMethod::dense) return kernels_.add_reaction(x, lambda, f);
+    of_q0_.move_to(x);
+    kernels_.add_reaction(of_q0_.tangent(), lambda, f);
   }
 
   History& history() { return history_; }
@@ -81,15 +81,9 @@ class GramSolver::Impl {
   /// result = G(q₁) M⁻¹ G(q₀)ᵀ λ
   void multiply(Vector& result, const Vector& lambda) {
     reaction_ = 0.0;
-    if (of_q0_)
-      kernels_.add_reaction(of_q0_->tangent(), lambda, reaction_);
-    else
-      kernels_.add_reaction(*q0_, lambda, reaction_);
+    kernels_.add_reaction(of_q0_.tangent(), lambda, reaction_);
     scale_by(space_.inverse_mass(), reaction_);
-    if (of_q0_)
-      kernels_.constraint_rate((q1_ == q0_ ? of_q0_ : of_q1_)->tangent(), reaction_, result);
-    else
-      kernels_.constraint_rate(*q1_, reaction_, result);
+    kernels_.constraint_rate((is_symmetric_ ? of_q0_ : of_q1_).tangent(), reaction_, result);
   }
 
   mechanics::SolveReport iterate(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda) {
@@ -99,10 +93,9 @@ class GramSolver::Impl {
       return {};
     }
     if (!std::isfinite(norm)) return {mechanics::Status::failure("the constraint's residual is not finite"), 0};
-    q1_ = &q1;
-    q0_ = &q0;
-    if (of_q0_) of_q0_->move_to(q0);
-    if (of_q0_ && q1_ != q0_) of_q1_->move_to(q1);
+    is_symmetric_ = &q1 == &q0;
+    of_q0_.move_to(q0);
+    if (!is_symmetric_) of_q1_.move_to(q1);
     residual_ = r;
     constexpr int max_iterations = 200;
     const auto [n_iterations, converged] =
@@ -114,15 +107,24 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// The constraint's tangent at the last positions.
+  /// Small bodies stay near the processor, and reactions that move them come from the tangent too. Of large ones it is
+  /// for the iterations alone, whose result the constraint is asked about; half the bytes are less to wait for.
+  static Precision precision_of(GramMethod method) {
+    return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
+  }
+
+  /// The constraint's tangent at the last positions; those of small bodies are remembered, since they come again.
   class TangentAt {
    public:
-    explicit TangentAt(const CellKernels& kernels) : kernels_(&kernels), tangent_(kernels.make_tangent()) {}
+    TangentAt(const CellKernels& kernels, Precision precision)
+        : kernels_(&kernels), tangent_(kernels.make_tangent(precision)) {}
     const ConstraintTangent& tangent() const { return *tangent_; }
     void move_to(const Vector& x) {
-      const std::span<const double> values(x.begin(), x.locally_owned_size());
-      if (std::equal(values.begin(), values.end(), positions_.begin(), positions_.end())) return;
-      positions_.assign(values.begin(), values.end());
+      if (tangent_->precision() == Precision::double_precision) {
+        const std::span<const double> values(x.begin(), x.locally_owned_size());
+        if (std::equal(values.begin(), values.end(), positions_.begin(), positions_.end())) return;
+        positions_.assign(values.begin(), values.end());
+      }
       kernels_->set_tangent(x, *tangent_);
     }
 
@@ -136,10 +138,10 @@ class GramSolver::Impl {
   const CellKernels& kernels_;
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
-  std::optional<TangentAt> of_q0_, of_q1_;  // where everything stays near the processor: with the dense inverse
+  TangentAt of_q0_, of_q1_;
+  bool is_symmetric_ = false;  // q₁ is q₀
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
-  const Vector *q1_ = nullptr, *q0_ = nullptr;
   History history_;
   bool is_made_ = false;  // in this process
   Statistics statistics_;

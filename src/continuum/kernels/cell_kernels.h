@@ -36,7 +36,7 @@ class CellKernels {
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
   /// Empty: for set_tangent.
-  std::unique_ptr<ConstraintTangent> make_tangent() const { return local_->make_tangent(); }
+  std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const { return local_->make_tangent(precision); }
   void set_tangent(const Vector& x, ConstraintTangent& tangent) const;
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;

@@ -16,6 +16,7 @@
 #include "continuum/kernels/local_kernels.h"
 #include "continuum/kernels/point_law.h"
 #include "continuum/kernels/pressure_at_nodes.h"
+#include "continuum/kernels/single_lanes.h"
 
 namespace pseudorigid::continuum {
 
@@ -23,6 +24,7 @@ template <int degree, int n_lanes>
 class DegreeKernels final : public LocalKernels {
   using Batches = CellBatches<degree, n_lanes>;
   using L = typename Batches::L;
+  using Single = SingleLanes<n_lanes>;
   using QuadraturePoint = typename Batches::QuadraturePoint;
   using PressurePoint = typename Batches::PressurePoint;
   using Tensor = materials::Tensor<L>;
@@ -101,66 +103,19 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  std::unique_ptr<ConstraintTangent> make_tangent() const override {
-    return std::make_unique<Tangent>(batches_.batches.size() * n);
+  std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const override {
+    const std::size_t n_planes = batches_.batches.size() * n;
+    if (precision == Precision::single_precision) return std::make_unique<Tangent<Single>>(precision, n_planes);
+    return std::make_unique<Tangent<L>>(precision, n_planes);
   }
-
   void set_tangent(const double* x, ConstraintTangent& tangent) const override {
-    auto plane_of_points = static_cast<Tangent&>(tangent).planes.begin();
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      load_layers(x, b, buffers_->x);
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
-        plane_gradient(buffers_->x, q3, buffers_->H);
-        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
-        for (int q = 0; q < plane; ++q) {
-          const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H);
-          const L factor = points[q].weight / materials::determinant(H, cof);
-#pragma GCC unroll 9
-          for (int k = 0; k < 9; ++k) plane_of_points->T[k][q] = factor * cof.a[k / 3][k % 3];
-        }
-      }
-    }
+    of_its_precision(tangent, [&](auto& planes) { set_planes(x, planes); });
   }
-
   void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const override {
-    auto plane_of_points = static_cast<const Tangent&>(at_x).planes.begin();
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      load_layers(v, b, buffers_->v);
-      L moments[n_pressure];
-      for (L& m : moments) m = L(0.0);
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
-        plane_gradient(buffers_->v, q3, buffers_->dv);
-        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
-        for (int q = 0; q < plane; ++q) {
-          const L* X = points[q].position;
-          Batches::Monomials::add_moments(dot(load(plane_of_points->T, q), load(buffers_->dv, q)), X[0], X[1], X[2],
-                                          moments);
-        }
-      }
-      store(moments, b, r);
-    }
+    of_its_precision(at_x, [&](const auto& planes) { rate_by_planes(planes, v, r); });
   }
-
   void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const override {
-    auto plane_of_points = static_cast<const Tangent&>(at_x).planes.begin();
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      batches_.load_multiplier(lambda, b, buffers_->multiplier);
-      L coefficients[n_pressure];
-      batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
-      Field& T = buffers_->H;
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
-        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
-        for (int q = 0; q < plane; ++q) {
-          const L* X = points[q].position;
-          const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
-#pragma GCC unroll 9
-          for (int k = 0; k < 9; ++k) T[k][q] = pressure * plane_of_points->T[k][q];
-        }
-        integrate_plane(T, q3);
-      }
-      distribute_layers();
-      batches_.scatter_add(buffers_->result, b, f);
-    }
+    of_its_precision(at_x, [&](const auto& planes) { add_reaction_by_planes(planes, lambda, f); });
   }
 
   /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
@@ -273,16 +228,91 @@ class DegreeKernels final : public LocalKernels {
   using Nodal = L[3][n_nodes];  ///< a vector at every node of a cell
   using Field = L[9][plane];    ///< a tensor at every point of a plane: [3·row + column][point]
 
-  /// w H⁻ᵀ in the planes of points of all batches.
+  /// w H⁻ᵀ in the planes of points of all batches; Number is L or Single.
+  template <class Number>
   struct PlaneOfPoints {
-    Field T;
+    Number T[9][plane];
   };
+  template <class Number>
+  using Planes = std::vector<PlaneOfPoints<Number>>;
+  template <class Number>
   struct Tangent final : ConstraintTangent {
-    explicit Tangent(std::size_t n_planes) : planes(n_planes) {}
-    std::vector<PlaneOfPoints> planes;
+    Tangent(Precision precision, std::size_t n_planes) : ConstraintTangent(precision), planes(n_planes) {}
+    Planes<Number> planes;
   };
 
-  [[gnu::always_inline]] static Tensor load(const Field& T, int q) {
+  template <class AnyTangent, class Use>
+  static void of_its_precision(AnyTangent& tangent, const Use& use) {
+    const auto use_as = [&]<class Number>(Number) {
+      using Own = std::conditional_t<std::is_const_v<AnyTangent>, const Tangent<Number>, Tangent<Number>>;
+      use(static_cast<Own&>(tangent).planes);
+    };
+    tangent.precision() == Precision::single_precision ? use_as(Single()) : use_as(L());
+  }
+
+  template <class Number>
+  void set_planes(const double* x, Planes<Number>& planes) const {
+    auto plane_of_points = planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      load_layers(x, b, buffers_->x);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        plane_gradient(buffers_->x, q3, buffers_->H);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const Tensor H = load(buffers_->H, q), cof = materials::cofactor(H);
+          const L factor = points[q].weight / materials::determinant(H, cof);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) plane_of_points->T[k][q] = factor * cof.a[k / 3][k % 3];
+        }
+      }
+    }
+  }
+
+  template <class Number>
+  void rate_by_planes(const Planes<Number>& planes, const double* v, double* r) const {
+    auto plane_of_points = planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      load_layers(v, b, buffers_->v);
+      L moments[n_pressure];
+      for (L& m : moments) m = L(0.0);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        plane_gradient(buffers_->v, q3, buffers_->dv);
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          Batches::Monomials::add_moments(dot(load(plane_of_points->T, q), load(buffers_->dv, q)), X[0], X[1], X[2],
+                                          moments);
+        }
+      }
+      store(moments, b, r);
+    }
+  }
+
+  template <class Number>
+  void add_reaction_by_planes(const Planes<Number>& planes, const double* lambda, double* f) const {
+    auto plane_of_points = planes.begin();
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      batches_.load_multiplier(lambda, b, buffers_->multiplier);
+      L coefficients[n_pressure];
+      batches_.monomial_coefficients(buffers_->multiplier, b, coefficients);
+      Field& T = buffers_->H;
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        const PressurePoint* points = batches_.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) T[k][q] = pressure * L(plane_of_points->T[k][q]);
+        }
+        integrate_plane(T, q3);
+      }
+      distribute_layers();
+      batches_.scatter_add(buffers_->result, b, f);
+    }
+  }
+
+  template <class Number>
+  [[gnu::always_inline]] static Tensor load(const Number (&T)[9][plane], int q) {
     return {{{T[0][q], T[1][q], T[2][q]}, {T[3][q], T[4][q], T[5][q]}, {T[6][q], T[7][q], T[8][q]}}};
   }
 

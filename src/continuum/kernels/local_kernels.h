@@ -39,10 +39,17 @@ using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 /// A function of F, given row by row.
 using FunctionOfF = std::function<double(const double* F)>;
 
+enum class Precision { single_precision, double_precision };
+
 /// What the constraint's derivative reads of positions, made once for many products: w H⁻ᵀ at every point.
 class ConstraintTangent {
  public:
+  explicit ConstraintTangent(Precision precision) : precision_(precision) {}
   virtual ~ConstraintTangent() = default;
+  Precision precision() const { return precision_; }
+
+ private:
+  Precision precision_;
 };
 
 class LocalKernels {
@@ -54,7 +61,7 @@ class LocalKernels {
   virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
   virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;
   virtual void add_reaction(const double* x, const double* lambda, double* f) const = 0;
-  virtual std::unique_ptr<ConstraintTangent> make_tangent() const = 0;
+  virtual std::unique_ptr<ConstraintTangent> make_tangent(Precision precision) const = 0;
   virtual void set_tangent(const double* x, ConstraintTangent& tangent) const = 0;
   virtual void constraint_rate(const ConstraintTangent& at_x, const double* v, double* r) const = 0;
   virtual void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const = 0;
