@@ -1,5 +1,6 @@
-/// A spherical pendulum of unit mass, length and gravity, by RATTLE composed to order 8: q̈ = −e_z + λ q, ½(|q|² − 1) =
-/// 0.
+/// A spherical pendulum of unit mass, length and gravity, by RATTLE composed to order 8:
+///
+///   q̈ = −e_z + λ q,   ½(|q|² − 1) = 0.
 
 #include <pseudorigid/mechanics/methods/composition.h>
 #include <cmath>
