@@ -4,11 +4,16 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <future>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <system_error>
+#include <thread>
 
 #include "io/files.h"
 
@@ -52,28 +57,64 @@ std::string compressed(std::string_view bytes) {
   return bytes_of(header) + blocks;
 }
 
-/// The XML of a file and the bytes behind it, to which it refers by offsets.
+/// The XML of a file and the arrays behind it, to which it refers by offsets.
 class Document {
  public:
-  std::string xml, data;
-
+  void add(std::string_view xml) { parts_.push_back({.xml = std::string(xml)}); }
   template <class T>
-  void add_array(std::string_view name, int n_components, const std::vector<T>& values) {
-    xml += fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset="{}"/>)"
-                       "\n",
-                       vtk_type<T>, name, components(n_components), data.size());
-    data += compressed({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+  void add_array(std::string_view name, int n_components, std::span<const T> values) {
+    parts_.push_back({.xml = fmt::format(R"(<DataArray type="{}" Name="{}"{} format="appended" offset=")", vtk_type<T>,
+                                         name, components(n_components)),
+                      .array = std::as_bytes(values)});
   }
   /// A value of the whole grid, to be read by the eye as well.
   void add_constant(const UnstructuredGrid::Field& constant) {
-    xml += fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
-                       "\n",
-                       constant.name, components(constant.n_components), fmt::join(constant.values, " "));
+    add(fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
+                    "\n",
+                    constant.name, components(constant.n_components), fmt::join(constant.values, " ")));
+  }
+
+  void write(const std::filesystem::path& path) {
+    compress();
+    std::string xml, data;
+    for (const Part& part : parts_) {
+      xml += part.xml;
+      if (part.array) xml += fmt::format("{}\"/>\n", data.size());
+      data += part.compressed;
+    }
+    write_file_atomically(path, {xml, data, "\n</AppendedData>\n</VTKFile>\n"});
   }
 
  private:
+  struct Part {
+    std::string xml;
+    std::optional<std::span<const std::byte>> array{};
+    std::string compressed{};
+  };
+
+  /// Compression takes most of the time of a picture, so every processor of this process takes part.
+  void compress() {
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&] {
+      for (std::size_t i; (i = next++) < parts_.size();)
+        if (const auto& array = parts_[i].array)
+          parts_[i].compressed = compressed({reinterpret_cast<const char*>(array->data()), array->size()});
+    };
+    constexpr unsigned most = 8;  // of some 15 arrays
+    std::vector<std::future<void>> helpers;
+    try {
+      for (unsigned n = 1; n < std::min(most, std::thread::hardware_concurrency()); ++n)
+        helpers.push_back(std::async(std::launch::async, work));
+    } catch (const std::system_error&) {  // no more threads
+    }
+    work();
+    for (auto& helper : helpers) helper.get();
+  }
+
   /// Left out for scalars, whose default it is: given a 1, meshio makes columns of them.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
+
+  std::vector<Part> parts_;
 };
 
 void require(bool condition, const std::string& complaint) {
@@ -99,41 +140,36 @@ void validate(const UnstructuredGrid& grid) {
   validate_fields(grid.constants, 1);
 }
 
-void add_cells(Document& document, const UnstructuredGrid& grid) {
-  std::vector<std::int64_t> offsets(grid.n_cells());
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
-  const std::vector<std::uint8_t> types(grid.n_cells(), static_cast<std::uint8_t>(grid.cell_type));
-  document.xml += "<Cells>\n";
-  document.add_array("connectivity", 1, grid.connectivity);
-  document.add_array("offsets", 1, offsets);
-  document.add_array("types", 1, types);
-  document.xml += "</Cells>\n";
-}
-
 }  // namespace
 
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid) {
   validate(grid);
+  std::vector<std::int64_t> offsets(grid.n_cells());
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i + 1) * grid.nodes_per_cell;
+  const std::vector<std::uint8_t> types(grid.n_cells(), static_cast<std::uint8_t>(grid.cell_type));
+
   Document document;
-  document.xml = fmt::format(
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\" "
-      "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n",
-      byte_order);
+  document.add(
+      fmt::format("<?xml version=\"1.0\"?>\n"
+                  "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"{}\" header_type=\"UInt64\" "
+                  "compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n",
+                  byte_order));
   if (!grid.constants.empty()) {
-    document.xml += "<FieldData>\n";
+    document.add("<FieldData>\n");
     for (const auto& constant : grid.constants) document.add_constant(constant);
-    document.xml += "</FieldData>\n";
+    document.add("</FieldData>\n");
   }
-  document.xml +=
-      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", grid.n_points(), grid.n_cells());
-  document.add_array("Points", 3, grid.points);
-  document.xml += "</Points>\n";
-  add_cells(document, grid);
-  document.xml += "<PointData>\n";
-  for (const auto& field : grid.fields) document.add_array(field.name, field.n_components, field.values);
-  document.xml += "</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  write_file_atomically(path, {document.xml, document.data, "\n</AppendedData>\n</VTKFile>\n"});
+  document.add(
+      fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", grid.n_points(), grid.n_cells()));
+  document.add_array<double>("Points", 3, grid.points);
+  document.add("</Points>\n<Cells>\n");
+  document.add_array<std::int64_t>("connectivity", 1, grid.connectivity);
+  document.add_array<std::int64_t>("offsets", 1, offsets);
+  document.add_array<std::uint8_t>("types", 1, types);
+  document.add("</Cells>\n<PointData>\n");
+  for (const auto& field : grid.fields) document.add_array<double>(field.name, field.n_components, field.values);
+  document.add("</PointData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_");
+  document.write(path);
 }
 
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
