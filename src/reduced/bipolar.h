@@ -3,9 +3,11 @@
 ///
 ///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,   u = T Q̇ Sᵀ = Ȧ − Ω*A + AΛ*
 ///
-/// whose entries give Ȧ and, for i ≠ j,  Ω*_ij = −(a_j u_ij + a_i u_ji)/(a_j² − a_i²),  Λ*_ij = −(a_i u_ij + a_j
-/// u_ji)/(a_j² − a_i²). The corrected (5.121) is (5.120) in these frames, T(5.120)Sᵀ; per m̄, with N = SE₀Sᵀ/m̄ (Id for
-/// the ball),
+/// whose entries give Ȧ and, for i ≠ j,
+///
+///   Ω*_ij = −(a_j u_ij + a_i u_ji)/(a_j² − a_i²),   Λ*_ij = −(a_i u_ij + a_j u_ji)/(a_j² − a_i²).
+///
+/// The corrected (5.121) is (5.120) in these frames, T(5.120)Sᵀ; per m̄, with N = SE₀Sᵀ/m̄ (Id for the ball),
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///

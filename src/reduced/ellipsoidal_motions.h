@@ -9,8 +9,10 @@
 ///
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃,
 ///
-/// with nothing divided by the difference of axes. For a fluid these are Riemann's 2πGρB₁₂ and 2πGρ(a₃²A₃ −
-/// a₁²a₂²A₁₂)/(a₁a₂), for the neo-Hookean law κ and κ/(a₁a₂)³.
+/// with nothing divided by the difference of axes. For the neo-Hookean law these are κ and κ/(a₁a₂)³, for a fluid
+/// Riemann's
+///
+///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///
 /// Spheroid a₁ = a₂ turning about axis 3: only Ω = ω − Λ matters, and Λ = 0 is chosen,
 ///

@@ -3,8 +3,8 @@
 /// system (any_field.h: likewise for second-order fields). n is 0, or dynamic_constraints: a number of constraints that
 /// is known at run time.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). Small systems stand
-/// that; bodies keep their own types.
+/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). Small systems can
+/// afford that; bodies keep their own types.
 ///
 /// Acceleration and projection of a constrained system are those of its own type (explicit_multiplier.h). Whether it
 /// has energies and symmetries (conservative_system.h) is a question at run time, which fits() asks (field_of.h).

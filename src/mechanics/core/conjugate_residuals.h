@@ -10,8 +10,8 @@
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
-/// so that an iteration needs one sum over the processes. That is classical Gram and Schmidt: to be used for few
-/// iterations.
+/// so that an iteration needs one sum over the processes. This is the classical Gram–Schmidt process, which is accurate
+/// enough for a small number of iterations.
 
 #include <algorithm>
 #include <cmath>

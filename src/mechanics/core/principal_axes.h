@@ -5,13 +5,17 @@
 /// orthogonal; then A = diag(a)Vᵀ and a_i = |A_i|. Small axes keep their accuracy cond(F)·ε, which the eigenvalues of C
 /// would lose, and rows that are orthogonal already are left as they are, bit for bit. Three things make it fast:
 ///
-/// - The start is the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and q = |det B|/(2p³),
-/// the
-///   eigenvalue λ of B farthest from the others is ±2p cos(⅓ arccos q). Its eigenvector is a column of adj(B − λ Id), and
-///   a plane rotation diagonalizes B on the complement.
-/// - The small angles θ_ij = A_i·A_j/(|A_j|² − |A_i|²) that remain are removed together by one Cayley rotation, which
-///   leaves angles of order θ². As a rule one such rotation is enough.
-/// - Plane rotations one after the other are made only where an angle is not small, that is for nearly equal axes.
+/// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and
+///
+///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
+///
+/// λ is the eigenvalue of B farthest from the others. Its eigenvector is a column of adj(B − λ Id), and a plane
+/// rotation diagonalizes B on the complement. Second, the small angles that remain,
+///
+///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
+///
+/// are removed together by one Cayley rotation, which leaves angles of order θ². As a rule one such rotation is enough.
+/// Third, plane rotations one after the other are made only where an angle is not small, that is for nearly equal axes.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

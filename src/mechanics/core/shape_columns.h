@@ -1,7 +1,7 @@
 #pragma once
-/// How a point of a material surface is told in shapes.csv, by every model that has such surfaces: number of the face,
-/// plane (0: the surface; 1, 2, 3: the coordinate plane with this normal), X and x. The points of a face follow one
-/// another.
+/// How a point of a material surface is written to shapes.csv by every model that has such surfaces: number of the
+/// face, plane (0: the surface; 1, 2, 3: the coordinate plane with this normal), X and x. The points of a face follow
+/// one another.
 
 #include <array>
 #include <cstddef>
