@@ -1,10 +1,11 @@
 # deal.II needs some 200 libraries, and a process that starts resolves 190,000 names in them before main(). The dynamic
 # linker looks a name up in one library after the other, in the order in which the program names them, and most names are
-# found in the library that asks. So the programs name first those that ask most: a third of the time of a start.
+# found in the library that asks. So the programs name first the libraries that look up most names, which saves a third of
+# the time of a start.
 #
-# pseudorigid_name_first(TARGET LIBRARY): links to a target, before all else, the library and what it needs, by falling
-# number of relocations by name. Without ldd or readelf, under a sanitizer, whose runtime must come first, and in packages,
-# which must not depend on what only a library of theirs needs, it does nothing.
+# pseudorigid_name_first(TARGET LIBRARY): links the library, and all that it needs, to a target before all else, those with
+# the most relocations by name first. It does nothing where ldd or readelf is missing; under a sanitizer, whose runtime must
+# come first; and with PSEUDORIGID_NATIVE=OFF, since a package must not name libraries that it does not use itself.
 find_program(PSEUDORIGID_LDD ldd)
 find_program(PSEUDORIGID_READELF readelf)
 mark_as_advanced(PSEUDORIGID_LDD PSEUDORIGID_READELF)

@@ -107,8 +107,9 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// Small bodies stay near the processor, and reactions that move them come from the tangent too. Of large ones it is
-  /// for the iterations alone, whose result the constraint is asked about; half the bytes are less to wait for.
+  /// The tangent of a small body stays in the cache and also gives the reactions that move the body. That of a large
+  /// one serves the iterations alone, whose result the constraint checks; there single precision halves the bytes to
+  /// read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }

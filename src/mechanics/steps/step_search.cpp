@@ -72,8 +72,9 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Accepts the stability limit if a part of the window, with what errors may still grow by in the rest, finds no more
-/// error than is allowed. The second part is looked at only if what the first has found leaves it a chance.
+/// Accepts the stability limit if the error estimated over a part of the window, times what it may still grow by in the
+/// rest, is within what is allowed. The longer part is tried only if the estimate of the shorter one leaves it a
+/// chance.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
