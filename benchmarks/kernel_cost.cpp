@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "continuum/kernels/pressure_basis.h"
+#include "continuum/kernels/stress_points.h"
 #include "continuum/kernels/sum_factorization.h"
 #include "materials/ciarlet_geymonat.h"
 
@@ -26,6 +27,8 @@ struct Counted {
   friend Counted operator*(Counted a, Counted b) { return counted(a.v * b.v); }
   friend Counted operator/(Counted a, Counted b) { return counted(a.v / b.v); }
   Counted& operator+=(Counted b) { return *this = *this + b; }
+  friend Counted operator-(Counted a) { return counted(-a.v); }
+  friend Counted min(Counted a, Counted b) { return a.v < b.v ? a : b; }
 };
 
 template <class Run>
@@ -36,6 +39,9 @@ double operations(const Run& run) {
 }
 
 using Tensor = materials::Tensor<Counted>;
+using Law = materials::CiarletGeymonat;
+using StressPoint = continuum::StressPoint<Law, Counted>;
+constexpr double bytes_of_geometry = sizeof(continuum::StressPoint<Law, double>);
 constexpr double log_operations = 34;  // lanes.h: quotient, powers, eleven terms, sums
 
 template <int degree>
@@ -66,11 +72,10 @@ struct Cost {
   }
 
   static double stress_at_point() {
-    return operations([] {
-      const materials::CiarletGeymonat law{1, 0};
-      const Tensor F = product(Tensor{}, Tensor{});
-      const Tensor P = Counted(-1) * law.stress(F);  // its cofactors give det F too
-      product(P, Tensor{});
+    const StressPoint point(Tensor{}, 1);
+    return operations([&] {
+      Counted least;
+      point.stress(Law{1, 0}, 0, 1, Tensor{}, least);
     });
   }
   static double inverse_at_point() {
@@ -96,7 +101,7 @@ struct Cost {
     constexpr double indices = 4.0 * n_points, basis = 8 * n_pressure * (n_pressure + 1) / 2 + 8 * n_pressure;
     constexpr double pressure_points = 8 * 4 * n_points, basis_operations = n_pressure * (n_pressure + 1);
     if (kernel == "force")
-      return {gradient() + integration() + n_points * stress_at_point(), indices + 8 * 10 * n_points};
+      return {gradient() + integration() + n_points * stress_at_point(), indices + bytes_of_geometry * n_points};
     if (kernel == "constraint")
       return {gradient() + basis_operations + n_points * (inverse_at_point() + 1 + log_operations + moments_at_point()),
               indices + pressure_points + basis};

@@ -17,6 +17,7 @@
 #include "materials/law_limits.h"
 #include "materials/scalar.h"
 #include "materials/strain.h"
+#include "materials/stress_coefficients.h"
 #include "materials/tensor.h"
 
 namespace pseudorigid::materials {
@@ -40,9 +41,15 @@ struct CiarletGeymonat {
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
-    const T J = settled_at_one(determinant(F, cof));
-    const T s = (0.5 * lambda * (J * J - 1.0) - mu) / J;
-    return entrywise([&](const T& f, const T& c) { return mu * f + s * c; }, F, cof);
+    const auto [of_F, s] = stress_coefficients(determinant(F, cof));
+    return entrywise([&](const T& f, const T& c) { return of_F * f + s * c; }, F, cof);
+  }
+
+  /// μ and s(J)
+  template <class T>
+  [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
+    const T J = settled_at_one(det_F);
+    return {T(mu), (0.5 * lambda * (J * J - 1.0) - mu) / J};
   }
 
   /// DP(F)[H].

@@ -1,8 +1,8 @@
 #pragma once
 /// The cells of the ball in batches of as many as the SIMD vectors used have lanes, with all that the kernels read:
-/// node numbers, geometry at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of P_{k−1}, LLᵀ =
-/// ∫monomials ⊗ monomials. The lanes of the last batch that have no cell of their own repeat its first one and are left
-/// out of results.
+/// node numbers, what the constraint reads at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of
+/// P_{k−1}, LLᵀ = ∫monomials ⊗ monomials. The lanes of the last batch that have no cell of their own repeat its first
+/// one and are left out of results.
 
 #include <algorithm>
 #include <array>
@@ -23,7 +23,6 @@ class CellBatches {
  public:
   static constexpr int n_lanes = lanes, n = degree + 1, n_nodes = n * n * n, n_points = n_nodes;
   using L = Lanes<n_lanes>;
-  using QuadraturePoint = continuum::QuadraturePoint<n_lanes>;
   using PressurePoint = continuum::PressurePoint<n_lanes>;
   using Monomials = PressureMonomials<degree - 1>;
   static constexpr int n_pressure = Monomials::size;
@@ -40,15 +39,13 @@ class CellBatches {
     const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
     const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
-    points_.reserve(n_batches * n_points);  // exactly: nothing is held that is not used
-    pressure_points_.reserve(n_batches * n_points);
+    pressure_points_.reserve(n_batches * n_points);  // exactly: nothing is held that is not used
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);
     for (unsigned int cell = 0; cell < cells.nodes.size(); cell += n_lanes) add_batch(cells, cell);
   }
 
-  const QuadraturePoint* points(std::size_t batch) const { return &points_[batch * n_points]; }
   const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
@@ -104,8 +101,8 @@ class CellBatches {
   }
 
   std::size_t memory() const {
-    return points_.size() * sizeof(QuadraturePoint) + pressure_points_.size() * sizeof(PressurePoint) +
-           offsets_.size() * sizeof(offsets_[0]) + basis_.size() * sizeof(L) + batches.size() * sizeof(Batch);
+    return pressure_points_.size() * sizeof(PressurePoint) + offsets_.size() * sizeof(offsets_[0]) +
+           basis_.size() * sizeof(L) + batches.size() * sizeof(Batch);
   }
 
   SumFactorization<n> factorization;
@@ -141,12 +138,7 @@ class CellBatches {
       for (int q = 0; q < n * n; ++q) {
         materials::Tensor<L> T;
         for (int k = 0; k < 9; ++k) T(k / 3, k % 3) = jacobian[k][q];
-        const auto cof = materials::cofactor(T);
-        const L det = materials::determinant(T, cof);
-        const L weight = det * unit_weights[q3 * n * n + q];
-        QuadraturePoint& point = points_.emplace_back();
-        for (int k = 0; k < 9; ++k) point.inverse_jacobian[k] = cof(k % 3, k / 3) / det;
-        point.weight = weight;
+        const L weight = materials::determinant(T) * unit_weights[q3 * n * n + q];
         pressure_points_.push_back({weight, {X[0][q], X[1][q], X[2][q]}});
         batch.cell_volume += weight;
         for (int c = 0; c < 3; ++c) batch.center[c] += weight * X[c][q];
@@ -190,7 +182,6 @@ class CellBatches {
       }
   }
 
-  std::vector<QuadraturePoint> points_;
   std::vector<PressurePoint> pressure_points_;
   std::vector<std::array<unsigned int, n_lanes>> offsets_;
   std::vector<L> basis_;

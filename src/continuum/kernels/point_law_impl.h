@@ -2,8 +2,10 @@
 /// PointLaw for any law of materials/.
 
 #include <cmath>
+#include <vector>
 
 #include "continuum/kernels/point_law.h"
+#include "continuum/kernels/stress_points.h"
 
 namespace pseudorigid::continuum {
 
@@ -11,44 +13,42 @@ template <class Law, int n_lanes>
 class LawAtPoints final : public PointLaw<n_lanes> {
  public:
   using L = Lanes<n_lanes>;
-  using Point = QuadraturePoint<n_lanes>;
+  using Point = StressPoint<Law, L>;
 
   LawAtPoints(const Law& law, double volumetric_stiffness) : law_(law), kappa_(volumetric_stiffness) {}
 
-  void stress(const Point* points, int n_points, L* H, L& least_of_all) const override {
+  void reserve_points(std::size_t n_points) override { points_.reserve(n_points); }
+  void add_points(const L* jacobians, const double* unit_weights, int n_points) override {
+    for (int q = 0; q < n_points; ++q) points_.emplace_back(load(jacobians, n_points, q), unit_weights[q]);
+  }
+  std::size_t memory() const override { return points_.size() * sizeof(Point); }
+
+  void stress(std::size_t first, const double* unit_weights, int n_points, L* H, L& least_of_all) const override {
+    const Point* points = points_.data() + first;
     L least = least_of_all;
     for (int q = 0; q < n_points; ++q) {
-      const Point& p = points[q];
       prefetch(points + n_points + q);
-      const Tensor F = p.deformation_gradient(load(H, n_points, q));
-      least = min(materials::determinant(F), least);
-      if constexpr (materials::is_limited<Law>) least = min(law_.reserve(F), least);
-      Tensor P = -p.weight * law_.stress(F);
-      if (kappa_ != 0) add_stabilization(p.weight, F, P);
-      const L* row = p.inverse_jacobian;
-#pragma GCC unroll 3
-      for (int i = 0; i < 3; ++i)
-#pragma GCC unroll 3
-        for (int d = 0; d < 3; ++d)
-          H[(3 * i + d) * n_points + q] = P(i, 0) * row[3 * d] + P(i, 1) * row[3 * d + 1] + P(i, 2) * row[3 * d + 2];
+      const Tensor T = points[q].stress(law_, kappa_, unit_weights[q], load(H, n_points, q), least);
+#pragma GCC unroll 9
+      for (int k = 0; k < 9; ++k) H[k * n_points + q] = T.a[k / 3][k % 3];
     }
     least_of_all = least;
   }
 
-  void energy(const Point* points, int n_points, const L* H, L& elastic, L& volumetric) const override {
+  void energy(const L* F_at_points, const L* weights, int n_points, L& elastic, L& volumetric) const override {
     for (int q = 0; q < n_points; ++q) {
-      const Tensor F = points[q].deformation_gradient(load(H, n_points, q));
-      elastic += points[q].weight * law_.energy(F);
+      const Tensor F = load(F_at_points, n_points, q);
+      elastic += weights[q] * law_.energy(F);
       if (kappa_ == 0) continue;
       const L J = materials::determinant(F);
-      volumetric += points[q].weight * (0.25 * kappa_) * (J * J - 1.0 - 2.0 * log(J));
+      volumetric += weights[q] * (0.25 * kappa_) * (J * J - 1.0 - 2.0 * log(J));
     }
   }
 
-  void reserve(const Point* points, int n_points, const L* H, L* reserve) const override {
+  void reserve(const L* F, int n_points, L* reserve) const override {
     for (int q = 0; q < n_points; ++q)
       if constexpr (materials::is_limited<Law>)
-        reserve[q] = law_.reserve(points[q].deformation_gradient(load(H, n_points, q)));
+        reserve[q] = law_.reserve(load(F, n_points, q));
       else
         reserve[q] = L(HUGE_VAL);
   }
@@ -60,16 +60,9 @@ class LawAtPoints final : public PointLaw<n_lanes> {
     return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
   }
 
-  /// P ← P − w ∂U/∂F
-  [[gnu::always_inline]] void add_stabilization(const L& weight, const Tensor& F, Tensor& P) const {
-    const Tensor cof = materials::cofactor(F);
-    const L J = materials::determinant(F, cof), factor = weight * (0.5 * kappa_) * (J - 1.0 / J);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) P(i, j) = P(i, j) - factor * cof(i, j);
-  }
-
   Law law_;
   double kappa_;
+  std::vector<Point> points_;
 };
 
 }  // namespace pseudorigid::continuum

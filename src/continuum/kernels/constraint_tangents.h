@@ -1,0 +1,133 @@
+#pragma once
+/// The constraint's derivative at positions that stay while it acts often: T_q = w H⁻ᵀ is kept at every point, in
+/// double precision or, for iterations, in single:
+///
+///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
+
+#include <type_traits>
+#include <vector>
+
+#include "continuum/kernels/cell_planes.h"
+#include "continuum/kernels/local_kernels.h"
+#include "continuum/kernels/single_lanes.h"
+
+namespace pseudorigid::continuum {
+
+template <int degree, int n_lanes>
+class ConstraintTangents {
+  using Planes = CellPlanes<degree, n_lanes>;
+  using Batches = typename Planes::Batches;
+  using L = typename Planes::L;
+  using Single = SingleLanes<n_lanes>;
+  using Tensor = typename Planes::Tensor;
+  static constexpr int n = Planes::n, plane = Planes::plane, n_pressure = Planes::n_pressure;
+
+ public:
+  explicit ConstraintTangents(const Planes& planes) : planes_(planes) {}
+
+  std::unique_ptr<ConstraintTangent> make(Precision precision) const {
+    const std::size_t n_planes = planes_.n_batches() * n;
+    if (precision == Precision::single_precision) return std::make_unique<Tangent<Single>>(precision, n_planes);
+    return std::make_unique<Tangent<L>>(precision, n_planes);
+  }
+  void set(const double* x, ConstraintTangent& tangent) const {
+    of_its_precision(tangent, [&](auto& stored) { set_planes(x, stored); });
+  }
+  void rate(const ConstraintTangent& at_x, const double* v, double* r) const {
+    of_its_precision(at_x, [&](const auto& stored) { rate_by_planes(stored, v, r); });
+  }
+  void add_reaction(const ConstraintTangent& at_x, const double* lambda, double* f) const {
+    of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
+  }
+
+ private:
+  /// w H⁻ᵀ in the planes of points of all batches; Number is L or Single.
+  template <class Number>
+  struct PlaneOfPoints {
+    Number T[9][plane];
+  };
+  template <class Number>
+  using Stored = std::vector<PlaneOfPoints<Number>>;
+  template <class Number>
+  struct Tangent final : ConstraintTangent {
+    Tangent(Precision precision, std::size_t n_planes) : ConstraintTangent(precision), planes(n_planes) {}
+    Stored<Number> planes;
+  };
+
+  template <class AnyTangent, class Use>
+  static void of_its_precision(AnyTangent& tangent, const Use& use) {
+    const auto use_as = [&]<class Number>(Number) {
+      using Own = std::conditional_t<std::is_const_v<AnyTangent>, const Tangent<Number>, Tangent<Number>>;
+      use(static_cast<Own&>(tangent).planes);
+    };
+    tangent.precision() == Precision::single_precision ? use_as(Single()) : use_as(L());
+  }
+
+  template <class Number>
+  void set_planes(const double* x, Stored<Number>& stored) const {
+    auto& buffers = planes_.buffers();
+    auto plane_of_points = stored.begin();
+    for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
+      planes_.load_layers(x, b, buffers.x);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        planes_.plane_gradient(buffers.x, q3, buffers.H);
+        const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const Tensor H = Planes::load(buffers.H, q), cof = materials::cofactor(H);
+          const L factor = points[q].weight / materials::determinant(H, cof);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) plane_of_points->T[k][q] = factor * cof.a[k / 3][k % 3];
+        }
+      }
+    }
+  }
+
+  template <class Number>
+  void rate_by_planes(const Stored<Number>& stored, const double* v, double* r) const {
+    auto& buffers = planes_.buffers();
+    auto plane_of_points = stored.begin();
+    for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
+      planes_.load_layers(v, b, buffers.v);
+      L moments[n_pressure];
+      for (L& m : moments) m = L(0.0);
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        planes_.plane_gradient(buffers.v, q3, buffers.dv);
+        const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          Batches::Monomials::add_moments(dot(Planes::load(plane_of_points->T, q), Planes::load(buffers.dv, q)), X[0],
+                                          X[1], X[2], moments);
+        }
+      }
+      planes_.store_moments(moments, b, r);
+    }
+  }
+
+  template <class Number>
+  void add_reaction_by_planes(const Stored<Number>& stored, const double* lambda, double* f) const {
+    auto& buffers = planes_.buffers();
+    auto plane_of_points = stored.begin();
+    for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
+      planes_.batches.load_multiplier(lambda, b, buffers.multiplier);
+      L coefficients[n_pressure];
+      planes_.batches.monomial_coefficients(buffers.multiplier, b, coefficients);
+      auto& T = buffers.H;
+      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+        const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+        for (int q = 0; q < plane; ++q) {
+          const L* X = points[q].position;
+          const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
+#pragma GCC unroll 9
+          for (int k = 0; k < 9; ++k) T[k][q] = pressure * L(plane_of_points->T[k][q]);
+        }
+        planes_.integrate_plane(T, q3);
+      }
+      planes_.distribute_layers();
+      planes_.batches.scatter_add(buffers.result, b, f);
+    }
+  }
+
+  const Planes& planes_;
+};
+
+}  // namespace pseudorigid::continuum

@@ -1,0 +1,25 @@
+#pragma once
+/// A law with
+///
+///   P = a F + c cof F,   a and c functions of J = det F alone,
+///
+/// may declare them:
+///
+///     template <class T> StressCoefficients<T> stress_coefficients(const T& J) const;
+///
+/// The cells of the continuum then do with fewer numbers and operations at a point
+/// (continuum/kernels/stress_points.h).
+
+namespace pseudorigid::materials {
+
+template <class T>
+struct StressCoefficients {
+  T of_F, of_cofactor;
+};
+
+template <class Law>
+inline constexpr bool has_stress_coefficients = requires(const Law law, double J) {
+  law.stress_coefficients(J);
+};
+
+}  // namespace pseudorigid::materials
