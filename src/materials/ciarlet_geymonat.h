@@ -41,8 +41,8 @@ struct CiarletGeymonat {
   template <class T>
   [[gnu::always_inline]] Tensor<T> stress(const Tensor<T>& F) const {
     const Tensor<T> cof = cofactor(F);
-    const auto [of_F, s] = stress_coefficients(determinant(F, cof));
-    return entrywise([&](const T& f, const T& c) { return of_F * f + s * c; }, F, cof);
+    const StressCoefficients<T> by = stress_coefficients(determinant(F, cof));
+    return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
   /// μ and s(J)

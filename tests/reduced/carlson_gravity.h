@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "reduced/bodies.h"
+#include "support/dense.h"
 
 namespace pseudorigid::testing {
 
@@ -22,12 +23,12 @@ inline Vector3d gravity_coefficients(const Vector3d& a_squared) {
   return alpha;
 }
 inline double self_gravity(const Matrix3d& Q, double G_rho) {
-  const Vector3d a_squared = Eigen::SelfAdjointEigenSolver<Matrix3d>(Q * Q.transpose()).eigenvalues();
+  const Vector3d a_squared = symmetric_spectrum(Q * Q.transpose()).values;
   return -4 * std::numbers::pi * G_rho * boost::math::ellint_rf(a_squared[0], a_squared[1], a_squared[2]);
 }
 inline Matrix3d self_gravity_gradient(const Matrix3d& Q, double G_rho) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(Q * Q.transpose());
-  const Matrix3d &U = axes.eigenvectors(), alpha = gravity_coefficients(axes.eigenvalues()).asDiagonal();
+  const auto [a_squared, axes] = symmetric_spectrum(Q * Q.transpose());
+  const Matrix3d U = axes, alpha = gravity_coefficients(a_squared).asDiagonal();
   return 2 * std::numbers::pi * G_rho * U * alpha * U.transpose() * Q;
 }
 

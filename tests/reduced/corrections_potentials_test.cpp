@@ -14,6 +14,7 @@
 
 #include "reduced/potentials.h"
 #include "reduced/samples.h"
+#include "support/dense.h"
 #include "support/differences.h"
 
 namespace pseudorigid::testing {
@@ -74,7 +75,7 @@ TEST(Correction_8, SumOfTheCoefficients) {
     const Matrix3d alpha =
         self_gravity(G).gradient(Q) * Q.inverse() / (2 * std::numbers::pi * G * m_bar());  // U diag(α)Uᵀ
     EXPECT_NEAR(alpha.trace(), 2 / Q.determinant(), 1e-13 * alpha.trace());
-    EXPECT_GT(Matrix3d(0.5 * (alpha + alpha.transpose())).selfadjointView<Eigen::Upper>().eigenvalues().minCoeff(), 0);
+    EXPECT_GT(symmetric_spectrum(0.5 * (alpha + alpha.transpose())).values.minCoeff(), 0);
   }
 }
 

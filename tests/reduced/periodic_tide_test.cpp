@@ -14,6 +14,7 @@
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"
+#include "support/dense.h"
 #include "support/differences.h"
 #include "support/integrate.h"
 
@@ -54,9 +55,9 @@ TEST(PeriodicTide, CentreOfMassFollowsMathieusFunction) {
     hill(k, k) = (2 * k + 1) * (2 * k + 1) + (k == 0 ? q : 0);
     if (k > 0) hill(k, k - 1) = hill(k - 1, k) = q;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hill);
-  const double a = solver.eigenvalues()[0];
-  const Eigen::VectorXd A = solver.eigenvectors().col(0);
+  const auto [values, vectors] = symmetric_spectrum(hill);
+  const double a = values[0];
+  const Eigen::VectorXd A = vectors.col(0);
   PeriodicTide load = tide(-2 * q * Matrix3d::Identity(), 2);
   load.phase = 0;
   const Vector3d direction(0.3, -0.5, 0.2);

@@ -16,6 +16,7 @@
 
 #include "reduced/potentials.h"
 #include "reduced/samples.h"
+#include "support/dense.h"
 #include "support/differences.h"
 
 namespace pseudorigid::testing {
@@ -62,7 +63,7 @@ Eigen::VectorXd exact_spectrum(const Matrix3d& Q, const Matrix3d& P, const Matri
       B(a, b) = (volume * QX + m_bar * T * QX).cwiseProduct(QY).sum() + dV.cwiseProduct(square).sum();
       M(a, b) = m_bar * QX.cwiseProduct(QY).sum();
     }
-  return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(B, M).eigenvalues();
+  return generalized_eigenvalues(B, M);
 }
 
 TEST(StaticLandscape, AgreesWithDifferences) {

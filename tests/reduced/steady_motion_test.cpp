@@ -9,6 +9,7 @@
 #include "mechanics/core/explicit_multiplier.h"
 #include "reduced/samples.h"
 #include "reduced/steady_bodies.h"
+#include "support/dense.h"
 #include "support/index_symbols.h"
 #include "support/integrate.h"
 
@@ -187,7 +188,7 @@ Eigen::VectorXcd rates_by_differences(const Body& body, const SteadyMotion& m) {
     L.col(k).tail(9) = ((acceleration(m.A + E, Z) - acceleration(m.A - E, Z)) / (2 * h)).reshaped();
     L.col(9 + k).tail(9) = ((acceleration(m.A, E) - acceleration(m.A, -E)) / (2 * h)).reshaped();
   }
-  return L.eigenvalues();
+  return testing::eigenvalues(L);
 }
 
 /// The spectrum on the reduced space is that of the equation of motion without 0, ±i|ω|, ±i|Λ| of the symmetries.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanics/methods/methods.h"
+#include "support/dense.h"
 #include "support/runs.h"
 #include "systems/conservative_checks.h"
 #include "systems/mass_distribution.h"
@@ -51,7 +52,7 @@ inline double smallest_singular_value(const FixedPointBody& body, const Vector3d
       K_p << body.kinetic_energy(s.v), body.angular_momentum(s.q, s.v);
       return K_p;
     });
-  return D.jacobiSvd().singularValues()(3);
+  return singular_values(D)(3);
 }
 
 }  // namespace pseudorigid::testing

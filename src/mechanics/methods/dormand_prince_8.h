@@ -212,8 +212,8 @@ struct DormandPrince8 {
     if constexpr (first < last) {
       using Stage = dop853::Stage<first>;
       for (Eigen::Index k = 0; k < q.size(); ++k) {
-        const double sum_q = detail::stage_sum([] { return Stage::x.q; }, w.A, k);
-        const double sum_v = detail::stage_sum([] { return Stage::x.v; }, w.A, k);
+        const double sum_q = detail::stage_sum(Stage::x.q, w.A, k);
+        const double sum_v = detail::stage_sum(Stage::x.v, w.A, k);
         w.q_stage.data()[k] = q.data()[k] + h * (Stage::c * v.data()[k] + h * sum_q);
         w.v_stage.data()[k] = v.data()[k] + h * sum_v;
       }
@@ -229,10 +229,10 @@ struct DormandPrince8 {
     double q5 = 0, v5 = 0, q3 = 0, v3 = 0;
     const auto square = [](double x) { return x * x; };
     for (Eigen::Index k = 0; k < state.q.size(); ++k) {
-      q5 += square(detail::stage_sum([] { return dop853::Error5::x.q; }, w.A, k));
-      v5 += square(detail::stage_sum([] { return dop853::Error5::x.v; }, w.A, k));
-      q3 += square(detail::stage_sum([] { return dop853::Error3::x.q; }, w.A, k));
-      v3 += square(detail::stage_sum([] { return dop853::Error3::x.v; }, w.A, k));
+      q5 += square(detail::stage_sum(dop853::Error5::x.q, w.A, k));
+      v5 += square(detail::stage_sum(dop853::Error5::x.v, w.A, k));
+      q3 += square(detail::stage_sum(dop853::Error3::x.q, w.A, k));
+      v3 += square(detail::stage_sum(dop853::Error3::x.v, w.A, k));
     }
     const double q_scale = square(h * h / (1 + state.q.norm())), v_scale = square(h / (1 + state.v.norm()));
     const double e5 = q_scale * q5 + v_scale * v5, e3 = q_scale * q3 + v_scale * v3;
@@ -244,8 +244,8 @@ struct DormandPrince8 {
   static Status finish(const F& field, double h, const State<F>& state, Workspace<F>& w) {
     using Stage = dop853::Stage<dop853::n_stages>;
     for (Eigen::Index k = 0; k < state.q.size(); ++k) {
-      w.q_stage.data()[k] = state.v.data()[k] + h * detail::stage_sum([] { return Stage::x.q; }, w.A, k);
-      w.v_stage.data()[k] = detail::stage_sum([] { return Stage::x.v; }, w.A, k);
+      w.q_stage.data()[k] = state.v.data()[k] + h * detail::stage_sum(Stage::x.q, w.A, k);
+      w.v_stage.data()[k] = detail::stage_sum(Stage::x.v, w.A, k);
     }
     w.q_end = state.q;
     w.v_end = state.v;
@@ -296,8 +296,8 @@ struct DormandPrince8 {
   static void set_dense_rows(double h, Workspace& w) {
     using Row = dop853::Dense<i>;
     for (Eigen::Index k = 0; k < w.q_end.size(); ++k) {
-      w.dense_q[i].data()[k] = h * h * detail::stage_sum([] { return Row::x.q; }, w.A, k);
-      w.dense_v[i].data()[k] = h * detail::stage_sum([] { return Row::x.v; }, w.A, k);
+      w.dense_q[i].data()[k] = h * h * detail::stage_sum(Row::x.q, w.A, k);
+      w.dense_v[i].data()[k] = h * detail::stage_sum(Row::x.v, w.A, k);
     }
   }
 

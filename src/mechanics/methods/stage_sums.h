@@ -5,21 +5,17 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace pseudorigid::mechanics::detail {
 
-/// Σ_j c_j k_j at entry i; `Coefficients` is a captureless lambda that returns the constexpr array c.
-template <class Coefficients, class V, std::size_t n>
-[[gnu::always_inline]] inline double stage_sum(Coefficients, const std::array<V, n>& k, Eigen::Index i) {
-  constexpr auto c = Coefficients{}();
-  static_assert(c.size() == n);
+/// Σ_j c_j k_j at entry i. With `c` a constexpr variable the loop becomes its terms that are not zero.
+template <class V, std::size_t n>
+[[gnu::always_inline]] inline double stage_sum(const std::array<double, n>& c, const std::array<V, n>& k,
+                                               Eigen::Index i) {
   double sum = 0;
-  const auto add = [&]<std::size_t j>(std::integral_constant<std::size_t, j>) {
-    if constexpr (c[j] != 0) sum += c[j] * k[j].data()[i];
-  };
-  [&]<std::size_t... j>(std::index_sequence<j...>) { (add(std::integral_constant<std::size_t, j>{}), ...); }
-  (std::make_index_sequence<n>{});
+#pragma GCC unroll 16
+  for (std::size_t j = 0; j < n; ++j)
+    if (c[j] != 0) sum += c[j] * k[j].data()[i];
   return sum;
 }
 
