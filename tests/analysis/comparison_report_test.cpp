@@ -15,9 +15,6 @@ namespace {
 using namespace pseudorigid::analysis;
 using namespace synthetic;
 
-const std::vector<double> ten{times(201, 10)};
-const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation = pulsation(exact_omega);
-
 std::string sentence(const Motion& r, const Motion& c, const std::vector<double>& t = ten,
                      const ComparisonOptions& options = {}) {
   Quantities affine;

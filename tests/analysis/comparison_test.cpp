@@ -14,9 +14,6 @@ using namespace pseudorigid::analysis;
 using namespace synthetic;
 using pseudorigid::UserError;
 
-const std::vector<double> ten{times(201, 10)};
-const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation = pulsation(exact_omega);
-
 TEST(Comparison, TwoPulsationsHaveTheKnownRatio) {
   const Comparison c = compare(reduced_run(reduced_pulsation, ten), continuum_run(exact_pulsation, ten));
   EXPECT_EQ(c.signal, "C33");

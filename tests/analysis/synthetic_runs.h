@@ -98,6 +98,10 @@ inline Table continuum_run(const Motion& motion, const std::vector<double>& t, c
   return table;
 }
 
+/// The pulsation of the two models, at 201 times from 0 to 10.
+inline const std::vector<double> ten{times(201, 10)};
+inline const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation = pulsation(exact_omega);
+
 /// Of two runs, called as those of the program.
 inline pseudorigid::analysis::Comparison compare(const Table& reduced, const Table& continuum,
                                                  const pseudorigid::analysis::ComparisonOptions& options = {}) {
