@@ -5,6 +5,7 @@
 
 #include "mechanics/methods/composition.h"
 #include "mechanics/methods/dormand_prince_8.h"
+#include "mechanics/methods/symmetric_multistep.h"
 #include "problems.h"
 
 namespace {
@@ -53,12 +54,12 @@ void force(benchmark::State& loop, const System& system, const State<System>& s)
   }
 }
 
-/// Steps of size 0.05 along the motion; counts substeps (one force each).
+/// Steps of size h along the motion; counts substeps (one force each).
 template <class Method, class System>
-void substep(benchmark::State& loop, const System& system, State<System> s) {
+void substep(benchmark::State& loop, const System& system, State<System> s, double h = 0.05) {
   typename Method::template Workspace<System> w(system);
   for (auto _ : loop)
-    if (!Method::advance(system, 0.05, s, w)) return loop.SkipWithError("the motion ended");
+    if (!Method::advance(system, h, s, w)) return loop.SkipWithError("the motion ended");
   loop.counters["per_substep"] = benchmark::Counter(static_cast<double>(w.counters.n_substeps),
                                                     benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   loop.counters["iterations_per_substep"] =
@@ -99,6 +100,8 @@ int main(int argc, char** argv) {
                     [&](auto& l) { throughput(l, angles.system, angles.initial); });
   RegisterBenchmark("sl3/rattle", [&](auto& l) { substep<mechanics::Rattle>(l, body, state); });
   RegisterBenchmark("sl3/rattle-8", [&](auto& l) { substep<mechanics::Rattle8>(l, body, state); });
+  RegisterBenchmark("sl3/symmetric-8", [&](auto& l) { substep<mechanics::Symmetric8>(l, body, state, 0.015); });
+  RegisterBenchmark("sl3/symmetric-12", [&](auto& l) { substep<mechanics::Symmetric12>(l, body, state, 0.015); });
   RegisterBenchmark("double_pendulum/rattle-8",
                     [&](auto& l) { substep<mechanics::Rattle8>(l, pendulum.system, pendulum.initial); });
   RegisterBenchmark("sl3/explicit-8", [&](auto& l) { adaptive_step(l, field, state); });
