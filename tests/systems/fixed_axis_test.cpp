@@ -38,7 +38,7 @@ TEST(Statement_5_6_10, BearingsGiveEachMassPointItsAcceleration) {
     const FixedAxis rotor = some_rotor(friction);
     const mechanics::ChartField field(rotor);
     auto workspace = field.make_workspace();
-    FixedAxis::Angle acceleration;
+    FixedAxis::Angle acceleration = field.make_vector();
     ASSERT_TRUE(field.acceleration(0, FixedAxis::Angle(angle), FixedAxis::Angle(rate), workspace, acceleration));
     const Vector3d e = rotor.axis, omega = rate * e, omega_dot = acceleration[0] * e;
     const Eigen::Matrix3d R = rotor.rotation(angle);
