@@ -1,6 +1,6 @@
 #pragma once
 /// One batch of cells at a time, plane by plane of points (sum_factorization.h): from the nodes to H = ∂x/∂ξ, and from
-/// T at the points to the sums Σ_q T : ∂φ/∂ξ. The buffers hold one batch; what is asked for out of order is wrong.
+/// T at the points to the sums Σ_q T : ∂φ/∂ξ. Planes must be visited in order, from the first to the last.
 
 #include <memory>
 
@@ -31,7 +31,7 @@ class CellPlanes {
 
   explicit CellPlanes(const LocalCells& cells) : batches(cells), buffers_(std::make_unique<Buffers>()) {}
 
-  /// The work space, shared by all copies of this object and by nothing else.
+  /// The work space. It holds one batch: every call below overwrites part of it.
   Buffers& buffers() const { return *buffers_; }
   std::size_t n_batches() const { return batches.batches.size(); }
   std::size_t memory() const { return batches.memory() + sizeof(Buffers); }
@@ -56,8 +56,8 @@ class CellPlanes {
       batches.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
   }
 
-  /// F = H (∂X/∂ξ)⁻¹ in the place of H, with the weights w, from the layers of X in the buffers. For what is asked
-  /// seldom: nothing is stored for it.
+  /// F = H (∂X/∂ξ)⁻¹ in the place of H, with the weights w, from the layers of X in the buffers. Computed
+  /// afresh: energies and minima are needed too seldom to store the inverse.
   void deformation_gradients(int q3, Field& H) const {
     plane_gradient(buffers_->X, q3, buffers_->dX);
     for (int q = 0; q < plane; ++q) {
