@@ -71,7 +71,7 @@ mechanics::Status DenseGram::renew(const Vector& x) {
     return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
   }
   S.invert();
-  inverse_ = PackedSymmetric(&S(0, 0), n);
+  inverse_ = SymmetricMatrix(&S(0, 0), n);
   return {};
 }
 

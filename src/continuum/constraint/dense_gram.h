@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "continuum/constraint/gram_preconditioner.h"
-#include "continuum/constraint/packed_symmetric.h"
+#include "continuum/constraint/symmetric_matrix.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
 
@@ -43,7 +43,7 @@ class DenseGram final : public GramPreconditioner {
   const BallSpace* space_;
   const CellKernels* kernels_;
   std::map<std::pair<unsigned int, unsigned int>, SharedNodes> shared_nodes_;
-  PackedSymmetric inverse_;
+  SymmetricMatrix inverse_;
 };
 
 }  // namespace pseudorigid::continuum

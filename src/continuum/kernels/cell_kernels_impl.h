@@ -152,22 +152,7 @@ class DegreeKernels final : public LocalKernels {
     return power;
   }
 
-  void constraint_rows(const double* x, const UseRows& use) const override {
-    constexpr std::size_t size = std::size_t{n_pressure} * 3 * n_nodes;
-    std::vector<double> rows(n_lanes * size);
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      const auto& batch = batches_.batches[b];
-      planes_.load_layers(x, b, buffers_.x);
-      for (int j = 0; j < n_pressure; ++j) {
-        for (int i = 0; i < n_pressure; ++i) buffers_.multiplier[i] = L(i == j ? 1.0 : 0.0);
-        reaction_of_batch(b);
-        for (int l = 0; l < batch.n_active; ++l)
-          for (int i = 0; i < n_nodes; ++i)
-            for (int c = 0; c < 3; ++c) rows[l * size + (j * n_nodes + i) * 3 + c] = buffers_.result[c][i][l];
-      }
-      for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {rows.data() + l * size, size});
-    }
-  }
+  void constraint_rows(const double* x, const UseRows& use) const override { tangents_.rows(x, use); }
 
   CellIntegrals integrals(const double* x, const double* v) const override {
     CellIntegrals sums;

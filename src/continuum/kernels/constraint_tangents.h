@@ -40,12 +40,38 @@ class ConstraintTangents {
     of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
   }
 
+  /// Calls use(cell, rows) with the rows of G at x that belong to a cell: by multiplier, node and component.
+  void rows(const double* x, const UseRows& use) const {
+    constexpr std::size_t n_nodes = Planes::n_nodes, size = n_pressure * 3 * n_nodes;
+    std::vector<double> rows(n_lanes * size);
+    PlaneOfPoints<L> planes[n];
+    auto& buffers = planes_.buffers();
+    for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
+      set_batch(x, b, planes);
+      const auto& batch = planes_.batches.batches[b];
+      for (int j = 0; j < n_pressure; ++j) {
+        for (int i = 0; i < n_pressure; ++i) buffers.multiplier[i] = L(i == j ? 1.0 : 0.0);
+        react(b, planes);
+        for (int l = 0; l < batch.n_active; ++l)
+          for (std::size_t i = 0; i < n_nodes; ++i)
+            for (int c = 0; c < 3; ++c) rows[l * size + (j * n_nodes + i) * 3 + c] = buffers.result[c][i][l];
+      }
+      for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {rows.data() + l * size, size});
+    }
+  }
+
  private:
   /// w H⁻ᵀ in the planes of points of all batches; Number is L or Single.
   template <class Number>
   struct PlaneOfPoints {
     Number T[9][plane];
   };
+  template <class Number>
+  static void prefetch_values(const PlaneOfPoints<Number>& next, int q) {
+    constexpr int per_point = 9 * sizeof(Number);
+    const char* start = reinterpret_cast<const char*>(&next) + q * per_point;
+    for (int o = 0; o < per_point; o += 64) __builtin_prefetch(start + o, 0, 2);
+  }
   template <class Number>
   using Stored = std::vector<PlaneOfPoints<Number>>;
   template <class Number>
@@ -65,19 +91,22 @@ class ConstraintTangents {
 
   template <class Number>
   void set_planes(const double* x, Stored<Number>& stored) const {
+    for (std::size_t b = 0; b < planes_.n_batches(); ++b) set_batch(x, b, &stored[b * n]);
+  }
+
+  /// The planes of one batch.
+  template <class Number>
+  void set_batch(const double* x, std::size_t b, PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();
-    auto plane_of_points = stored.begin();
-    for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
-      planes_.load_layers(x, b, buffers.x);
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
-        planes_.plane_gradient(buffers.x, q3, buffers.H);
-        const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
-        for (int q = 0; q < plane; ++q) {
-          const Tensor H = Planes::load(buffers.H, q), cof = materials::cofactor(H);
-          const L factor = points[q].weight / materials::determinant(H, cof);
+    planes_.load_layers(x, b, buffers.x);
+    for (int q3 = 0; q3 < n; ++q3) {
+      planes_.plane_gradient(buffers.x, q3, buffers.H);
+      const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+      for (int q = 0; q < plane; ++q) {
+        const Tensor H = Planes::load(buffers.H, q), cof = materials::cofactor(H);
+        const L factor = points[q].weight / materials::determinant(H, cof);
 #pragma GCC unroll 9
-          for (int k = 0; k < 9; ++k) plane_of_points->T[k][q] = factor * cof.a[k / 3][k % 3];
-        }
+        for (int k = 0; k < 9; ++k) planes[q3].T[k][q] = factor * cof.a[k / 3][k % 3];
       }
     }
   }
@@ -92,8 +121,11 @@ class ConstraintTangents {
       for (L& m : moments) m = L(0.0);
       for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
         planes_.plane_gradient(buffers.v, q3, buffers.dv);
+        planes_.batches.prefetch_layer(v, b, q3);
         const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
         for (int q = 0; q < plane; ++q) {
+          prefetch(points + plane + q);
+          prefetch_values(*(&*plane_of_points + 1), q);
           const L* X = points[q].position;
           Batches::Monomials::add_moments(dot(Planes::load(plane_of_points->T, q), Planes::load(buffers.dv, q)), X[0],
                                           X[1], X[2], moments);
@@ -106,25 +138,33 @@ class ConstraintTangents {
   template <class Number>
   void add_reaction_by_planes(const Stored<Number>& stored, const double* lambda, double* f) const {
     auto& buffers = planes_.buffers();
-    auto plane_of_points = stored.begin();
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
       planes_.batches.load_multiplier(lambda, b, buffers.multiplier);
-      L coefficients[n_pressure];
-      planes_.batches.monomial_coefficients(buffers.multiplier, b, coefficients);
-      auto& T = buffers.H;
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
-        const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
-        for (int q = 0; q < plane; ++q) {
-          const L* X = points[q].position;
-          const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
-#pragma GCC unroll 9
-          for (int k = 0; k < 9; ++k) T[k][q] = pressure * L(plane_of_points->T[k][q]);
-        }
-        planes_.integrate_plane(T, q3);
-      }
-      planes_.distribute_layers();
+      react(b, &stored[b * n]);
       planes_.batches.scatter_add(buffers.result, b, f);
     }
+  }
+
+  /// buffers.result = Gᵀ λ of one batch, λ from buffers.multiplier
+  template <class Number>
+  void react(std::size_t b, const PlaneOfPoints<Number>* planes) const {
+    auto& buffers = planes_.buffers();
+    L coefficients[n_pressure];
+    planes_.batches.monomial_coefficients(buffers.multiplier, b, coefficients);
+    auto& T = buffers.H;
+    for (int q3 = 0; q3 < n; ++q3) {
+      const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+      for (int q = 0; q < plane; ++q) {
+        prefetch(points + plane + q);
+        prefetch_values(planes[q3 + 1], q);
+        const L* X = points[q].position;
+        const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
+#pragma GCC unroll 9
+        for (int k = 0; k < 9; ++k) T[k][q] = pressure * L(planes[q3].T[k][q]);
+      }
+      planes_.integrate_plane(T, q3);
+    }
+    planes_.distribute_layers();
   }
 
   const Planes& planes_;

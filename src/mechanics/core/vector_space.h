@@ -38,6 +38,11 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   static void dots(std::span<const V* const> x, const V& y, std::span<double> products) {
     for (std::size_t k = 0; k < x.size(); ++k) products[k] = dot(*x[k], y);
   }
+  /// y ← s (y + Σ a_k x_k)
+  static void combine(double s, V& y, std::span<const double> a, std::span<const V* const> x) {
+    for (std::size_t k = 0; k < x.size(); ++k) y.noalias() += a[k] * *x[k];
+    y *= s;
+  }
   static std::span<double> local_values(V& x) { return {x.data(), static_cast<std::size_t>(x.size())}; }
 };
 

@@ -122,7 +122,7 @@ template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
   /// Multipliers that the next is extrapolated from.
-  static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 4 : 6;
+  static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
       : RattleWorkspace<S>(system), start(system), multiplier(system.make_multiplier()) {
