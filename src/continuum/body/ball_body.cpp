@@ -54,7 +54,11 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
 }
 
 mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
-  if (auto status = judge(kernels_->force(x, f), x); !status) return status;
+  return complete_force(t, x, v, kernels_->force(x, f), f);
+}
+
+mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const {
+  if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
   if (gravity_) gravity_->add(x, f);
   return {};

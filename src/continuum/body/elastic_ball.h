@@ -45,6 +45,10 @@ class ElasticBall : public BallBody {
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
     return applied_force(t, x, v, f);
   }
+  mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
+                                        Workspace& workspace, Vector& f) const {
+    return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), f);
+  }
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }
   void constraint_curvature(const Vector& x, const Vector& v, Multiplier& r) const {

@@ -54,6 +54,10 @@ class GramSolver::Impl {
     kernels_.add_reaction(of_q0_.tangent(), lambda, f);
   }
 
+  double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f) {
+    return kernels_.force_with_reaction(x, lambda, method_ == GramMethod::dense ? of_q0_.to_be_set_at(x) : nullptr, f);
+  }
+
   History& history() { return history_; }
 
   Statistics statistics() const {
@@ -128,6 +132,11 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
+    /// The tangent of double precision, for somebody who sets it at x.
+    ConstraintTangent* to_be_set_at(const Vector& x) {
+      positions_.assign(x.begin(), x.begin() + x.locally_owned_size());
+      return tangent_.get();
+    }
 
    private:
     const CellKernels* kernels_;
@@ -162,6 +171,10 @@ GramSolver::GramSolver(GramSolver&&) noexcept = default;
 mechanics::SolveReport GramSolver::solve(const Vector& q1, const Vector& q0, const Vector& r, double enough,
                                          Vector& lambda) {
   return impl_->solve(q1, q0, r, enough, lambda);
+}
+
+double GramSolver::force_with_reaction(const Vector& x, const Vector& lambda, Vector& f) {
+  return impl_->force_with_reaction(x, lambda, f);
 }
 
 void GramSolver::add_reaction(const Vector& x, const Vector& lambda, Vector& f) { impl_->add_reaction(x, lambda, f); }

@@ -24,6 +24,16 @@ double CellKernels::force(const Vector& x, Vector& f) const {
   return least;
 }
 
+double CellKernels::force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x,
+                                        Vector& f) const {
+  require_constraint();
+  const GhostValues of_x(x);
+  f = 0.0;
+  const double least = local_->add_force_with_reaction(x.begin(), lambda.begin(), at_x, f.begin());
+  add_to_owners(f);
+  return least;
+}
+
 double CellKernels::constraint(const Vector& x, Vector& g) const {
   require_constraint();
   const GhostValues of_x(x);

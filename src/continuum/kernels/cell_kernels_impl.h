@@ -44,21 +44,28 @@ class DegreeKernels final : public LocalKernels {
   }
 
   double add_force(const double* x, double* f) const override {
-    double least = HUGE_VAL;
-    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
-      planes_.load_layers(x, b, buffers_.x);
-      L least_in_batch(HUGE_VAL);
-      for (int q3 = 0; q3 < n; ++q3) {
-        planes_.plane_gradient(buffers_.x, q3, buffers_.H);
-        batches_.prefetch_layer(x, b, q3);
-        law_->stress((b * n + q3) * plane, &batches_.unit_weights[q3 * plane], plane, buffers_.H[0], least_in_batch);
-        planes_.integrate_plane(buffers_.H, q3);
-      }
-      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
-      planes_.distribute_layers();
-      batches_.scatter_add(buffers_.result, b, f);
-    }
-    return least;
+    const auto nothing = [](std::size_t, int) {};
+    return add_stress(x, f, nothing, nothing);
+  }
+
+  double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
+                                 double* f) const override {
+    L coefficients[n_pressure];
+    const auto tangent_plane = [&](std::size_t b, int q3) -> Field& {
+      return at_x ? tangents_.plane_of(*at_x, b, q3) : buffers_.dv;
+    };
+    return add_stress(
+        x, f,
+        [&](std::size_t b, int q3) {
+          if (q3 == 0) {
+            batches_.load_multiplier(lambda, b, buffers_.multiplier);
+            batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
+          }
+          tangents_.set_plane(b, q3, buffers_.H, tangent_plane(b, q3));
+        },
+        [&](std::size_t b, int q3) {
+          tangents_.add_pressure(b, q3, coefficients, tangent_plane(b, q3), buffers_.H);
+        });
   }
 
   double constraint(const double* x, double* g) const override {
@@ -237,6 +244,28 @@ class DegreeKernels final : public LocalKernels {
       }
       planes_.store_moments(moments, b, r);
     }
+  }
+
+  /// f −= ∫∂(W + U)/∂F : ∇φ. Of every plane at_H(batch, plane) sees H in the buffers, and at_T the stress in its place.
+  template <class AtH, class AtT>
+  double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
+    double least = HUGE_VAL;
+    for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
+      planes_.load_layers(x, b, buffers_.x);
+      L least_in_batch(HUGE_VAL);
+      for (int q3 = 0; q3 < n; ++q3) {
+        planes_.plane_gradient(buffers_.x, q3, buffers_.H);
+        batches_.prefetch_layer(x, b, q3);
+        at_H(b, q3);
+        law_->stress((b * n + q3) * plane, &batches_.unit_weights[q3 * plane], plane, buffers_.H[0], least_in_batch);
+        at_T(b, q3);
+        planes_.integrate_plane(buffers_.H, q3);
+      }
+      least = lesser(least_in_batch.least(batches_.batches[b].n_active), least);
+      planes_.distribute_layers();
+      batches_.scatter_add(buffers_.result, b, f);
+    }
+    return least;
   }
 
   /// result ← ∫λ_h F⁻ᵀ:∇φ for the layers and the multiplier in the buffers.

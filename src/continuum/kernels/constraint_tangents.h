@@ -20,6 +20,7 @@ class ConstraintTangents {
   using L = typename Planes::L;
   using Single = SingleLanes<n_lanes>;
   using Tensor = typename Planes::Tensor;
+  using Field = typename Planes::Field;
   static constexpr int n = Planes::n, plane = Planes::plane, n_pressure = Planes::n_pressure;
 
  public:
@@ -57,6 +58,32 @@ class ConstraintTangents {
             for (int c = 0; c < 3; ++c) rows[l * size + (j * n_nodes + i) * 3 + c] = buffers.result[c][i][l];
       }
       for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {rows.data() + l * size, size});
+    }
+  }
+
+  /// w H⁻ᵀ in one plane of points of a tangent in double precision.
+  Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
+    return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
+  }
+  /// T = w H⁻ᵀ
+  template <class Number>
+  void set_plane(std::size_t b, int q3, const Field& H_of_plane, Number (&T)[9][plane]) const {
+    const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+    for (int q = 0; q < plane; ++q) {
+      const Tensor H = Planes::load(H_of_plane, q), cof = materials::cofactor(H);
+      const L factor = points[q].weight / materials::determinant(H, cof);
+#pragma GCC unroll 9
+      for (int k = 0; k < 9; ++k) T[k][q] = factor * cof.a[k / 3][k % 3];
+    }
+  }
+  /// sum += λ_h T for λ_h of these coefficients of monomials
+  void add_pressure(std::size_t b, int q3, const L (&coefficients)[n_pressure], const Field& T, Field& sum) const {
+    const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
+    for (int q = 0; q < plane; ++q) {
+      const L* X = points[q].position;
+      const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
+#pragma GCC unroll 9
+      for (int k = 0; k < 9; ++k) sum[k][q] += pressure * T[k][q];
     }
   }
 
@@ -101,13 +128,7 @@ class ConstraintTangents {
     planes_.load_layers(x, b, buffers.x);
     for (int q3 = 0; q3 < n; ++q3) {
       planes_.plane_gradient(buffers.x, q3, buffers.H);
-      const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
-      for (int q = 0; q < plane; ++q) {
-        const Tensor H = Planes::load(buffers.H, q), cof = materials::cofactor(H);
-        const L factor = points[q].weight / materials::determinant(H, cof);
-#pragma GCC unroll 9
-        for (int k = 0; k < 9; ++k) planes[q3].T[k][q] = factor * cof.a[k / 3][k % 3];
-      }
+      set_plane(b, q3, buffers.H, planes[q3].T);
     }
   }
 

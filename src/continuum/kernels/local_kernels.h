@@ -57,6 +57,9 @@ class LocalKernels {
   virtual ~LocalKernels() = default;
   /// Adds to f. Returns the least of J and of the law's reserve.
   virtual double add_force(const double* x, double* f) const = 0;
+  /// f += force + G(x)ᵀλ in one go; `at_x`, of double precision, becomes the tangent at x unless it is null.
+  virtual double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
+                                         double* f) const = 0;
   virtual double constraint(const double* x, double* g) const = 0;
   virtual void constraint_rate(const double* x, const double* v, double* r) const = 0;
   virtual void constraint_curvature(const double* x, const double* v, double* r) const = 0;

@@ -15,7 +15,8 @@
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
 ///
-/// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does. A changed step starts
+/// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does, which has less to do if a_n
+/// contains an extrapolated λ_n. A changed step starts
 /// anew.
 ///
 /// Energy and momenta of small systems are kept up to bounded oscillations of size h^order. On the ball the error of
@@ -189,7 +190,7 @@ struct SymmetricMultistep {
     }
     ++w.counters.n_substeps;
     if (w.n_known < w.n_slots) return start_up(system, state, w);
-    if (Status status = Rattle::ensure_acceleration(system, state, w); !status) return status;
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
     if (Status status = make_step(system, state, w); !status) return status;
     state.t += h;
     w.acceleration_known = false;
@@ -199,7 +200,7 @@ struct SymmetricMultistep {
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
-    if (Status status = Rattle::ensure_acceleration(system, state, w); !status) return status;
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
@@ -241,7 +242,25 @@ struct SymmetricMultistep {
     }
     w.newest = next;
     ++w.n_known;
+    if (FindsForceWithReaction<S> && w.n_known == w.n_slots) w.acceleration_known = false;  // it has no reaction
     return {};
+  }
+
+  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ.
+  template <class S>
+  static Status ensure_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
+    if constexpr (FindsForceWithReaction<S>) {
+      if (w.acceleration_known) return {};
+      extrapolate_multiplier<S>(w);
+      Status status = system.force_with_reaction(state.t, state.q, state.v, w.multiplier, w.system, w.acceleration);
+      if (!status) return status;
+      system.apply_inverse_mass(w.acceleration, w.acceleration);
+      ++w.counters.n_force;
+      w.acceleration_known = true;
+      return {};
+    } else {
+      return Rattle::ensure_acceleration(system, state, w);
+    }
   }
 
   /// d_{n+1}, q_{n+1} with a_n from the extrapolated multiplier, and then from the one that makes g(q_{n+1}) = 0.
@@ -255,8 +274,10 @@ struct SymmetricMultistep {
       w.q_start = state.q;
       w.constraint.direction_known = false;
       extrapolate_multiplier<S>(w);
-      detail::set_reaction(system, w.q_start, w.multiplier, w.system, w.constraint);
-      axpy(1.0, w.constraint.reaction, a);
+      if constexpr (!FindsForceWithReaction<S>) {
+        detail::set_reaction(system, w.q_start, w.multiplier, w.system, w.constraint);
+        axpy(1.0, w.constraint.reaction, a);
+      }
     }
     const int next = w.newest + 1 < w.n_slots ? w.newest + 1 : 0;
     std::conditional_t<dense, typename S::Vector, typename S::Vector&> increment = w.d[next];
