@@ -106,6 +106,30 @@ TEST_P(Kernels, ReactionIsTheTransposeOfTheRate) {
   }
 }
 
+/// With the inverse, whose solver takes the tangent at x from the same pass, and with two levels. What is done with it
+/// afterwards, reaction and solve, must be what they are without.
+TEST_P(Kernels, ForceWithReactionIsTheSumOfTheTwo) {
+  const Vector lambda = random_field(ball.make_multiplier(), generator);
+  auto workspace = ball.make_workspace();
+  Vector sum = ball.make_vector();
+  ASSERT_TRUE(ball.force(0, x, v, workspace, sum));
+  ball.add_reaction(x, lambda, sum);
+  Vector reaction = ball.make_vector();
+  ball.add_reaction(x, lambda, reaction);
+  for (const auto method : {continuum::GramMethod::dense, continuum::GramMethod::two_level}) {
+    ElasticBall::Workspace fused{continuum::GramSolver(ball.space(), ball.kernels(), method), 0};
+    Vector f = ball.make_vector(), again = ball.make_vector(), apart = ball.make_vector();
+    ASSERT_TRUE(ball.force_with_reaction(0, x, v, lambda, fused, f));
+    expect_near(f, sum, 1e-13);
+    ball.add_reaction(x, lambda, again, fused);
+    expect_near(again, reaction, 1e-13);
+    ball.add_reaction(moved(0.1), lambda, again, fused);
+    ball.add_reaction(moved(0.1), lambda, apart);
+    apart += reaction;
+    expect_near(again, apart, 1e-13);
+  }
+}
+
 TEST_P(Kernels, RowsAreThoseOfTheRate) {
   Vector rate = ball.make_multiplier(), from_rows = rate;
   ball.constraint_rate(x, v, rate);
