@@ -1,4 +1,5 @@
-/// The product with a symmetric matrix, kept whole or as a triangle. Where it is wrong, the Krylov iteration around it only takes longer.
+/// The product with a symmetric matrix, kept whole or as a triangle. Where it is wrong, the Krylov iteration around it
+/// only takes longer.
 
 #include "continuum/constraint/symmetric_matrix.h"
 

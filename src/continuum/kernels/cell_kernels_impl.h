@@ -63,9 +63,7 @@ class DegreeKernels final : public LocalKernels {
           }
           tangents_.set_plane(b, q3, buffers_.H, tangent_plane(b, q3));
         },
-        [&](std::size_t b, int q3) {
-          tangents_.add_pressure(b, q3, coefficients, tangent_plane(b, q3), buffers_.H);
-        });
+        [&](std::size_t b, int q3) { tangents_.add_pressure(b, q3, coefficients, tangent_plane(b, q3), buffers_.H); });
   }
 
   double constraint(const double* x, double* g) const override {

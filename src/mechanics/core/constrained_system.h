@@ -56,11 +56,10 @@ inline constexpr bool has_costly_force = [] {
 
 /// A system may also find f + G(q)ᵀλ for less than the two apart, as `force_with_reaction(t, q, v, lambda, w, f)`.
 template <class S>
-concept FindsForceWithReaction =
-    requires(const S s, const typename S::Vector q, typename S::Vector f, const typename S::Multiplier lambda,
-             typename S::Workspace w) {
-      { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
-    };
+concept FindsForceWithReaction = requires(const S s, const typename S::Vector q, typename S::Vector f,
+                                          const typename S::Multiplier lambda, typename S::Workspace w) {
+  { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
+};
 
 /// A system may also know g(q + q_rounding) to well below the round-off of q, as `constraint(q, q_rounding, g)`, where
 /// q_rounding is what compensated sums have kept back from q. Its constraint is then met by that sum.

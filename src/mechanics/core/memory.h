@@ -19,7 +19,9 @@ namespace detail {
 struct MemorySaver {
   std::vector<double>& numbers;
   void operator()(std::span<double> values) const {
-    for (const double value : values) numbers.push_back(value);  // insert makes GCC 12 warn of a span of one number
+    const std::size_t n = numbers.size();
+    numbers.resize(n + values.size());  // insert makes GCC 12 warn of a span of one number
+    std::copy_n(values.begin(), values.size(), numbers.begin() + static_cast<std::ptrdiff_t>(n));
   }
   template <class Value>
   void operator()(Value& value) const {

@@ -15,9 +15,8 @@
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
 ///
-/// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does, which has less to do if a_n
-/// contains an extrapolated λ_n. A changed step starts
-/// anew.
+/// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does, which has less to do if
+/// a_n contains an extrapolated λ_n. A changed step starts anew.
 ///
 /// Energy and momenta of small systems are kept up to bounded oscillations of size h^order. On the ball the error of
 /// the energy, of the same order, grows as the motion spreads to modes of high frequency: by order 4 at 0.8 of the
