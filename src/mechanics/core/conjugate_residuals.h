@@ -1,14 +1,13 @@
 #pragma once
-/// The conjugate residual method for A x = r₀ with a matrix that is nearly symmetric, truncated (Orthomin; Eisenstat,
-/// Elman, Schultz 1983), whose preconditioner M acts on the right, so that its residuals are those of the system
-/// itself. With w = A M⁻¹ r_k and sums over the last m of the j < k,
+/// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
+/// a matrix that is nearly symmetric. Its preconditioner M acts on the right, so that its residuals are those of the
+/// system itself. With w = A M⁻¹ r_k and sums over the last m of the j < k,
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k likewise, A z_k = y_k,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// If A and M are symmetric and positive definite, the products with y_j further back than k − 2 vanish: nothing is
-/// lost by the truncation, and the residual is the least among all x of the iterations. As r_k is orthogonal to those
-/// y_j,
+/// With all j < k the residual is the least among all x of the iterations. Were A M⁻¹ symmetric, two would do; it
+/// nearly is if A is and M is close to it, and a few do. As r_k is orthogonal to the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
