@@ -106,8 +106,8 @@ TEST_P(Kernels, ReactionIsTheTransposeOfTheRate) {
   }
 }
 
-/// With the inverse, whose solver takes the tangent at x from the same pass, and with two levels. What is done with it
-/// afterwards, reaction and solve, must be what they are without.
+/// With the inverse, whose solver takes the tangent at x from the same pass, and with two levels. What follows,
+/// reaction and solve, must be what it is without the pass.
 TEST_P(Kernels, ForceWithReactionIsTheSumOfTheTwo) {
   const Vector lambda = random_field(ball.make_multiplier(), generator);
   auto workspace = ball.make_workspace();
@@ -127,6 +127,12 @@ TEST_P(Kernels, ForceWithReactionIsTheSumOfTheTwo) {
     ball.add_reaction(moved(0.1), lambda, apart);
     apart += reaction;
     expect_near(again, apart, 1e-13);
+    ElasticBall::Workspace fresh{continuum::GramSolver(ball.space(), ball.kernels(), method), 0};
+    Vector solution = ball.make_multiplier(), expected = ball.make_multiplier();
+    ASSERT_TRUE(ball.force_with_reaction(0, x, v, lambda, fused, f));
+    ASSERT_TRUE(ball.solve_gram(moved(0.01), x, lambda, fused, solution).status);
+    ASSERT_TRUE(ball.solve_gram(moved(0.01), x, lambda, fresh, expected).status);
+    expect_near(solution, expected, 1e-9);
   }
 }
 

@@ -90,7 +90,8 @@ class BallBody {
  protected:
   /// f of all but reactions.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// Adds the loads and gravity to the force of the stress, whose kernel returned `least`.
+  /// Adds loads and gravity to the force of the stress; fails where `least`, which its kernel returned, is not
+  /// positive.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const;
   /// `least`: of J and the reserve of the law over the points of this rank. Collective.
   mechanics::Status judge(double least, const Vector& x) const;

@@ -76,7 +76,8 @@ mechanics::Status DenseGram::renew(const Vector& x) {
 }
 
 double DenseGram::renewal_cost() const {
-  // n³ operations and the rows of G; runs with 80 … 640 multipliers are fastest with this.
+  // n³ operations and the rows of G, over iterations that grow as n with the body. Runs with 80 … 640 multipliers are
+  // fastest with this; larger ones were not tried.
   const double n = space_->n_cells() * space_->n_pressure();
   return 40 + 6e-4 * n * n;
 }

@@ -55,7 +55,7 @@ class GramSolver::Impl {
   }
 
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f) {
-    return kernels_.force_with_reaction(x, lambda, method_ == GramMethod::dense ? of_q0_.to_be_set_at(x) : nullptr, f);
+    return kernels_.force_with_reaction(x, lambda, of_q0_.to_be_set_at(x), f);
   }
 
   History& history() { return history_; }
@@ -132,8 +132,9 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// The tangent of double precision, for somebody who sets it at x.
+    /// The tangent, for somebody who sets it at x; null where it is not of double precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
+      if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());
       return tangent_.get();
     }

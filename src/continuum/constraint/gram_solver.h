@@ -29,7 +29,8 @@ class GramSolver {
   /// does not help.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as CellKernels; remembers what a solve at x needs.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as CellKernels; with the dense inverse it remembers the tangent for a
+  /// solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
   /// f += G(x)ᵀλ.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);

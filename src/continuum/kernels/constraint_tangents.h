@@ -4,6 +4,7 @@
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -41,23 +42,23 @@ class ConstraintTangents {
     of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
   }
 
-  /// Calls use(cell, rows) with the rows of G at x that belong to a cell: by multiplier, node and component.
+  /// Calls use(cell, values) with the rows of G at x that belong to a cell: by multiplier, node and component.
   void rows(const double* x, const UseRows& use) const {
     constexpr std::size_t n_nodes = Planes::n_nodes, size = n_pressure * 3 * n_nodes;
-    std::vector<double> rows(n_lanes * size);
-    PlaneOfPoints<L> planes[n];
+    std::vector<double> values(n_lanes * size);
+    Stored<L> planes(n);
     auto& buffers = planes_.buffers();
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
-      set_batch(x, b, planes);
+      set_batch(x, b, planes.data());
       const auto& batch = planes_.batches.batches[b];
       for (int j = 0; j < n_pressure; ++j) {
         for (int i = 0; i < n_pressure; ++i) buffers.multiplier[i] = L(i == j ? 1.0 : 0.0);
-        react(b, planes);
+        react(b, planes.data());
         for (int l = 0; l < batch.n_active; ++l)
           for (std::size_t i = 0; i < n_nodes; ++i)
-            for (int c = 0; c < 3; ++c) rows[l * size + (j * n_nodes + i) * 3 + c] = buffers.result[c][i][l];
+            for (int c = 0; c < 3; ++c) values[l * size + (j * n_nodes + i) * 3 + c] = buffers.result[c][i][l];
       }
-      for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {rows.data() + l * size, size});
+      for (int l = 0; l < batch.n_active; ++l) use(batch.first_cell + l, {values.data() + l * size, size});
     }
   }
 
@@ -93,11 +94,13 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
+  /// Asks for a piece of the next plane with every point of the present one; where there is none, nothing happens.
   template <class Number>
-  static void prefetch_values(const PlaneOfPoints<Number>& next, int q) {
-    constexpr int per_point = 9 * sizeof(Number);
-    const char* start = reinterpret_cast<const char*>(&next) + q * per_point;
-    for (int o = 0; o < per_point; o += 64) __builtin_prefetch(start + o, 0, 2);
+  static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
+    constexpr int per_point = 9 * sizeof(Number), cache_line = 64;
+    const auto start = reinterpret_cast<std::uintptr_t>(next) + static_cast<std::uintptr_t>(q * per_point);
+    for (int offset = 0; offset < per_point; offset += cache_line)
+      __builtin_prefetch(reinterpret_cast<const char*>(start + offset), 0, 2);
   }
   template <class Number>
   using Stored = std::vector<PlaneOfPoints<Number>>;
@@ -135,21 +138,21 @@ class ConstraintTangents {
   template <class Number>
   void rate_by_planes(const Stored<Number>& stored, const double* v, double* r) const {
     auto& buffers = planes_.buffers();
-    auto plane_of_points = stored.begin();
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) {
+      const PlaneOfPoints<Number>* planes = &stored[b * n];
       planes_.load_layers(v, b, buffers.v);
       L moments[n_pressure];
       for (L& m : moments) m = L(0.0);
-      for (int q3 = 0; q3 < n; ++q3, ++plane_of_points) {
+      for (int q3 = 0; q3 < n; ++q3) {
         planes_.plane_gradient(buffers.v, q3, buffers.dv);
         planes_.batches.prefetch_layer(v, b, q3);
         const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
         for (int q = 0; q < plane; ++q) {
           prefetch(points + plane + q);
-          prefetch_values(*(&*plane_of_points + 1), q);
+          prefetch_values(planes + q3 + 1, q);
           const L* X = points[q].position;
-          Batches::Monomials::add_moments(dot(Planes::load(plane_of_points->T, q), Planes::load(buffers.dv, q)), X[0],
-                                          X[1], X[2], moments);
+          Batches::Monomials::add_moments(dot(Planes::load(planes[q3].T, q), Planes::load(buffers.dv, q)), X[0], X[1],
+                                          X[2], moments);
         }
       }
       planes_.store_moments(moments, b, r);
@@ -177,7 +180,7 @@ class ConstraintTangents {
       const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
       for (int q = 0; q < plane; ++q) {
         prefetch(points + plane + q);
-        prefetch_values(planes[q3 + 1], q);
+        prefetch_values(planes + q3 + 1, q);
         const L* X = points[q].position;
         const L pressure = Batches::Monomials::evaluate(coefficients, X[0], X[1], X[2]);
 #pragma GCC unroll 9

@@ -88,7 +88,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
 
  private:
-  /// A piece of the vector that stays in the nearest cache while many others pass.
+  /// Calls use(first, n) for pieces so short that one stays in the nearest cache while those of many vectors pass.
   template <class Use>
   static void in_pieces(std::size_t size, const Use& use) {
     constexpr std::size_t piece = 1024;

@@ -6,13 +6,14 @@
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k likewise, A z_k = y_k,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// With all j < k the residual is the least among all x of the iterations. Were A M⁻¹ symmetric, two would do; it
-/// nearly is if A is and M is close to it, and a few do. As r_k is orthogonal to the y_j,
+/// With all j < k the residual is the least among all x of the iterations. Were A M⁻¹ symmetric and
+/// positive definite, one would do; it nearly is if A is and M is close to it, and a few do. As r_k is orthogonal to
+/// the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
 /// so that an iteration needs one sum over the processes. This is the classical Gram–Schmidt process, which is accurate
-/// enough for a small number of vectors.
+/// enough for a small number of vectors. Differences make |r|² good to 1e-16 |r₀|²: do not ask for less than 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -40,40 +41,46 @@ class ConjugateResiduals {
     Result result{0, norm <= tolerance};
     scale(0.0, x);
     double square = norm * norm;
-    while (!result.converged && result.n_iterations < max_iterations) {
-      const int k = result.n_iterations++, slot = k % n_slots;
-      if (slot == static_cast<int>(y_.size())) {
-        y_.push_back(r);
-        z_.push_back(r);
+    const auto iterate = [&](int m, int most) {
+      n_slots_ = m + 1;
+      for (int k = 0; !result.converged && result.n_iterations < most; ++k) {
+        ++result.n_iterations;
+        const auto slot = static_cast<std::size_t>(k % n_slots_);
+        if (slot == y_.size()) {
+          y_.push_back(r);
+          z_.push_back(r);
+        }
+        precondition(r, z_[slot]);
+        multiply(z_[slot], y_[slot]);
+        const double length = orthogonalise(k, r);
+        if (!(length > 0)) return;  // nothing new, or not finite
+        const double alpha = of_residual_ / length;
+        axpy(alpha, z_[slot], x);
+        axpy(-alpha, y_[slot], r);
+        square -= alpha * alpha;
+        result.converged = square <= tolerance * tolerance;
       }
-      Vector &y = y_[slot], &z = z_[slot];
-      precondition(r, z);
-      multiply(z, y);
-      const double length = orthogonalise(k, r);
-      if (!(length > 0)) break;  // nothing new, or not finite
-      const double alpha = of_residual_ / length;
-      axpy(alpha, z, x);
-      axpy(-alpha, y, r);
-      square -= alpha * alpha;
-      result.converged = square <= tolerance * tolerance;
-    }
+    };
+    iterate(n_kept, std::min(n_with_few, max_iterations));
+    if (result.n_iterations == n_with_few) iterate(n_kept_if_slow, max_iterations);
     return result;
   }
 
   /// m. With one the Gram systems of degree 6 do not converge; of 1100 … 410,000 unknowns, two to six take as many
-  /// iterations as all within 2 %, and the products with all took a tenth of a step of the largest.
+  /// iterations as all within 2 %, and the products with all took a tenth of a step of the largest. Six leave a
+  /// reserve.
   static constexpr int n_kept = 6;
+  /// Where so many iterations have not been enough, M is not close to A: the next ones keep more.
+  static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  static constexpr int n_slots = n_kept + 1;
-
   /// Makes y_k orthonormal to those before, and z_k with it; returns its length before it became 1, or 0.
   double orthogonalise(int k, const Vector& r) {
-    const std::size_t n = std::min(k, n_kept);
-    Vector &y = y_[k % n_slots], &z = z_[k % n_slots];
+    const std::size_t n = std::min(k, n_slots_ - 1);
+    Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];
     const auto collect_before = [&](const std::vector<Vector>& vectors) {
       before_.clear();
-      for (int j = k - static_cast<int>(n); j < k; ++j) before_.push_back(&vectors[j % n_slots]);
+      for (int j = k - static_cast<int>(n); j < k; ++j) before_.push_back(&vectors[j % n_slots_]);
     };
     collect_before(y_);
     before_.push_back(&y);
@@ -91,14 +98,14 @@ class ConjugateResiduals {
     if (!(square > round_off * of_itself)) return 0;
     const double length = std::sqrt(square);
     const std::span<const double> weights(products_.data(), n);
-    collect_before(y_);
-    VectorSpace<Vector>::combine(1 / length, y, weights, before_);
+    VectorSpace<Vector>::combine(1 / length, y, weights, std::span(before_).first(n));
     collect_before(z_);
     VectorSpace<Vector>::combine(1 / length, z, weights, before_);
     return length;
   }
 
-  std::vector<Vector> y_, z_;  // y_k in slot k mod n_slots
+  std::vector<Vector> y_, z_;  // y_k in slot k mod n_slots_
+  int n_slots_ = 0;
   std::vector<const Vector*> before_;
   std::vector<double> products_;
   double of_residual_ = 0;

@@ -1,7 +1,7 @@
 #pragma once
 /// The operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, x ← a x and |x|_∞;
-/// frequency estimates also use xᵀy, and iterative solvers several of these in one sum over the processes. A
-/// distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
+/// frequency estimates also use xᵀy, and iterative solvers several of these in one sum over the processes, and sums of
+/// several vectors. A distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
 ///
 /// Long sums of small increments keep their round-off (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, VIII.5): with t = a x + c,

@@ -150,7 +150,7 @@ struct RattleWorkspace {
         constraint_tolerance(system.constraint_tolerance()) {}
 
   typename S::Workspace system;
-  typename S::Vector acceleration, q_start;  // M⁻¹f at the state; q_n
+  typename S::Vector acceleration, q_start;  // M⁻¹f at the state (symmetric_multistep.h adds a reaction); q_n
   VelocityIteration<S> settling;
   typename S::Vector q_rounding, v_rounding;  // what rounding has kept back from q and v
   detail::ConstraintTemporaries<S> constraint;

@@ -189,7 +189,7 @@ struct SymmetricMultistep {
     }
     ++w.counters.n_substeps;
     if (w.n_known < w.n_slots) return start_up(system, state, w);
-    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    if (Status status = ensure_predicted_acceleration(system, state, w); !status) return status;
     if (Status status = make_step(system, state, w); !status) return status;
     state.t += h;
     w.acceleration_known = false;
@@ -199,7 +199,7 @@ struct SymmetricMultistep {
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
     if (w.n_known < w.n_slots) return w.start.project(system, state, w);
-    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    if (Status status = ensure_predicted_acceleration(system, state, w); !status) return status;
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
@@ -241,13 +241,13 @@ struct SymmetricMultistep {
     }
     w.newest = next;
     ++w.n_known;
-    if (FindsForceWithReaction<S> && w.n_known == w.n_slots) w.acceleration_known = false;  // it has no reaction
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ.
+  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ, which is 0
+  /// at the end of the start: the acceleration that is known there will do.
   template <class S>
-  static Status ensure_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
+  static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
       if (w.acceleration_known) return {};
       extrapolate_multiplier<S>(w);
