@@ -103,8 +103,8 @@ double available_memory() {
   return available;
 }
 
-/// What steps of the continuum take, measured on one core at 2 to 3 GHz for k = 3 … 6, r = 0 … 1: within a factor of 3.
-constexpr double seconds_of_unknown = 2.5e-7, seconds_of_compressible_unknown = 4e-8;
+/// What steps of the continuum take, measured on cores at 2 to 4 GHz for k = 3 … 6, r = 0 … 1: within a factor of 3.
+constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Of the stability limit at rest, the part that a step found from a tolerance usually has.
 constexpr double usual_part_of_limit = 0.6;
 /// Pilot runs, and the companion run that estimates the discretisation error, take this much of the run beside it.
