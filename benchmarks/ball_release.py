@@ -11,8 +11,8 @@ Every discretisation runs with the methods and tolerances of STEPS, those of LAR
 of QUICK also with HIGHER; in turn, for nine rounds (the last six, the third and the second are left out once a run has
 taken 1, 10 and 20 seconds in all). Columns: degree, refinements, method, tolerance (Time/Tolerance), step, unknowns,
 seconds (processor time of the process less that of a start after it, median; the search for the step is contained),
-motion_seconds (from the search for the step to the last sample, median: what benchmarks/peers is timed for), error (the
-largest difference of Q33 from the reference over the 50 samples).
+motion_seconds (wall time from the search for the step to the last sample, median: what benchmarks/peers is timed for),
+error (the largest difference of Q33 from the reference over the 50 samples).
 
 The reference is in benchmarks/references with a bar of its own: see make_reference.
 """

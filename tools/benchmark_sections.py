@@ -91,10 +91,10 @@ def errors_of_the_ball(data):
          ["Incompressible neo-Hookean ball, μ = ρ = r = 1, from rest shape with the velocity 0.3 (x, y, −2z), until "
           "t = 5, on one octant. Error: largest difference of the mass moment Q33 over 50 samples from a reference "
           "(benchmarks/ball_release.py says how it is made). Process: processor time of the process less that of a "
-          "start beside it, median; mesh, set-up and output are contained. Motion: from the search for the step, which is "
-          "contained, to the last sample. FEniCSx (benchmarks/peers): from the first assembly to the last sample; start, mesh and "
-          "compilation of forms are left out, and its step was found by hand, so that its time is set beside that of our "
-          "motion.",
+          "start beside it, median; mesh, set-up and output are contained. Motion: wall time of the one thread from the "
+          "search for the step, which is contained, to the last sample. FEniCSx (benchmarks/peers): processor time from "
+          "the first assembly to the last sample; start, mesh and compilation of forms are left out. Its "
+          "step was found by hand. Its time is set beside both of ours.",
           reference_of_release(data), rates_in_space(data)],
          lambda f, d, i: f.draw_release(d, i), ["release", "release_runs", "peers"]),
         ("Ladder of models", "ladder",

@@ -244,8 +244,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ, which is 0
-  /// at the end of the start: the acceleration that is known there will do.
+  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
+  /// of the start λ is 0, so that the acceleration known there will do.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
