@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pseudorigid::scene {
 
 /// Row by row; what entries say needs no linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+/// Of a sum of a few products, per the sum of their sizes.
+inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
 
 /// cof Q = det(Q) Q^-T. Where Q is diagonal or block diagonal, the zeros of the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {

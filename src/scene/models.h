@@ -1,7 +1,10 @@
 #pragma once
 /// The models of a scene, by what their entries in the catalogue say of them.
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,13 +58,21 @@ template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;
   for (const ModelDescription& model : catalogue_of(scene).models)
-    if (holds(model)) found.push_back(model.name);
+    if (std::invoke(holds, model)) found.push_back(model.name);
   return found;
 }
 
 /// "the reduced model", "the models a, b".
 inline std::string the_models(const std::vector<std::string_view>& names) {
   return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
+}
+
+/// "a sweep is offered for the reduced model and the other systems; set Models = reduced"
+template <class Predicate>
+std::string offered_for(const Scene& scene, const std::string& what, Predicate&& offers) {
+  const auto models = names_where(scene, offers);
+  return fmt::format("{} offered for {} and the other systems; set Models = {}", what, the_models(models),
+                     joined(models));
 }
 
 }  // namespace pseudorigid::scene

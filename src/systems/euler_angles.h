@@ -27,11 +27,6 @@ inline Eigen::Vector3d body_angular_velocity(const EulerAngles& a, const EulerAn
           rate.phi * std::sin(a.theta) * std::cos(a.psi) - rate.theta * std::sin(a.psi),
           rate.phi * std::cos(a.theta) + rate.psi};
 }
-inline Eigen::Vector3d space_angular_velocity(const EulerAngles& a, const EulerAngles& rate) {
-  return {rate.theta * std::cos(a.phi) + rate.psi * std::sin(a.phi) * std::sin(a.theta),
-          rate.theta * std::sin(a.phi) - rate.psi * std::cos(a.phi) * std::sin(a.theta),
-          rate.phi + rate.psi * std::cos(a.theta)};
-}
 /// Rates of the angles from Ω, where sin θ ≠ 0.
 inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) {
   const double phi_rate = (Omega.x() * std::sin(a.psi) + Omega.y() * std::cos(a.psi)) / std::sin(a.theta);

@@ -58,7 +58,7 @@ class RigidBody {
   explicit RigidBody(Parameters parameters)
       : p_(std::move(parameters)),
         E0_inverse_(p_.E0.inverse()),
-        symmetries_(body_symmetries(p_.E0, p_.loads, has_fixed_point)) {}
+        symmetries_(body_symmetries(p_.loads, has_fixed_point)) {}
 
   mechanics::Status force(double, const Vector& q, const Vector&, Workspace&, Vector& f) const {
     f.setZero();
@@ -136,9 +136,6 @@ class RigidBody {
     dq = turn * q;
     dv = turn * v;
   }
-  /// Axes E of the body's own symmetry, along which ⟨E, P⟩ is constant. They are not among the symmetries above: turns
-  /// of the body, R ↦ RO, leave the set g = 0 but not the functions g.
-  const Directions& body_axes() const { return symmetries_.turns_of_body; }
 
   static Eigen::Matrix3d rotation(const Vector& q) { return q.template leftCols<3>(); }
   /// x(ξ) = Rξ + x
@@ -156,10 +153,6 @@ class RigidBody {
     Eigen::Vector3d p = mechanics::axial_vector(rotation(q) * p_.E0 * rotation(v).transpose());
     if constexpr (!has_fixed_point) p += p_.loads.mass * Eigen::Vector3d(q.col(3)).cross(Eigen::Vector3d(v.col(3)));
     return p;
-  }
-  /// P = AΩ about the origin of K (5.78, 5.82).
-  Eigen::Vector3d body_momentum(const Vector& q, const Vector& v) const {
-    return inertia() * body_angular_velocity(q, v);
   }
   Eigen::Matrix3d inertia() const { return inertia_operator(p_.E0); }
   const Parameters& parameters() const { return p_; }

@@ -1,4 +1,4 @@
-"""The reduced body whole: its scenes of params/ with the numbers that their heads promise, equilibria, sweeps, loads."""
+"""The reduced body whole: its scenes of params/ with the numbers that their heads promise, equilibria, loads."""
 import math
 import re
 import shutil
@@ -7,35 +7,13 @@ import sys
 import unittest
 
 from program_test import BODY_COLUMNS, SOURCE, STOPPED, largest_difference, overrides
-from stopped_run import StoppedRunTest
+from reduced_test import BALL, ReducedTest
 
 #: Units in which πGρ = 1.
 FLUID = {"Models": "reduced", "Material/Law": "none", "Gravity/Constant": "$(1/pi)"}
-BALL = {"Models": "reduced", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
-        "Initial state/Velocity": "0.25, -1, 0.125; 0.6, -0.3, 0.2; 0, -0.08, 0.08",
-        "Time/End": 5, "Output/Samples": 50}
 
 
-class PseudoRigid(StoppedRunTest):
-    def run_params(self, name, *options):
-        """Runs a scene of params/ and returns its folder."""
-        self.scene((SOURCE / f"params/{name}.prm").read_text(), f"{name}.prm")
-        self.run_done("run", f"{name}.prm", *options)
-        return self.scratch / "output" / name
-
-    def run_scene(self, entries, *options, name="scene"):
-        self.scene(entries, f"{name}.prm")
-        return self.run_done("run", f"{name}.prm", *options)
-
-    def refuse(self, entries, *words):
-        self.scene(entries)
-        result = self.run_program("run", "scene.prm")
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1)
-        for word in words:
-            self.assertIn(word, result.stderr)
-        self.assertFalse((self.scratch / "output").exists())
-
+class PseudoRigid(ReducedTest):
     # The scenes of params/
 
     def test_maclaurin(self):
@@ -110,140 +88,6 @@ class PseudoRigid(StoppedRunTest):
         printed = subprocess.run([sys.executable, SOURCE / "tools/equilibria_tables.py", self.program], capture_output=True,
                                  text=True, check=True).stdout
         self.assertEqual(printed, (SOURCE / "docs/equilibria_tables.md").read_text())
-
-    # Sweeps
-
-    def test_rows_of_a_sweep_are_those_of_single_runs(self):
-        sweep = {**BALL, "Initial state/Velocity": "$(w*0.25), -1, 0.125; 0.6, $(-w*0.3), 0.2; 0, -0.08, $(w*0.08)",
-                 "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8"}
-        # tr(Q^-1 Qdot) = w (0.2 − 0.3 + 0.1) = 0
-        self.run_scene({**sweep, "Sweep/Parameters": "w: 0.5, 1"})
-        table = self.table("output/scene/sweep.csv")
-        for row, w in zip(table.rows, (0.5, 1)):
-            entries = {path: str(value).replace("$(w*", f"$({w}*").replace("$(-w*", f"$(-{w}*") for path, value in sweep.items()}
-            self.run_scene(entries, name="single")
-            single = self.table("output/single/reduced.csv")
-            for name in single.header[1:]:
-                column = single.column(name)
-                found = {f"{name}_end": column[-1], f"{name}_min": min(column), f"{name}_max": max(column)}
-                if name in ("energy", "J1", "J2", "J3", "Z1", "Z2", "Z3", "volume_ratio"):  # what a free ball keeps
-                    found = {name: column[0], f"{name}_drift": max(column) - min(column)}
-                for key, value in found.items():
-                    self.assertEqual(row[table.header.index(key)], value, key)
-
-    def test_loads_conserve_no_momenta(self):
-        self.run_scene({**BALL, "Loads/Tidal matrix": "$(k), 0, 0; 0, 0, 0; 0, 0, $(-k)", "Sweep/Parameters": "k: 0, 0.1"})
-        header = self.table("output/scene/sweep.csv").header
-        self.assertLessEqual({"energy", "energy_drift", "J1_end", "J1_min", "Z3_max"}, set(header))
-        self.assertFalse({"J1", "J1_drift", "Z1"} & set(header))
-
-    def test_a_sweep_does_not_depend_on_threads(self):
-        sweep = {**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 12", "Material/Shear modulus": "$(mu)"}
-        self.run_scene(sweep, *overrides({"Sweep/Threads": 1}), "--output", "one")
-        self.run_scene(sweep, *overrides({"Sweep/Threads": 3}), "--output", "three")
-        self.assertEqual(self.bytes("one/sweep.csv"), self.bytes("three/sweep.csv"))
-
-    def test_an_interrupted_sweep_goes_on(self):
-        sweep = {**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 300", "Material/Shear modulus": "$(mu)", "Time/End": 100,
-                 "Output/Samples": 500}
-        self.run_scene(sweep, "--output", "whole")
-        self.scene(sweep)
-        self.assertEqual(self.interrupt("sweep", "parts"), STOPPED)
-        self.assertLess(len(self.table("parts/sweep.csv")), 300)
-        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
-        self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("whole/sweep.csv"))
-
-    def lanes(self, entries, *options, name="lanes"):
-        """A sweep in lanes and one of single runs, and how many runs of the first went in lanes."""
-        self.scene(entries)
-        for lanes in ("true", "false"):
-            self.run_done("run", "scene.prm", *options, *overrides({"Sweep/Lanes": lanes}), "--output", f"{name}-{lanes}")
-        n_in_lanes = [self.json(f"{name}-{lanes}/manifest.json")["models"]["sweep"]["counters"]["runs_in_lanes"]
-                      for lanes in ("true", "false")]
-        self.assertEqual(n_in_lanes[1], 0)
-        return self.table(f"{name}-true/sweep.csv"), self.table(f"{name}-false/sweep.csv"), n_in_lanes[0]
-
-    #: 19 releases: two groups of eight and three runs alone.
-    RELEASES = {"Models": "reduced", "Sweep/Parameters": "l: 1.02 .. 1.4 in 19", "Time/End": 10, "Output/Samples": 50,
-                "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)",
-                "Initial state/Velocity": "0, $(-0.3*l), 0; $(0.2*l), 0, 0; 0, 0, 0"}
-
-    def test_runs_in_lanes_with_a_given_step(self):
-        """They differ from single runs by round-off."""
-        for law in ("neo-hookean", "mooney-rivlin"):
-            together, alone, n_in_lanes = self.lanes(
-                {**self.RELEASES, "Material/Law": law, "Time/Method": "symmetric-8", "Time/Step": 0.02}, name=law)
-            self.assertEqual(n_in_lanes, 16)
-            # Measured: 4e-13. Frequency and amplitude are fits to a short record, and no better than it.
-            names = [name for name in alone.header if name not in ("frequency", "amplitude")]
-            self.assertLess(max(abs(a - b) for name in names for a, b in zip(together.column(name), alone.column(name))), 1e-11)
-
-    def test_runs_in_lanes_within_the_tolerance(self):
-        for tolerance in (1e-5, 1e-9):
-            together, alone, n_in_lanes = self.lanes({**self.RELEASES, "Time/Tolerance": tolerance}, name=str(tolerance))
-            self.assertEqual(n_in_lanes, 16)
-            for column in BODY_COLUMNS[1:10]:
-                for what in ("end", "min", "max"):
-                    for x, y in zip(together.column(f"{column}_{what}"), alone.column(f"{column}_{what}")):
-                        self.assertLess(abs(x - y), 2 * tolerance)
-            self.assertLess(max(together.column("estimated_time_error")), tolerance)
-
-    def test_lanes_are_for_runs_that_are_alike(self):
-        for other in ({"Material/Shear modulus": "$(l)"},  # another unit of time
-                      {"Gravity/Constant": 0.1}, {"Time/Method": "rattle-8"}, {"Body/Incompressible": "false"},
-                      {"Time/Tolerance": "$(1e-6*l)"}):
-            _, _, n_in_lanes = self.lanes({**self.RELEASES, **other}, name=next(iter(other)).replace("/", "-"))
-            self.assertEqual(n_in_lanes, 0, other)
-
-    def test_lanes_do_not_depend_on_threads_or_interruptions(self):
-        sweep = {**self.RELEASES, "Sweep/Parameters": "l: 1.02 .. 1.4 in 4003", "Time/End": 100}
-        self.run_scene(sweep, *overrides({"Sweep/Threads": 1}), "--output", "one")
-        self.run_scene(sweep, *overrides({"Sweep/Threads": 3}), "--output", "three")
-        self.assertEqual(self.bytes("one/sweep.csv"), self.bytes("three/sweep.csv"))
-        self.scene(sweep)
-        self.assertEqual(self.interrupt("sweep", "parts"), STOPPED)
-        self.assertLess(len(self.table("parts/sweep.csv")), 4003)
-        self.run_done("run", "scene.prm", "--output", "parts", "--resume")
-        self.assertEqual(self.bytes("parts/sweep.csv"), self.bytes("one/sweep.csv"))
-
-    def test_a_sweep_of_another_system(self):
-        self.run_scene({"System": "double pendulum", "Double pendulum/Angles": "$(a), 0.1", "Sweep/Parameters": "a: 0.1, 0.2",
-                        "Time/End": 2, "Output/Samples": 20})
-        table = self.table("output/scene/sweep.csv")
-        self.assertEqual(table.column("a"), [0.1, 0.2])
-        self.assertIn("theta_max", table.header)
-
-    def test_frequencies_of_a_sweep(self):
-        """Small pulsations have sqrt(10) c/r, PHYSICS.md 3; the amplitude of C = Q^T Q of a release is that of its stretch."""
-        self.run_scene({"Models": "reduced", "Sweep/Parameters": "l: 1.001, 1.3", "Time/End": 20, "Output/Samples": 200,
-                        "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)"})
-        table = self.table("output/scene/sweep.csv")
-        self.assertEqual(table.header[7:9], ["frequency", "amplitude"])
-        small, large = table.column("frequency")
-        self.assertAlmostEqual(small, 10**0.5, delta=1e-4)
-        self.assertNotAlmostEqual(large, 10**0.5, delta=1e-3)
-        self.assertAlmostEqual(table.column("amplitude")[0], 2e-3 * 1.5**0.5, delta=1e-4)  # C - Id = 2 (l - 1) diag(-1/2, -1/2, 1)
-
-    def test_what_a_sweep_refuses(self):
-        sweep = {**BALL, "Sweep/Parameters": "l: 1 .. 2 in 3"}
-        self.refuse({**sweep, "Models": "reduced, continuum"}, "Models", "sweep")
-        self.refuse({**sweep, "Sweep/Parameters": "l: 1 .. 2"}, "Sweep/Parameters", "expected")
-        self.refuse({**sweep, "Sweep/Parameters": "l: 1; l: 2"}, "occurs twice")
-        self.refuse({**sweep, "Sweep/Parameters": "2l: 1, 2"}, "Sweep/Parameters")
-        self.refuse({**sweep, "Material/Shear modulus": "$(m)"}, "Material/Shear modulus", "cannot be evaluated",
-                    'nothing is called "m"', "the parameters of the sweep are l")
-        self.refuse({**sweep, "Material/Shear modulus": "$(1/(l-1))"}, "not a finite number")
-        self.refuse({**sweep, "Material/Shear modulus": "$(1.5-l)"}, "number > 0", "run 3 of the sweep", "l = 2")
-        self.refuse({**sweep, "Material/Shear modulus": "$(l"}, "no closing parenthesis")
-        self.refuse({**sweep, "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0",
-                     "Initial state/Deformation": "$(l), 0, 0; 0, 1, 0; 0, 0, 1"}, "det", "run 3 of the sweep")
-
-    def test_expressions_without_a_sweep(self):
-        self.run_scene({**BALL, "Initial state/Deformation": "$(5/4), 0, 0; 0, 1, 0; 0, 0, $(4/5)"}, name="expressed")
-        self.run_scene(BALL)
-        self.assertEqual(self.bytes("output/expressed/reduced.csv"), self.bytes("output/scene/reduced.csv"))
-        self.run_done("run", "output/expressed/used.prm", "--output", "again")
-        self.assertEqual(self.bytes("again/reduced.csv"), self.bytes("output/scene/reduced.csv"))
 
     # Equilibria
 

@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "analysis/order_fit.h"
 #include "analysis/sphere_frequencies.h"
 #include "continuum/modes/modes.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -85,16 +85,16 @@ TEST(GravitatingModes, AllAreThoseOfTheSphereWhateverItsGravity) {
 /// The stabilisation stiffens what the pressure space leaves of a change of volume, and costs no order.
 TEST(GravitatingModes, StabilisationLeavesTheRateOfConvergence) {
   for (const int k : {2, 3}) {
-    std::vector<analysis::ErrorPoint> without, with;
+    std::vector<ErrorPoint> without, with;
     for (const int r : {3 - k, 4 - k}) {
       without.push_back({std::pow(0.5, r), error_of_S2(k, r, 0).largest});
       with.push_back({std::pow(0.5, r), error_of_S2(k, r, 0, 1).largest});
     }
-    RecordProperty("without_" + std::to_string(k), std::to_string(analysis::fit_order(without).order));
-    RecordProperty("with_" + std::to_string(k), std::to_string(analysis::fit_order(with).order));
+    RecordProperty("without_" + std::to_string(k), std::to_string(fit_order(without).order));
+    RecordProperty("with_" + std::to_string(k), std::to_string(fit_order(with).order));
     std::printf("k = %d: errors %.2e, %.2e without, %.2e, %.2e with\n", k, without[0].error, without[1].error,
                 with[0].error, with[1].error);
-    EXPECT_GE(analysis::fit_order(with).order, 2 * k - 0.3);
+    EXPECT_GE(fit_order(with).order, 2 * k - 0.3);
   }
 }
 

@@ -7,10 +7,10 @@
 #include <cmath>
 
 #include "analysis/frequency.h"
-#include "analysis/order_fit.h"
 #include "analysis/sphere_frequencies.h"
 #include "continuum/balls.h"
 #include "gravity/ellipsoid_gravity.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -69,11 +69,10 @@ TEST(ContinuumGravity, OnAffineMotionsIsThatOfTheEllipsoid) {
 }
 
 TEST(ContinuumGravity, ConvergesWithOrderFourAndMore) {
-  std::vector<analysis::ErrorPoint> errors;
+  std::vector<ErrorPoint> errors;
   for (const int n_refinements : {0, 1, 2})
     errors.push_back({std::ldexp(1.0, -n_refinements), affine_error(3, n_refinements)});
-  EXPECT_GE(analysis::fit_order(errors).order, 4)
-      << errors[0].error << " " << errors[1].error << " " << errors[2].error;
+  EXPECT_GE(fit_order(errors).order, 4) << errors[0].error << " " << errors[1].error << " " << errors[2].error;
 }
 
 /// Not affine, so that the surface is no ellipsoid.

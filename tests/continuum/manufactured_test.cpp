@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/order_fit.h"
 #include "continuum/manufactured_motion.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -25,7 +25,7 @@ class ManufacturedRates : public ::testing::TestWithParam<int> {};
 
 TEST_P(ManufacturedRates, OfPositionAndPressure) {
   const int degree = GetParam(), finest = degree == 2 ? 3 : 2;
-  std::vector<analysis::ErrorPoint> position, multiplier;
+  std::vector<ErrorPoint> position, multiplier;
   for (int n_refinements = degree == 4 ? 0 : 1; n_refinements <= finest; ++n_refinements) {
     const ManufacturedBall system(octant, degree, n_refinements);
     // Order 4 with steps below the stability limit ~ h/k²: the time error is below that of space by far.
@@ -42,7 +42,7 @@ TEST_P(ManufacturedRates, OfPositionAndPressure) {
     std::printf("k = %d, refined %d: |x_h - x| %.3e, |p_h - p| %.3e\n", degree, n_refinements, errors.position,
                 errors.multiplier);
   }
-  const auto of_position = analysis::fit_order(position), of_multiplier = analysis::fit_order(multiplier);
+  const auto of_position = fit_order(position), of_multiplier = fit_order(multiplier);
   std::printf("k = %d: fitted rates %.2f and %.2f\n", degree, of_position.order, of_multiplier.order);
   EXPECT_GE(of_position.order, degree + 1 - 0.3);
   EXPECT_GE(of_multiplier.order, degree - 0.3);

@@ -11,8 +11,8 @@
 #include <memory>
 #include <string>
 
-#include "analysis/order_fit.h"
 #include "continuum/body/elastic_ball.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -60,7 +60,7 @@ class ModesOfDegree : public ::testing::TestWithParam<int> {};
 TEST_P(ModesOfDegree, ConvergeWithTwiceTheDegree) {
   const int k = GetParam(),
             coarse = k == 2 ? 1 : 0;  // the octant of 4 quadratic cells cannot tell degree 5 from others
-  std::array<std::vector<analysis::ErrorPoint>, std::size(exact_frequencies)> errors;
+  std::array<std::vector<ErrorPoint>, std::size(exact_frequencies)> errors;
   for (int r = coarse; r <= coarse + 1; ++r) {
     const Octant octant(k, r, 9);
     for (std::size_t i = 0; i < std::size(exact_frequencies); ++i) {
@@ -72,7 +72,7 @@ TEST_P(ModesOfDegree, ConvergeWithTwiceTheDegree) {
     }
   }
   for (std::size_t i = 0; i < std::size(exact_frequencies); ++i) {
-    const double order = analysis::fit_order(errors[i]).order;
+    const double order = fit_order(errors[i]).order;
     const std::string name = (exact_frequencies[i].kind == S ? "S" : "T") +
                              std::to_string(exact_frequencies[i].degree) + "_" +
                              std::to_string(exact_frequencies[i].overtone);

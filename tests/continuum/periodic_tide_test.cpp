@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "analysis/order_fit.h"
 #include "continuum/balls.h"
 #include "support/differences.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -29,7 +29,7 @@ TYPED_TEST(BallUnderATide, KeepsItsBalanceOfEnergy) {
   continuum::BallState start = affine_state(ball, diagonal(1.1, 1, 1 / 1.1), diagonal(0.22, 0.1, -0.3 / 1.1));
   start.q.add(1.0, ball.affine_field(Matrix3d::Zero(), Vector3d(0, 0, 0.4)));
   EXPECT_TRUE(ball.time_dependent() && !ball.dissipative() && !ball.velocity_dependent());
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   double given = 0;
   for (const long n : {40, 80, 160}) {
     const auto r = run<mechanics::Rattle>(ball, start, 1, 1, n);
@@ -41,7 +41,7 @@ TYPED_TEST(BallUnderATide, KeepsItsBalanceOfEnergy) {
   }
   EXPECT_GT(std::abs(given), 1e-2);
   EXPECT_LT(points.back().error, 1e-3 * std::abs(given));
-  const auto fit = analysis::fit_order(points);
+  const auto fit = fit_order(points);
   EXPECT_GE(fit.n_used, 3u);
   EXPECT_NEAR(fit.order, 2, 0.15);
 }

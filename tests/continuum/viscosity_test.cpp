@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "analysis/order_fit.h"
 #include "continuum/balls.h"
 #include "continuum/modes/parity_sector.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "mechanics/steps/step_size.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/pseudo_rigid_body.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -188,7 +188,7 @@ TYPED_TEST(EnergyBalance, HasTheOrderOfTheMethod) {
   const TypeParam ball(octant, 2, 0, ciarlet_geymonat, all_loads(octant));
   const auto start = affine_state(ball, diagonal(1.2, 1, 1 / 1.2), diagonal(0.24, 0.1, -0.3 / 1.2));
   const double energy = observed(ball, start, {.multiplier = false}).energy();
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   constexpr double T = 0.4;
   for (const long n : {40, 80, 160}) {
     const auto r = run<mechanics::Rattle>(ball, start, T, 1, n);
@@ -198,7 +198,7 @@ TYPED_TEST(EnergyBalance, HasTheOrderOfTheMethod) {
     points.push_back({T / static_cast<double>(n), std::abs(o.energy() - energy)});
     std::printf("%ld steps: energy changes by %.2e, dissipated %.4f\n", n, points.back().error, o.dissipated);
   }
-  EXPECT_NEAR(analysis::fit_order(points).order, 2, 0.1);
+  EXPECT_NEAR(fit_order(points).order, 2, 0.1);
 }
 
 }  // namespace

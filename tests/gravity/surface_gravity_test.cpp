@@ -12,8 +12,8 @@
 #include <random>
 #include <vector>
 
-#include "analysis/order_fit.h"
 #include "gravity/ellipsoid_gravity.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::gravity {
 namespace {
@@ -108,7 +108,7 @@ TEST(SurfaceGravity, ForceOnAffineFieldsConvergesToThatOfTheEllipsoid) {
   const gravity::EllipsoidGravity exact{0.6 * mass * mass};
   // The energy does not know how the ellipsoid turned into what it is; ∂V/∂F Fᵀ is the same for all F with one FFᵀ.
   const Matrix3d expected = traceless(exact.gradient(axes) * axes.transpose());
-  std::vector<analysis::ErrorPoint> errors;
+  std::vector<testing::ErrorPoint> errors;
   for (const int n : {2, 3, 4, 6}) {
     const SurfacePoints points = ellipsoid<4>(axes, n);
     const Gravity gravity = gravity_of(points, points, 1, volume);
@@ -116,7 +116,7 @@ TEST(SurfaceGravity, ForceOnAffineFieldsConvergesToThatOfTheEllipsoid) {
     errors.push_back(
         {1.0 / n, (traceless(affine_derivative(points, gravity.derivative)) - expected).norm() / expected.norm()});
   }
-  EXPECT_GE(analysis::fit_order(errors).order, 4) << errors.front().error << " … " << errors.back().error;
+  EXPECT_GE(testing::fit_order(errors).order, 4) << errors.front().error << " … " << errors.back().error;
   EXPECT_LT(errors.back().error, 1e-6);
 }
 

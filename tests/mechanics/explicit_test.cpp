@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/order_fit.h"
 #include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/memory.h"
@@ -14,6 +13,7 @@
 #include "mechanics/toy_systems.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"
+#include "support/order_fit.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
@@ -75,12 +75,12 @@ TYPED_TEST(ExplicitMethod, HasOrder8) {
   const TypeParam c;
   const ExplicitMultiplier field(c.system);
   const auto exact = integrate(field, c.initial(), c.end, 1e-15);
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (int n = c.coarsest; n <= 10 * c.coarsest; n += n / 4) {
     const auto state = fixed_steps(field, c.initial(), c.end, n, [](auto&&...) {});
     points.push_back({c.end / n, distance(state, exact)});
   }
-  const auto fit = analysis::fit_order(points);
+  const auto fit = fit_order(points);
   EXPECT_GE(fit.n_used, 4u);
   EXPECT_NEAR(fit.order, 8, 0.35);  // the steps are not small against the pulsation before round-off is met
 }
@@ -91,7 +91,7 @@ TYPED_TEST(ExplicitMethod, DenseOutputHasOrder7) {
   const ExplicitMultiplier field(c.system);
   const int n_times = 3000;  // so that the worst time of a step is met
   const auto exact = integrate_samples(field, c.initial(), c.end, n_times, 1e-15);
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (int n = c.coarsest; n <= 6 * c.coarsest; n += n / 2) {
     double error = 0;
     int next = 1;
@@ -105,7 +105,7 @@ TYPED_TEST(ExplicitMethod, DenseOutputHasOrder7) {
     EXPECT_EQ(next, n_times + 1);
     points.push_back({c.end / n, error});
   }
-  const auto fit = analysis::fit_order(points);
+  const auto fit = fit_order(points);
   EXPECT_GE(fit.n_used, 4u);
   EXPECT_GT(fit.order, 7.4);
 }

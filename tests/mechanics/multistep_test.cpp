@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/order_fit.h"
 #include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/memory.h"
@@ -14,6 +13,7 @@
 #include "mechanics/toy_systems.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"
+#include "support/order_fit.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
@@ -82,7 +82,7 @@ TYPED_TEST(Multistep, HasTheDeclaredOrder) {
   using Method = typename TypeParam::Method;
   const typename TypeParam::Case c;
   const auto exact = integrate(ExplicitMultiplier(c.system), c.initial(), c.end, 1e-15);
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (int n = c.coarsest; n <= 8 * c.coarsest; n += n / 5) {
     typename Method::template Workspace<typename TypeParam::Case::System> w(c.system);
     auto state = c.initial();
@@ -90,7 +90,7 @@ TYPED_TEST(Multistep, HasTheDeclaredOrder) {
     ASSERT_TRUE(Method::project_velocity(c.system, state, w));
     points.push_back({c.end / n, distance(state, exact)});
   }
-  const auto fit = analysis::fit_order(points);
+  const auto fit = fit_order(points);
   EXPECT_GE(fit.n_used, 4u);
   EXPECT_GT(fit.order, 0.95 * Method::order);  // order 12 meets round-off while higher terms of its error are felt
 }

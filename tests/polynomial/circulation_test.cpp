@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/order_fit.h"
 #include "mechanics/core/body_observables.h"
 #include "polynomial/motions.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -60,13 +60,13 @@ TEST(Circulation, ForcesOfDegreeThreeTurnItAtTheFifthPowerOfTheDisplacement) {
   const VectorXd rest = body.affine(Matrix3d::Identity()), direction = random_direction(body, generator);
   auto workspace = body.make_workspace();
   VectorXd f = body.make_vector();
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (const double a : {0.004, 0.006, 0.008, 0.012, 0.016}) {
     const VectorXd q = rest + a * direction;
     ASSERT_TRUE(body.force(0, q, f, workspace, f));
     points.push_back({a, std::abs(f.dot(turned_reference(body, q, 2)))});
   }
-  EXPECT_GT(analysis::fit_order(points).order, 4.7);
+  EXPECT_GT(fit_order(points).order, 4.7);
 }
 
 /// Largest changes of J and Z on the way.

@@ -5,12 +5,12 @@
 
 #include <numbers>
 
-#include "analysis/order_fit.h"
 #include "gravity/ellipsoid_gravity.h"
 #include "polynomial/motions.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "support/differences.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -80,14 +80,14 @@ TEST(BodyGravity, ForceOfBentBodiesConvergesInThePoints) {
   const VectorXd q = affine(*space, sample_map(all_planes)) + 0.02 * random_vector(space->n_unknowns(), generator);
   const VectorXd exact = force(BodyGravity(G, space, 40), q);
   const double energy = BodyGravity(G, space, 40).energy(q);
-  std::vector<analysis::ErrorPoint> of_force, of_energy;
+  std::vector<ErrorPoint> of_force, of_energy;
   for (const int n : {4, 6, 8, 11, 16}) {
     const BodyGravity gravity(G, space, n);
     of_force.push_back({1.0 / n, (force(gravity, q) - exact).norm()});
     of_energy.push_back({1.0 / n, std::abs(gravity.energy(q) - energy)});
   }
-  EXPECT_GT(analysis::fit_order(of_force).order, 4);
-  EXPECT_GT(analysis::fit_order(of_energy).order, 4);
+  EXPECT_GT(fit_order(of_force).order, 4);
+  EXPECT_GT(fit_order(of_energy).order, 4);
 }
 
 TEST(BodyGravity, ForceRateIsTheDerivativeOfTheForce) {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "analysis/order_fit.h"
 #include "polynomial/motions.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -29,7 +29,7 @@ std::vector<double> response(int degree) {
 
 /// The root of the mean square over the times, of degrees 3 … 11.
 TEST(SmallRelease, ErrorsOfTheResponseFallWithTheDegree) {
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (const int N : {3, 5, 7, 9, 11}) {
     const auto h = response(N);
     ASSERT_EQ(h.size(), 11u);

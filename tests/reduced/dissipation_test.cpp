@@ -8,13 +8,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/order_fit.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "reduced/dissipative_body.h"
 #include "reduced/potentials.h"
 #include "reduced/samples.h"
 #include "support/integrate.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -102,14 +102,14 @@ TYPED_TEST(EnergyBalance, ConvergesWithTheOrderOfRattle) {
   for (const auto& dissipation : {viscous, dragged, both}) {
     const auto system = body_with<TypeParam>(dissipation);
     const auto start = system.state_of(benchmark_state<TypeParam>());
-    std::vector<analysis::ErrorPoint> points;
+    std::vector<ErrorPoint> points;
     for (const long n : {200, 400, 800, 1600}) {
       const auto r = run<mechanics::Rattle>(system, start, 4, 1, n);
       ASSERT_TRUE(r.finished()) << r.result.reason;
       points.push_back({4.0 / static_cast<double>(n), std::abs(imbalance(system, start, r.last()))});
     }
     EXPECT_GT(observed(system, start).kinetic, 0.1);
-    EXPECT_NEAR(analysis::fit_order(points).order, 2, 0.1);
+    EXPECT_NEAR(fit_order(points).order, 2, 0.1);
   }
 }
 

@@ -7,7 +7,6 @@
 
 #include <cmath>
 
-#include "analysis/order_fit.h"
 #include "mechanics/core/declared_dependence.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "reduced/center_of_mass.h"
@@ -17,6 +16,7 @@
 #include "support/dense.h"
 #include "support/differences.h"
 #include "support/integrate.h"
+#include "support/order_fit.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -150,14 +150,14 @@ class DrivenBody : public ::testing::Test {
     const auto body = driven<Body>(ReferenceBody::unit_ball(), dissipation);
     ASSERT_TRUE(Method::accepts(body));
     const auto start = body.state_of(benchmark_state<Body>());
-    std::vector<analysis::ErrorPoint> points;
+    std::vector<ErrorPoint> points;
     for (const long n : counts) {
       const auto r = run<Method>(body, start, 3.0, 1, n);
       ASSERT_TRUE(r.finished()) << r.result.reason;
       points.push_back(
           {3.0 / static_cast<double>(n), std::abs(observed(body, r.last()).energy() - observed(body, start).energy())});
     }
-    const auto fit = analysis::fit_order(points);
+    const auto fit = fit_order(points);
     EXPECT_GE(fit.n_used, 3u);
     EXPECT_NEAR(fit.order, Method::order, 0.15);
   }

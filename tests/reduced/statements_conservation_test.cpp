@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/order_fit.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "reduced/samples.h"
 #include "support/integrate.h"
+#include "support/order_fit.h"
 #include "systems/euler_top.h"
 #include "systems/mass_distribution.h"
 
@@ -155,14 +155,14 @@ TEST(Statement_5_7_RigidLimit, TheRigidBodyDoesNotTurnUniformly) {
 /// μ → ∞: Q_t converges to the rotation of Euler's equation AΩ̇ = AΩ × Ω with A = tr(E₀)Id − E₀ (5.6.9, 5.6.16), with
 /// the rate 1/μ: the strain ~ ρr²Ω²/μ, once at rest and once as oscillation, changes the inertia by as much.
 TEST(Statement_5_7_RigidLimit, MotionsConvergeToTheRigidBodyWithOrderOneInTheCompliance) {
-  std::vector<analysis::ErrorPoint> incompressible, compressible;
+  std::vector<ErrorPoint> incompressible, compressible;
   for (const double mu : {1e2, 4e2, 1.6e3, 6.4e3, 2.56e4}) {
     incompressible.push_back({1 / mu, distance_from_rigid_body<Sl3>(Law{mu, 0})});
     compressible.push_back({1 / mu, distance_from_rigid_body<Gl3>(Law{mu, mu})});
   }
   for (const auto& points : {incompressible, compressible}) {
     EXPECT_LT(points.back().error, 1e-4);
-    const auto fit = analysis::fit_order(points);
+    const auto fit = fit_order(points);
     EXPECT_EQ(fit.n_used, points.size());
     EXPECT_NEAR(fit.order, 1, 0.05);
   }

@@ -7,6 +7,7 @@
 
 #include "entries/entry_kinds.h"
 #include "entries/matrix3.h"
+#include "scene/initial_state.h"
 #include "scene_files.h"
 
 namespace pseudorigid::scene {

@@ -19,7 +19,7 @@
 
 #include <vector>
 
-#include "analysis/order_fit.h"
+#include "support/order_fit.h"
 #include "support/runs.h"
 
 namespace pseudorigid::testing {
@@ -45,10 +45,10 @@ TYPED_TEST_P(MethodOrder, IsTheDeclaredOne) {
   };
   const auto reference = end_state(mechanics::Rattle8{}, factory.n_reference_steps());
 
-  std::vector<analysis::ErrorPoint> points;
+  std::vector<ErrorPoint> points;
   for (const long n : factory.step_counts(Method::order))
     points.push_back({factory.end() / static_cast<double>(n), distance(end_state(Method{}, n), reference)});
-  const auto fit = analysis::fit_order(points);
+  const auto fit = fit_order(points);
 
   EXPECT_GE(fit.n_used, 3u);
   EXPECT_NEAR(fit.order, Method::order, 0.1);

@@ -68,21 +68,20 @@ TEST(RigidBody, AFreeBodyMustHaveItsCentreOfMassAtTheOrigin) {
 TEST(RigidBody, SymmetriesAreThoseThatTheLoadsLeave) {
   const Sample<FixedPointBody> fixed;
   const Sample<FreeBody> free;
-  const auto check = [&](const auto& body, const auto& s, int n_expected, std::size_t n_axes) {
+  const auto check = [&](const auto& body, const auto& s, int n_expected) {
     EXPECT_EQ(body.n_symmetries(), n_expected);
-    EXPECT_EQ(body.body_axes().size(), n_axes);
     expect_symmetries_hold(body, s.q, s.v);
   };
-  check(FixedPointBody({tilted_E0(), {}}), fixed, 3, 0u);
-  check(FixedPointBody({tilted_E0(), generic_loads()}), fixed, 0, 0u);
-  check(HeavyTop{}.body(), fixed, 1, 1u);
-  check(FixedPointBody({Eigen::Matrix3d::Identity(), {}}), fixed, 3, 3u);
-  check(FixedPointBody({Eigen::Matrix3d::Identity(), HeavyTop{}.loads()}), fixed, 1, 1u);
-  check(FreeBody({tilted_E0(), {}}), free, 6, 0u);
+  check(FixedPointBody({tilted_E0(), {}}), fixed, 3);
+  check(FixedPointBody({tilted_E0(), generic_loads()}), fixed, 0);
+  check(HeavyTop{}.body(), fixed, 1);
+  check(FixedPointBody({Eigen::Matrix3d::Identity(), {}}), fixed, 3);
+  check(FixedPointBody({Eigen::Matrix3d::Identity(), HeavyTop{}.loads()}), fixed, 1);
+  check(FreeBody({tilted_E0(), {}}), free, 6);
   systems::BodyLoads weight;
   weight.gravity = {0, 0.3, -1};
-  check(FreeBody({tilted_E0(), weight}), free, 3, 0u);
-  check(FreeBody({tilted_E0(), generic_loads_about_the_center()}), free, 0, 0u);
+  check(FreeBody({tilted_E0(), weight}), free, 3);
+  check(FreeBody({tilted_E0(), generic_loads_about_the_center()}), free, 0);
 }
 
 TEST(RigidBody, TurnedInsideOutIsAFailure) {

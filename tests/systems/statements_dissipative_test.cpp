@@ -3,15 +3,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 
 #include "mechanics/equilibria/chart_landscape.h"
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "mechanics/equilibria/critical_points.h"
-#include "mechanics/equilibria/unstable_manifold.h"
+#include "mechanics/equilibria/manifold_starts.h"
+#include "mechanics/equilibria/phase_distance.h"
+#include "mechanics/methods/dormand_prince_8.h"
 #include "mechanics/sphere_particle.h"
 #include "support/differences.h"
 #include "support/integrate.h"
@@ -201,20 +205,32 @@ TEST(Statement_5_8_8, TheInnerCircleIsInvariant) {
   EXPECT_GT(std::abs(a[0]), 0.05);
 }
 
-/// The branch of the upper saddle's unstable manifold, followed towards the lower saddle.
+/// The branch of the upper saddle's unstable manifold that starts at q* + ε δ: how near it comes to the lower saddle,
+/// and how far from the sink it is at the end.
 struct Connection {
-  double miss, distance_to_sink;
+  double miss = std::numeric_limits<double>::infinity(), distance_to_sink = 0;
 };
 Connection follow(const Torus& torus, double epsilon) {
+  using Field = ChartField<Torus>;
   const auto found = critical_points(torus);
-  const ChartLandscape landscape(torus);
-  const ChartField field(torus);
-  mechanics::BranchOutcome<ChartField<Torus>> outcome;
-  const auto status = mechanics::follow_unstable_branch(field, found.points[2], found.points[1], landscape.periods(),
-                                                        {.epsilon = epsilon, .end_time = 200}, outcome);
-  EXPECT_TRUE(status) << status.reason();
-  return {outcome.nearest,
-          mechanics::phase_distance(outcome.end.q, outcome.end.v, found.points[0].q, landscape.periods())};
+  const auto periods = ChartLandscape(torus).periods();
+  const auto distance = [&](const mechanics::State<Field>& state, int point) {
+    return mechanics::phase_distance(state.q, state.v, found.points[point].q, periods);
+  };
+  const auto leaving = mechanics::manifold_basis(found.points[2], true).front();
+  const Field field(torus);
+  mechanics::DormandPrince8Workspace<Field> work(field, 1e-13);
+  mechanics::State<Field> state{0, found.points[2].q + epsilon * leaving.q, epsilon * leaving.v};
+
+  Connection connection;
+  while (state.t < 200) {
+    const auto status = mechanics::DormandPrince8::step(field, 200, state, work);
+    EXPECT_TRUE(status) << status.reason();
+    if (!status) break;
+    connection.miss = std::min(connection.miss, distance(state, 1));
+  }
+  connection.distance_to_sink = distance(state, 0);
+  return connection;
 }
 
 Connection follow(double tilt, double epsilon) { return follow(Torus{{3, 1}, 1, 1, tilt}, epsilon); }

@@ -35,6 +35,19 @@ std::string continuum_needed(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
+/// Modes need a discretisation, and take the symmetry of the ball themselves.
+std::optional<Refusal> refuses_modes(const Scene& scene) {
+  if (scene.analysis != scene::Analysis::modes) return {};
+  if (!scene::fixed_discretization(scene))
+    return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
+                   "auto is offered for motions; for modes give a number (the column spread measures the error of "
+                   "the mesh)"};
+  if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::octant)
+    return Refusal{"Continuum/Symmetry",
+                   "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto"};
+  return {};
+}
+
 std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.body.incompressible && scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1"};
@@ -90,7 +103,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
 }
 
 std::optional<Refusal> refuses(const Scene& scene) {
-  for (const auto judge : {refuses_discretization, refuses_body, refuses_symmetry, refuses_motion})
+  for (const auto judge : {refuses_modes, refuses_discretization, refuses_body, refuses_symmetry, refuses_motion})
     if (auto refusal = judge(scene)) return refusal;
   return {};
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/ranks/on_all_ranks.h"
+#include "app/run/checkpoint_vectors.h"
 #include "app/run/model_checkpoint.h"
 #include "app/run/model_stepping.h"
 #include "app/run/run_context.h"
@@ -40,7 +41,8 @@ class ModelRun {
         identity_(sink_->keeps_states() ? run_identity(context.scene) : RunIdentity{}),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples},
         stepping_(model, context, stepping, times_.end, times_.interval()),
-        state_(model.initial_state()) {
+        state_(model.initial_state()),
+        vectors_(model) {
     good_.state = state_;
   }
 
@@ -119,16 +121,8 @@ class ModelRun {
     if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
     return false;
   }();
-  static constexpr bool distributed = requires(const Model& model) { model.rank_order(); };
   static constexpr bool has_shapes = requires(const Model& model) { model.shape_columns(); };
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
-  struct NoLayout {};
-  using MemoryLayout = typename decltype([] {
-    if constexpr (distributed)
-      return std::type_identity<typename Model::MemoryLayout>();
-    else
-      return std::type_identity<NoLayout>();
-  }())::type;
 
   struct NextStepping {
     mechanics::MethodId method;
@@ -148,14 +142,7 @@ class ModelRun {
   mechanics::RunResult run_until_with(long sample) {
     const auto& form = mechanics::form_for<Method>(model_.system());
     typename Method::template Workspace<mechanics::FormFor<Method, System>> workspace(form);
-    if constexpr (distributed) {
-      layout_.emplace(model_.rank_order());
-      workspace.visit_memory(*layout_);
-    }
-    on_all_ranks(*context_.ranks, [&] {
-      take_own_memory();
-      if (!good_.memory.empty() && !mechanics::restore_memory(workspace, good_.memory)) throw misfit();
-    });
+    on_all_ranks(*context_.ranks, [&] { restore_memory(workspace); });
     workspace.counters = good_.counters;
     if constexpr (Method::adaptive) {
       workspace.tolerance = position_.local_tolerance;
@@ -187,7 +174,8 @@ class ModelRun {
   /// a violent motion turn inside out the sooner the longer the steps are, with every method alike.
   bool step_back(const mechanics::RunResult& failure) {
     constexpr int most = 3;
-    const bool may = distributed && verdict_ && stepping_.adapts(position_) && good_.position.cursor.sample > 0;
+    const bool may =
+        is_distributed<Model> && verdict_ && stepping_.adapts(position_) && good_.position.cursor.sample > 0;
     if (!may || ++n_steps_back_ > most) return false;
     state_ = good_.state;
     position_ = good_.position;
@@ -241,52 +229,19 @@ class ModelRun {
     return {};
   }
 
-  UserError misfit() const {
-    return UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
-  }
-
-  /// The state of a checkpoint, a rank's own part of it.
-  void take_vectors(const io::Checkpoint& file) {
-    const auto take = [&](const char* name, std::span<double> own) {
-      if constexpr (distributed) {
-        model_.rank_order().take_field(file.get_doubles(name, model_.rank_order().field_size()), own);
-      } else {
-        const auto& stored = file.get_doubles(name, own.size());
-        std::copy(stored.begin(), stored.end(), own.begin());
-      }
-    };
-    take("q", mechanics::local_values(good_.state.q));
-    take("v", mechanics::local_values(good_.state.v));
-    good_.memory = file.get_doubles("memory");
-    memory_is_whole_ = distributed;
-  }
-
-  /// Of a memory that comes from a checkpoint; what is whose is known only when the method has its workspace.
-  void take_own_memory() {
-    if constexpr (distributed) {
-      if (!std::exchange(memory_is_whole_, false) || good_.memory.empty()) return;
-      try {
-        good_.memory = layout_->take(good_.memory);
-      } catch (const std::invalid_argument&) {
-        throw misfit();
-      }
+  template <class Workspace>
+  void restore_memory(Workspace& workspace) {
+    try {
+      vectors_.restore_memory(workspace, good_);
+    } catch (const std::invalid_argument&) {
+      throw UserError("the checkpoint in " + context_.directory.path().string() + " does not fit its method");
     }
-  }
-
-  /// Collective; whole on the rank that writes.
-  SavedVectors vectors_to_save(Snapshot<System>& snapshot) {
-    const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
-    if constexpr (distributed)
-      return {model_.rank_order().collect_field(q), model_.rank_order().collect_field(v),
-              snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
-    else
-      return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
   }
 
   Status restore(const io::Checkpoint& file) {
     on_all_ranks(*context_.ranks, [&] {
       from_checkpoint(file, good_);
-      take_vectors(file);
+      vectors_.take(file, good_);
     });
     state_ = good_.state;
     counters_ = good_.counters;
@@ -327,7 +282,7 @@ class ModelRun {
 
   void save(Snapshot<System>& snapshot) {
     if (!sink_->keeps_states()) return;
-    const SavedVectors vectors = vectors_to_save(snapshot);
+    const SavedVectors vectors = vectors_.collect(snapshot);
     sink_->save([&] {
       io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, vectors);
       if constexpr (requires { model_.remarks(); }) checkpoint.set("remarks", model_.remarks());
@@ -393,10 +348,9 @@ class ModelRun {
   RunPosition position_;
   std::optional<NextStepping> next_stepping_;  ///< from the next sample on, if it changes
   int n_steps_back_ = 0;
-  Status verdict_;                      ///< of the model on its state, where that ends the run
-  Snapshot<System> good_;               ///< at the last sample: where a failed run is taken up again
-  bool memory_is_whole_ = false;        ///< that of good_, as it stands in the checkpoint
-  std::optional<MemoryLayout> layout_;  ///< of the method's memory, where vectors are distributed
+  Status verdict_;         ///< of the model on its state, where that ends the run
+  Snapshot<System> good_;  ///< at the last sample: where a failed run is taken up again
+  CheckpointVectors<Model> vectors_;
   io::Manifest::Model statistics_;
   std::vector<double> row_;
   Clock::time_point last_save_{};

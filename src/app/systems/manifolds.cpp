@@ -11,7 +11,7 @@
 #include "io/csv.h"
 #include "mechanics/core/field_of.h"
 #include "mechanics/equilibria/manifold_starts.h"
-#include "mechanics/equilibria/unstable_manifold.h"
+#include "mechanics/equilibria/phase_distance.h"
 #include "mechanics/methods/dormand_prince_8.h"
 
 namespace pseudorigid::app {

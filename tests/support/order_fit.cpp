@@ -1,4 +1,4 @@
-#include "analysis/order_fit.h"
+#include "support/order_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace pseudorigid::analysis {
+namespace pseudorigid::testing {
 namespace {
 
 using Points = std::vector<ErrorPoint>;
@@ -76,4 +76,4 @@ OrderFit fit_order(std::span<const ErrorPoint> given, double margin) {
   return fit;
 }
 
-}  // namespace pseudorigid::analysis
+}  // namespace pseudorigid::testing

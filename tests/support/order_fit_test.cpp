@@ -1,4 +1,4 @@
-#include "analysis/order_fit.h"
+#include "support/order_fit.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 
 namespace {
 
-using pseudorigid::analysis::ErrorPoint;
-using pseudorigid::analysis::fit_order;
-using pseudorigid::analysis::OrderFit;
+using pseudorigid::testing::ErrorPoint;
+using pseudorigid::testing::fit_order;
+using pseudorigid::testing::OrderFit;
 
 std::vector<ErrorPoint> halvings(int n, const std::function<double(double)>& error) {
   std::vector<ErrorPoint> points;

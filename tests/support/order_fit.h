@@ -16,7 +16,7 @@
 #include <limits>
 #include <span>
 
-namespace pseudorigid::analysis {
+namespace pseudorigid::testing {
 
 struct ErrorPoint {
   double h = 0;
@@ -37,4 +37,4 @@ struct OrderFit {
 /// Points in any order; two of them with the same h are a std::invalid_argument.
 OrderFit fit_order(std::span<const ErrorPoint> points, double margin = 30);
 
-}  // namespace pseudorigid::analysis
+}  // namespace pseudorigid::testing

@@ -1,0 +1,92 @@
+#pragma once
+/// The vectors of a model's run on their way to a checkpoint and back: q, v and the method's memory. A checkpoint holds
+/// whole vectors in an order that does not depend on the ranks; a rank holds its own entries.
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "app/run/model_checkpoint.h"
+#include "io/checkpoint.h"
+#include "mechanics/core/memory.h"
+
+namespace pseudorigid::app {
+
+template <class Model>
+inline constexpr bool is_distributed = requires(const Model& model) {
+  model.rank_order();
+};
+
+/// Of a model that one process has whole.
+template <class Model>
+class CheckpointVectors {
+  using Snapshot = app::Snapshot<typename Model::System>;
+
+ public:
+  explicit CheckpointVectors(const Model&) {}
+
+  void take(const io::Checkpoint& file, Snapshot& snapshot) {
+    const auto copy = [&](const char* name, std::span<double> own) {
+      std::ranges::copy(file.get_doubles(name, own.size()), own.begin());
+    };
+    copy("q", mechanics::local_values(snapshot.state.q));
+    copy("v", mechanics::local_values(snapshot.state.v));
+    snapshot.memory = file.get_doubles("memory");
+  }
+  template <class Workspace>
+  void restore_memory(Workspace& workspace, Snapshot& snapshot) {
+    if (!snapshot.memory.empty() && !mechanics::restore_memory(workspace, snapshot.memory))
+      throw std::invalid_argument("memory of another method");
+  }
+  SavedVectors collect(Snapshot& snapshot) const {
+    const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
+    return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
+  }
+};
+
+/// Of a model whose vectors are distributed over ranks.
+template <class Model>
+requires is_distributed<Model>
+class CheckpointVectors<Model> {
+  using Snapshot = app::Snapshot<typename Model::System>;
+
+ public:
+  explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
+
+  /// The memory stays whole until the method has its workspace, which alone says what is whose.
+  void take(const io::Checkpoint& file, Snapshot& snapshot) {
+    const auto take_own = [&](const char* name, std::span<double> own) {
+      order_.take_field(file.get_doubles(name, order_.field_size()), own);
+    };
+    take_own("q", mechanics::local_values(snapshot.state.q));
+    take_own("v", mechanics::local_values(snapshot.state.v));
+    snapshot.memory = file.get_doubles("memory");
+    memory_is_whole_ = true;
+  }
+  /// std::invalid_argument where the memory is that of another method.
+  template <class Workspace>
+  void restore_memory(Workspace& workspace, Snapshot& snapshot) {
+    layout_.emplace(order_);
+    workspace.visit_memory(*layout_);
+    if (std::exchange(memory_is_whole_, false) && !snapshot.memory.empty())
+      snapshot.memory = layout_->take(snapshot.memory);
+    if (!snapshot.memory.empty() && !mechanics::restore_memory(workspace, snapshot.memory))
+      throw std::invalid_argument("memory of another method");
+  }
+  /// Collective; whole on the rank that writes.
+  SavedVectors collect(Snapshot& snapshot) const {
+    return {order_.collect_field(mechanics::local_values(snapshot.state.q)),
+            order_.collect_field(mechanics::local_values(snapshot.state.v)),
+            snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
+  }
+
+ private:
+  decltype(std::declval<const Model&>().rank_order()) order_;
+  std::optional<typename Model::MemoryLayout> layout_;  ///< of the method's memory
+  bool memory_is_whole_ = false;                        ///< the snapshot's, as it stands in the checkpoint
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,110 @@
+#include "scene/initial_state.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "entries/entry_kinds.h"
+#include "scene/scales.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+constexpr double isochoric_tolerance = 1e-8;
+
+constexpr const char* deformation_path = "Initial state/Deformation";
+constexpr const char* velocity_path = "Initial state/Velocity";
+
+/// Q^-1 : Qdot^T = tr(Q^-1 Qdot), and how large it is by round-off alone.
+struct Divergence {
+  double value, round_off_bound;
+};
+
+Divergence divergence(const Matrix3& q, const Matrix3& qdot) {
+  const Matrix3 inverse_transposed = scaled(1 / det(q), cofactor(q));
+  return {inner(inverse_transposed, qdot), round_off_of_sum * inner(absolute(inverse_transposed), absolute(qdot))};
+}
+
+std::optional<Refusal> refuses_deformation(const Matrix3& q) {
+  const double size = largest_entry(q);
+  if (size == 0) return Refusal{deformation_path, "expected a matrix of positive determinant, got zero"};
+  if (size > largest_stretch || size < 1 / largest_stretch)
+    return Refusal{deformation_path,
+                   fmt::format("expected a largest entry between {} and {}, got {}", print_number(1 / largest_stretch),
+                               print_number(largest_stretch), print_number(size))};
+  const Matrix3 unit = scaled(1 / size, q);
+  const double volume = det(unit);
+  if (volume <= 0)
+    return Refusal{deformation_path,
+                   fmt::format("expected a matrix of positive determinant, got {} with determinant {}", print_matrix(q),
+                               print_number(det(q)))};
+  const double condition = norm(unit) * norm(cofactor(unit)) / volume;
+  if (condition > largest_condition)
+    return Refusal{deformation_path,
+                   fmt::format("expected a matrix with a condition number up to {}, got {} with {:.3g}",
+                               print_number(largest_condition), print_matrix(q), condition)};
+  return {};
+}
+
+std::optional<Refusal> refuses_velocity(const Matrix3& qdot, double time_unit) {
+  const double rate = largest_entry(qdot);
+  if (rate * time_unit <= largest_stretch) return {};
+  return Refusal{velocity_path, fmt::format("expected entries up to {} c/r = {} (c the speed of shear waves), got {}",
+                                            print_number(largest_stretch), print_number(largest_stretch / time_unit),
+                                            print_number(rate))};
+}
+
+std::optional<Refusal> refuses_expansion(const Matrix3& q, const Matrix3& projected) {
+  if (std::abs(det(q) - 1) <= isochoric_tolerance) return {};
+  return Refusal{deformation_path,
+                 fmt::format("expected det = 1 within {} for an incompressible body, got det = {}; the nearest choice "
+                             "is \"set Deformation = {}\"",
+                             print_number(isochoric_tolerance), print_number(det(q)), print_matrix(projected))};
+}
+
+std::optional<Refusal> refuses_rate_of_expansion(double rate, const Matrix3& projected) {
+  if (std::abs(rate) <= isochoric_tolerance) return {};
+  return Refusal{velocity_path,
+                 fmt::format("expected |tr(Q0^-1 Qdot0)| r/c <= {} for an incompressible body, got {}; the nearest "
+                             "choice is \"set Velocity = {}\"",
+                             print_number(isochoric_tolerance), print_number(std::abs(rate)), print_matrix(projected))};
+}
+
+}  // namespace
+
+std::optional<Refusal> refuses_initial_state(const Scene& scene) {
+  if (auto refusal = refuses_deformation(scene.initial_state.deformation)) return refusal;
+  return refuses_velocity(scene.initial_state.velocity, time_scale(scene));
+}
+
+std::optional<Refusal> make_isochoric(Scene& scene) {
+  Matrix3 &q = scene.initial_state.deformation, &qdot = scene.initial_state.velocity;
+  const Matrix3 projected = project_deformation(q);
+  if (auto refusal = refuses_expansion(q, projected)) return refusal;
+  q = projected;
+  const Matrix3 tangent = project_velocity(q, qdot);
+  if (auto refusal = refuses_rate_of_expansion(divergence(q, qdot).value * time_scale(scene), tangent)) return refusal;
+  qdot = tangent;
+  return {};
+}
+
+Matrix3 project_deformation(const Matrix3& deformation) {
+  const double volume = det(deformation);
+  const double round_off_bound = round_off_of_sum * inner(absolute(deformation), absolute(cofactor(deformation)));
+  if (std::abs(volume - 1) <= round_off_bound) return deformation;
+  return scaled(1 / std::cbrt(volume), deformation);
+}
+
+Matrix3 project_velocity(const Matrix3& deformation, const Matrix3& velocity) {
+  Matrix3 projected = velocity;
+  // Twice, because after the removal of a large divergence its own round-off remains.
+  for (int pass = 0; pass < 2; ++pass) {
+    const Divergence trace = divergence(deformation, projected);
+    if (std::abs(trace.value) <= trace.round_off_bound) break;
+    const Matrix3 normal = scaled(1 / det(deformation), cofactor(deformation));
+    projected = combine(1, projected, -trace.value / inner(normal, normal), normal);
+  }
+  return projected;
+}
+
+}  // namespace pseudorigid::scene
