@@ -63,7 +63,7 @@ if [[ $sanitizers ]]; then
 fi
 configure release -DPSEUDORIGID_TESTS=ON
 build release pseudorigid pseudorigid-continuum stress_mutants_test stress_prm_mutants_test io_checkpoint_test \
-  io_gmsh_test scene_oracle_test
+  io_test scene_oracle_test
 export PSEUDORIGID=$root/build/release/bin/pseudorigid PSEUDORIGID_TESTS=$root/build/release/tests
 code=0
 /usr/bin/python3 "$root/tests/stress/stress.py" "${options[@]}" "${parts[@]}" || code=$?

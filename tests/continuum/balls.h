@@ -98,4 +98,9 @@ inline loads::Loads all_loads(const Sector& sector = whole) {
   return loads;
 }
 
+/// Relative errors of a mesh.
+struct GeometryError {
+  double volume, inertia;
+};
+
 }  // namespace pseudorigid::testing

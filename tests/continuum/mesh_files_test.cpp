@@ -40,10 +40,6 @@ dealii::Point<3> onto_rough_ball(const dealii::Point<3>& X) {
   return X * (1 + 0.1 * bumps);
 }
 
-struct GeometryError {
-  double volume, inertia;
-};
-
 GeometryError error_of_ellipsoid(int n_refinements) {
   const ElasticBall ball(BallMesh(hexahedra(n_refinements, onto_ellipsoid), 0), 2, neo_hookean);
   const double volume = 4 * std::numbers::pi / 3 * 1.3 * 0.8;

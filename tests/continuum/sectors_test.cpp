@@ -12,10 +12,6 @@
 namespace pseudorigid::testing {
 namespace {
 
-struct GeometryError {
-  double volume, inertia;
-};
-
 GeometryError geometry_error(const Sector& sector, int degree, int n_refinements) {
   const ElasticBall ball(sector, degree, n_refinements, neo_hookean);
   const double volume = 4 * std::numbers::pi / 3, m_bar = 4 * std::numbers::pi / 15;  // PHYSICS 0

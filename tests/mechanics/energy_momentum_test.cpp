@@ -71,7 +71,7 @@ TEST(EnergyMomentum, ConicalPendulumStaysOnItsCircle) {  // a relative equilibri
   for (const auto& s : r.states) ASSERT_NEAR(s.q.z(), q.z(), 0.01);
 }
 
-struct PendulumFactory {
+struct ConservingPendulumFactory {
   using System = ConservativePendulum;
   ConservativePendulum pendulum;
   const System& system() const { return pendulum; }
@@ -85,11 +85,11 @@ struct PendulumFactory {
   }
   long n_reference_steps() const { return 200; }
 };
-using PendulumCases = ::testing::Types<OrderCase<PendulumFactory, EnergyMomentum>,
-                                       OrderCase<PendulumFactory, Composed<mechanics::Suzuki4>>,
-                                       OrderCase<PendulumFactory, Composed<mechanics::KahanLi6>>,
-                                       OrderCase<PendulumFactory, Composed<mechanics::KahanLi8>>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(ConservingPendulum, MethodOrder, PendulumCases);
+using ConservingPendulumCases = ::testing::Types<OrderCase<ConservingPendulumFactory, EnergyMomentum>,
+                                                 OrderCase<ConservingPendulumFactory, Composed<mechanics::Suzuki4>>,
+                                                 OrderCase<ConservingPendulumFactory, Composed<mechanics::KahanLi6>>,
+                                                 OrderCase<ConservingPendulumFactory, Composed<mechanics::KahanLi8>>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(ConservingPendulum, MethodOrder, ConservingPendulumCases);
 
 TEST(EnergyMomentum, ReturnsWhereItCameFromWhenTimeIsReversed) {
   const ConservativePendulum pendulum;

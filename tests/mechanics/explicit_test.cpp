@@ -6,12 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/memory.h"
+#include "mechanics/method_cases.h"
 #include "mechanics/methods/dormand_prince_8.h"
-#include "mechanics/toy_systems.h"
-#include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"
 #include "support/order_fit.h"
 #include "support/runs.h"
@@ -23,41 +21,15 @@ using mechanics::DormandPrince8;
 using mechanics::DormandPrince8Workspace;
 using mechanics::ExplicitMultiplier;
 using mechanics::State;
-using Body = reduced::PseudoRigidBody<materials::CiarletGeymonat, true>;
 
-/// SL(3), neo-Hookean, large pulsation and rotation.
-struct Pulsation {
-  using System = Body;
-  Body system{{1, 0}, reduced::ReferenceBody::unit_ball()};
-  State<Body> initial() const {
-    Eigen::Matrix3d L;
-    L << 0.2, -0.8, 0.1, 0.6, -0.3, 0.2, 0, -0.1, 0.1;
-    State<Body> state{0, Eigen::Vector3d(1.3, 1, 1 / 1.3).asDiagonal(), {}};
-    state.v = state.q * L;
-    return state;
-  }
-  static constexpr double end = 5;
-  static constexpr int coarsest = 40;
-};
-struct Pendulum {
-  using System = SphericalPendulum;
-  SphericalPendulum system{};
-  State<SphericalPendulum> initial() const { return SphericalPendulum::swinging(); }
-  static constexpr double end = 5;
-  static constexpr int coarsest = 24;
-};
-struct Oscillator {
-  using System = SpringNetwork;
-  SpringNetwork system = harmonic_oscillator();
-  State<SpringNetwork> initial() const { return {0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
-  static constexpr double end = 5;
-  static constexpr int coarsest = 8;
-};
+using ShortOscillation = Oscillator<5, 8>;
+using ShortSwing = Pendulum<5, 24>;
+using ShortPulsation = Pulsation<5, 40>;
 
 template <class Case>
 class ExplicitMethod : public ::testing::Test {};
-using Cases = ::testing::Types<Oscillator, Pendulum, Pulsation>;
-TYPED_TEST_SUITE(ExplicitMethod, Cases);
+using UnconstrainedCases = ::testing::Types<ShortOscillation, ShortSwing, ShortPulsation>;
+TYPED_TEST_SUITE(ExplicitMethod, UnconstrainedCases);
 
 /// n steps of one size, the error control left open; `visit` after each step.
 template <class F, class Visit>
@@ -216,9 +188,9 @@ TEST(DormandPrince8Tableau, SatisfiesOrderConditions) {
 }
 
 TEST(DormandPrince8, BodyTurnedInsideOutCannotStart) {
-  const Pulsation c;
+  const ShortPulsation c;
   const ExplicitMultiplier field(c.system);
-  DormandPrince8Workspace<ExplicitMultiplier<Body>> w(field, 1e-10);
+  DormandPrince8Workspace<ExplicitMultiplier<ShortPulsation::System>> w(field, 1e-10);
   auto state = c.initial();
   state.q(0, 0) = -1.3;
   const auto before = state;
@@ -245,7 +217,7 @@ TEST(DormandPrince8, ForceThatBreaksOffEndsTheMotionThere) {
 }
 
 TEST(DormandPrince8, ToleranceBelowRoundOffIsRefused) {
-  const Pendulum c;
+  const ShortSwing c;
   const ExplicitMultiplier field(c.system);
   for (const double tolerance : {1e-17, 0.0, -1.0, std::nan("")}) {
     DormandPrince8Workspace<ExplicitMultiplier<SphericalPendulum>> w(field, tolerance);
@@ -255,7 +227,7 @@ TEST(DormandPrince8, ToleranceBelowRoundOffIsRefused) {
 }
 
 TEST(DormandPrince8, InterpolatesOnlyWithinTheLastStep) {
-  const Pendulum c;
+  const ShortSwing c;
   const ExplicitMultiplier field(c.system);
   DormandPrince8Workspace<ExplicitMultiplier<SphericalPendulum>> w(field, 1e-10);
   auto state = c.initial(), out = state;
@@ -290,8 +262,8 @@ struct ConstrainedSprings {
 };
 
 TEST(ExplicitMultiplier, IsTheMultiplierOfTheMotion) {
-  expect_multiplier_of_motion(Pulsation{});
-  expect_multiplier_of_motion(Pendulum{});
+  expect_multiplier_of_motion(ShortPulsation{});
+  expect_multiplier_of_motion(ShortSwing{});
   expect_multiplier_of_motion(ConstrainedSprings{});
 }
 

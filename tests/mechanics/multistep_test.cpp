@@ -6,12 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/memory.h"
+#include "mechanics/method_cases.h"
 #include "mechanics/methods/symmetric_multistep.h"
-#include "mechanics/toy_systems.h"
-#include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"
 #include "support/order_fit.h"
 #include "support/runs.h"
@@ -24,38 +22,10 @@ using mechanics::State;
 using mechanics::Symmetric12;
 using mechanics::Symmetric4;
 using mechanics::Symmetric8;
-using Body = reduced::PseudoRigidBody<materials::CiarletGeymonat, true>;
 
-struct Pulsation {
-  using System = Body;
-  Body system{{1, 0}, reduced::ReferenceBody::unit_ball()};
-  State<Body> initial() const {
-    Eigen::Matrix3d L;
-    L << 0.2, -0.8, 0.1, 0.6, -0.3, 0.2, 0, -0.1, 0.1;
-    State<Body> state{0, Eigen::Vector3d(1.3, 1, 1 / 1.3).asDiagonal(), {}};
-    state.v = state.q * L;
-    return state;
-  }
-  double energy(const State<Body>& s) const { return system.kinetic_energy(s.v) + system.potential_energy(s.q); }
-  static constexpr double end = 10;
-  static constexpr int coarsest = 320;
-};
-struct Pendulum {
-  using System = SphericalPendulum;
-  SphericalPendulum system{};
-  State<SphericalPendulum> initial() const { return SphericalPendulum::swinging(); }
-  double energy(const State<SphericalPendulum>& s) const { return SphericalPendulum::energy(s); }
-  static constexpr double end = 10;
-  static constexpr int coarsest = 110;
-};
-struct Oscillator {
-  using System = SpringNetwork;
-  SpringNetwork system = harmonic_oscillator();
-  State<SpringNetwork> initial() const { return {0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)}; }
-  double energy(const State<SpringNetwork>& s) const { return 0.5 * (s.v.squaredNorm() + s.q.squaredNorm()); }
-  static constexpr double end = 10;
-  static constexpr int coarsest = 32;
-};
+using Oscillation = Oscillator<10, 32>;
+using Swing = Pendulum<10, 110>;
+using LargePulsation = Pulsation<10, 320>;
 
 template <class CaseType, class MethodType>
 struct Pair {
@@ -65,9 +35,9 @@ struct Pair {
 template <class Pair>
 class Multistep : public ::testing::Test {};
 using Pairs =
-    ::testing::Types<Pair<Oscillator, Symmetric4>, Pair<Pendulum, Symmetric4>, Pair<Pulsation, Symmetric4>,
-                     Pair<Oscillator, Symmetric8>, Pair<Pendulum, Symmetric8>, Pair<Pulsation, Symmetric8>,
-                     Pair<Oscillator, Symmetric12>, Pair<Pendulum, Symmetric12>, Pair<Pulsation, Symmetric12>>;
+    ::testing::Types<Pair<Oscillation, Symmetric4>, Pair<Swing, Symmetric4>, Pair<LargePulsation, Symmetric4>,
+                     Pair<Oscillation, Symmetric8>, Pair<Swing, Symmetric8>, Pair<LargePulsation, Symmetric8>,
+                     Pair<Oscillation, Symmetric12>, Pair<Swing, Symmetric12>, Pair<LargePulsation, Symmetric12>>;
 TYPED_TEST_SUITE(Multistep, Pairs);
 
 template <class Method, class S>
@@ -132,7 +102,7 @@ void reverse(State<System>& state, Symmetric8::Workspace<System>& w) {
 TEST(SymmetricMultistep, IsReversible) {
   // 2000 steps there, the history turned round, and as many steps back: what is left is round-off, far below the error
   // of the method at this step (1e-6).
-  const Pendulum c;
+  const Swing c;
   Symmetric8::Workspace<SphericalPendulum> w(c.system);
   auto state = c.initial();
   const double h = 0.1;
@@ -244,7 +214,7 @@ TYPED_TEST(Multistep, IsStableUpToItsLimit) {
   using Method = typename TypeParam::Method;
   const auto oscillator = harmonic_oscillator();
   typename Method::template Workspace<SpringNetwork> w(oscillator);
-  auto state = Oscillator{}.initial();
+  auto state = Oscillation{}.initial();
   // Bounded, and no larger in the end than in the beginning; of high order, as the exact motion is.
   double largest[2] = {0, 0};
   const int n_steps = 100000;

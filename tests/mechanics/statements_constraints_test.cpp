@@ -14,6 +14,7 @@
 #include "reduced/pseudo_rigid_body.h"
 #include "support/integrate.h"
 #include "support/reaction.h"
+#include "support/round_off.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum.h"
 #include "systems/rigid_body.h"
@@ -28,7 +29,6 @@ using mechanics::ChartField;
 using mechanics::State;
 
 /// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-constexpr double round_off = 1e-13;
 
 template <class S>
 struct Sample {

@@ -12,6 +12,7 @@
 #include "support/differences.h"
 #include "support/integrate.h"
 #include "support/pendulum_chain.h"
+#include "support/round_off.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum_chart.h"
 #include "systems/torus.h"
@@ -27,7 +28,6 @@ using systems::DoublePendulumChart;
 
 constexpr double pi = std::numbers::pi;
 /// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-constexpr double round_off = 1e-13;
 
 template <class C>
 using Vector = mechanics::ChartVector<C>;

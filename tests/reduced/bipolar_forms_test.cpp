@@ -17,7 +17,6 @@ namespace {
 using mechanics::ExplicitMultiplier;
 using reduced::Bipolar;
 
-constexpr double G = 0.3;
 constexpr reduced::Dissipation dissipation{.viscosity = 0.1, .drag = 0.2};
 
 /// Axes well apart, turning and circulating in all directions.
@@ -40,8 +39,8 @@ mechanics::ReducedObservables bipolar_observed(const System& system, const State
 
 /// What is left of (5.121): the force of dissipation belongs to it, on GL⁺(3) there is no multiplier.
 TEST(BipolarForms, ResidualIsSmallOnEveryForm) {
-  const auto sl3 = loaded_body<LoadedSl3>(Law{1, 0}, {G, generic_quadratic()});
-  const auto gl3 = loaded_body<LoadedGl3>(Law{1, 2}, {G, generic_quadratic()});
+  const auto sl3 = loaded_body<LoadedSl3>(Law{1, 0}, {moderate_gravity, generic_quadratic()});
+  const auto gl3 = loaded_body<LoadedGl3>(Law{1, 2}, {moderate_gravity, generic_quadratic()});
   const reduced::DissipativeBody damped_sl3(sl3, dissipation);
   const reduced::DissipativeBody damped_gl3(gl3, dissipation);
   EXPECT_LT(bipolar_observed(sl3, apart<LoadedSl3>()).bipolar_residual, 1e-9);
@@ -49,10 +48,11 @@ TEST(BipolarForms, ResidualIsSmallOnEveryForm) {
   EXPECT_LT(bipolar_observed(damped_sl3, damped_sl3.state_of(apart<LoadedSl3>())).bipolar_residual, 1e-9);
   EXPECT_LT(bipolar_observed(damped_gl3, damped_gl3.state_of(apart<LoadedGl3>())).bipolar_residual, 1e-9);
 
-  const auto ellipsoid = elastic_sl3({G, Matrix3d::Zero(), reduced::ReferenceBody::ellipsoid({1.3, 1, 0.8})});
+  const auto ellipsoid =
+      elastic_sl3({moderate_gravity, Matrix3d::Zero(), reduced::ReferenceBody::ellipsoid({1.3, 1, 0.8})});
   EXPECT_LT(bipolar_observed(ellipsoid, apart<LoadedSl3>()).bipolar_residual, 1e-9);
 
-  const auto diagonal_load = elastic_sl3({G, diagonal(0.1, -0.2, 0.3)});
+  const auto diagonal_load = elastic_sl3({moderate_gravity, diagonal(0.1, -0.2, 0.3)});
   const reduced::DiagonalBody three(diagonal_load);
   auto start = moving<LoadedSl3>(diagonal(2, 1.1, 1 / 2.2), diagonal(2, 1.1, 1 / 2.2) * diagonal(0.5, -0.8, 0.3));
   const auto o = bipolar_observed(three, three.state_of(start));
@@ -63,7 +63,7 @@ TEST(BipolarForms, ResidualIsSmallOnEveryForm) {
 
 /// Without its force the dissipative motion does not obey (5.121): the residual sees dissipation.
 TEST(BipolarForms, ResidualSeesAForceThatIsLeftOut) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({moderate_gravity});
   const reduced::DissipativeBody damped(body, dissipation);
   const auto start = apart<LoadedSl3>();
   reduced::LocalPath<reduced::DissipativeBody<LoadedSl3>> path;
@@ -79,7 +79,7 @@ TEST(BipolarForms, ResidualSeesAForceThatIsLeftOut) {
 /// The states at t + jh of the path are those of the motion, backwards as well: the error of 32 steps of order 4 is
 /// some h⁵ of the eighth part.
 TEST(LocalPath, IsTheMotionOnBothSides) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({moderate_gravity});
   auto start = apart<LoadedSl3>();
   start.t = 0.7;
   const double h = 0.005;
@@ -95,7 +95,7 @@ TEST(LocalPath, IsTheMotionOnBothSides) {
 
 /// A body that is inside out has no path: a report, no numbers.
 TEST(LocalPath, FailsWhereTheForceFails) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({moderate_gravity});
   reduced::LocalPath<LoadedSl3> path;
   auto inside_out = apart<LoadedSl3>();
   inside_out.q.col(0) *= -1;

@@ -24,9 +24,6 @@ using reduced::Bipolar;
 using reduced::decompose;
 using reduced::rates;
 
-constexpr double G = 0.3;
-using BodyState = mechanics::VectorState<Matrix3d>;
-
 double smallest_gap(const Vector3d& a) {
   return std::min({std::abs(a[0] - a[1]), std::abs(a[1] - a[2]), std::abs(a[2] - a[0])});
 }
@@ -112,7 +109,7 @@ TEST(Bipolar, RatesOfABallAreFinite) {
 
 /// A motion of a gravitating elastic body with RATTLE of order 8, at equal distances in time.
 struct SampledMotion {
-  LoadedSl3 body = elastic_sl3({G});
+  LoadedSl3 body = elastic_sl3({moderate_gravity});
   double h;
   std::vector<BodyState> states;
   std::vector<Matrix3d> positions() const {
@@ -270,8 +267,9 @@ TEST(Equation_5_121, HoldsAlongAGravitatingElasticMotionAndThePrintedFormFails) 
 /// The program's residual along the dense output of the explicit method of order 8, away from coincident axes: 1e-12
 /// from round-off over h, and truncation of order 8 (seen 4e-8 with four times the distance of the samples).
 TEST(Equation_5_121, HoldsAlongDenseOutput) {
-  for (const auto& body : {elastic_sl3({G}), elastic_sl3({G, generic_quadratic()}),
-                           elastic_sl3({G, Matrix3d::Zero(), reduced::ReferenceBody::ellipsoid({1.3, 1, 0.8})})}) {
+  for (const auto& body :
+       {elastic_sl3({moderate_gravity}), elastic_sl3({moderate_gravity, generic_quadratic()}),
+        elastic_sl3({moderate_gravity, Matrix3d::Zero(), reduced::ReferenceBody::ellipsoid({1.3, 1, 0.8})})}) {
     const double h = 0.0025;
     const auto states = integrate_samples(mechanics::ExplicitMultiplier(body), generic_start(), 8, 3200, 1e-15);
     double largest = 0, wrong_multiplier = 0;
@@ -300,7 +298,7 @@ TEST(Equation_5_121, HoldsAlongDenseOutput) {
 /// The observable: its frames are those followed, Ω* and Λ* the entries 12, 13, 23, and its residual is small, at
 /// samples as far apart as one looks.
 TEST(Equation_5_121, IsAnObservable) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({moderate_gravity});
   LoadedSl3::Workspace w;
   std::optional<Bipolar> before;
   const auto motion = sampled_motion(generic_start(), 12, 0.05);

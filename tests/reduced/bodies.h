@@ -19,6 +19,8 @@ using Eigen::Vector3d;
 using mechanics::State;
 
 inline constexpr double kappa = 5;
+/// Constants of gravity beside a shear modulus of 1.
+inline constexpr double weak_gravity = 0.2, moderate_gravity = 0.3, strong_gravity = 0.4;
 
 inline Sl3 neo_hookean_sl3() { return {Law{1, 0}, reduced::ReferenceBody::unit_ball()}; }
 inline Gl3 neo_hookean_gl3() { return {Law{1, 1}, reduced::ReferenceBody::unit_ball()}; }
@@ -30,6 +32,10 @@ inline Matrix3d diagonal(double a, double b, double c) { return Vector3d(a, b, c
 inline Matrix3d rotation_z(double angle) { return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix(); }
 /// (u × ·)
 inline Matrix3d hat(const Vector3d& u) { return matrix({0, -u.z(), u.y(), u.z(), 0, -u.x(), -u.y(), u.x(), 0}); }
+
+using BodyState = mechanics::VectorState<Matrix3d>;
+/// The state of Qᵀ, the dual motion in Dedekind's sense.
+inline BodyState transposed(const BodyState& s) { return {s.t, s.q.transpose(), s.v.transpose()}; }
 
 template <class Body>
 State<Body> moving(const Matrix3d& Q, const Matrix3d& Qdot) {

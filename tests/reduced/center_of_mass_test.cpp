@@ -80,7 +80,7 @@ TEST(CenterOfMass, DampedOscillation) {
 }
 
 /// ẍ = b − Tx − cẋ as it stands, for the integrator.
-struct Field {
+struct CenterField {
   using Vector = Vector3d;
   struct Workspace {};
   CenterOfMass c;
@@ -99,7 +99,7 @@ TEST(CenterOfMass, IsTheIntegralOfItsLaw) {
   ASSERT_LT(T.determinant(), 0);
   const CenterOfMass c{.position = x0, .velocity = v0, .acceleration = b, .quadratic = T, .drag = 0.3};
   const mechanics::VectorState<Vector3d> start{0, x0, v0};
-  for (const auto& s : integrate_samples(Field{c}, start, 10, 40)) expect_motion(c.at(s.t), s.q, s.v, 1e-11);
+  for (const auto& s : integrate_samples(CenterField{c}, start, 10, 40)) expect_motion(c.at(s.t), s.q, s.v, 1e-11);
 }
 
 /// Energies per mass: their sum is constant without drag, and falls at the rate c v² with it.

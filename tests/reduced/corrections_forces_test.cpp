@@ -68,15 +68,15 @@ TEST(Correction_11, PrintedPressureIsThatOfAUnitBall) {
 constexpr double c = 0.3, eta = 0.06;
 constexpr reduced::Dissipation linear_damping{.drag = c}, objective_viscosity{.viscosity = eta};
 
-using Damped = reduced::DissipativeBody<Sl3>;
-Damped damped(const reduced::Dissipation& dissipation) { return {neo_hookean_sl3(), dissipation}; }
+using DampedSl3 = reduced::DissipativeBody<Sl3>;
+DampedSl3 damped(const reduced::Dissipation& dissipation) { return {neo_hookean_sl3(), dissipation}; }
 /// The program's motion with its dissipation.
-std::vector<State<Damped>> damped_motion(const reduced::Dissipation& dissipation, const State<Sl3>& start) {
-  const Damped body = damped(dissipation);
-  return integrate_samples(mechanics::ExplicitMultiplier(body), Damped::state_of(start), 3, 30);
+std::vector<State<DampedSl3>> damped_motion(const reduced::Dissipation& dissipation, const State<Sl3>& start) {
+  const DampedSl3 body = damped(dissipation);
+  return integrate_samples(mechanics::ExplicitMultiplier(body), DampedSl3::state_of(start), 3, 30);
 }
 /// Of a damped state, the observables; neither its dissipation nor its multiplier is asked for.
-mechanics::ReducedObservables observed_motion(const State<Damped>& s) { return observed(damped(linear_damping), s); }
+mechanics::ReducedObservables observed_motion(const State<DampedSl3>& s) { return observed(damped(linear_damping), s); }
 /// −∂R/∂Q̇ per m̄ by the program, of a ball.
 Matrix3d force_per_m_bar(const reduced::Dissipation& dissipation, const Matrix3d& Q, const Matrix3d& Qdot,
                          const reduced::ReferenceBody& ball = reduced::ReferenceBody::unit_ball()) {
@@ -84,7 +84,7 @@ Matrix3d force_per_m_bar(const reduced::Dissipation& dissipation, const Matrix3d
   dissipation.add_force(ball, Q, Qdot, f);
   return 3 / ball.E0.trace() * f;
 }
-double energy(const State<Damped>& s) {
+double energy(const State<DampedSl3>& s) {
   const auto o = observed_motion(s);
   return o.kinetic + o.elastic;
 }
@@ -108,7 +108,7 @@ TEST(Correction_12, LinearDampingDestroysAngularMomentumAndCirculation) {
   }
   const auto s = spinning_spheroid();
   EXPECT_NEAR(mechanics::dot(force_per_m_bar(linear_damping, s.q, s.v), s.v), -c * s.v.squaredNorm(), 1e-14);
-  const Matrix3d Q = Damped::matrix(damped_motion(linear_damping, s).back().q);
+  const Matrix3d Q = DampedSl3::matrix(damped_motion(linear_damping, s).back().q);
   EXPECT_GT((Q - rotation_z(3 * spheroid_spin) * s.q).norm(), 0.1) << "a steady rotation does not go on";
 }
 
@@ -146,7 +146,7 @@ TEST(Correction_12, ObjectiveViscosityVanishesOnRigidMotions) {
   }
   const auto start = spinning_spheroid();
   for (const auto& s : damped_motion(objective_viscosity, start))
-    EXPECT_LT((Damped::matrix(s.q) - rotation_z(spheroid_spin * s.t) * start.q).norm(), 1e-11);
+    EXPECT_LT((DampedSl3::matrix(s.q) - rotation_z(spheroid_spin * s.t) * start.q).norm(), 1e-11);
 }
 
 /// "With viscosity J is conserved, Z is not", and energy falls.

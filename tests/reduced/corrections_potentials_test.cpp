@@ -35,13 +35,13 @@ Complex gravity_by_quadrature(const Matrix3cd& Q, double G_rho) {
 }
 
 /// The program's self-gravity of the ball of radius r and density ρ, physical.
-reduced::Potential self_gravity(double G, double r = 1, double rho = 1) {
+reduced::Potential potential_of_gravity(double G, double r = 1, double rho = 1) {
   auto ball = reduced::ReferenceBody::ellipsoid({r, r, r});
   ball.mass *= rho;
   ball.E0 *= rho;
   return {materials::Fluid{}, ball, {.gravity_constant = G}};
 }
-double m_bar(double r = 1, double rho = 1) { return 4 * std::numbers::pi / 15 * rho * std::pow(r, 5); }
+double m_bar_of(double r = 1, double rho = 1) { return 4 * std::numbers::pi / 15 * rho * std::pow(r, 5); }
 
 /// Random ones, and ones with two and three equal axes, exactly and nearly.
 std::vector<Matrix3d> sample_deformations() {
@@ -58,13 +58,13 @@ std::vector<Matrix3d> sample_deformations() {
 /// coincide too, as nothing is divided by their differences.
 TEST(Correction_8, SelfGravityInCarlsonsFormIsTheIntegral) {
   const double G = 0.7;
-  const reduced::Potential gravity = self_gravity(G);
+  const reduced::Potential gravity = potential_of_gravity(G);
   for (const Matrix3d& Q : sample_deformations()) {
     const auto V = [&](const Matrix3cd& Z) { return gravity_by_quadrature(Z, G); };
     const double exact = V(Q).real();
-    EXPECT_NEAR(gravity.energies(Q).gravitational / m_bar(), exact, 1e-13 * std::abs(exact));
+    EXPECT_NEAR(gravity.energies(Q).gravitational / m_bar_of(), exact, 1e-13 * std::abs(exact));
     const Matrix3d gradient = derivative(V, Q);
-    EXPECT_LT((gravity.gradient(Q) / m_bar() - gradient).norm(), 1e-12 * gradient.norm()) << Q;
+    EXPECT_LT((gravity.gradient(Q) / m_bar_of() - gradient).norm(), 1e-12 * gradient.norm()) << Q;
   }
 }
 
@@ -73,7 +73,7 @@ TEST(Correction_8, SumOfTheCoefficients) {
   const double G = 0.7;
   for (const Matrix3d& Q : sample_deformations()) {
     const Matrix3d alpha =
-        self_gravity(G).gradient(Q) * Q.inverse() / (2 * std::numbers::pi * G * m_bar());  // U diag(α)Uᵀ
+        potential_of_gravity(G).gradient(Q) * Q.inverse() / (2 * std::numbers::pi * G * m_bar_of());  // U diag(α)Uᵀ
     EXPECT_NEAR(alpha.trace(), 2 / Q.determinant(), 1e-13 * alpha.trace());
     EXPECT_GT(symmetric_spectrum(0.5 * (alpha + alpha.transpose())).values.minCoeff(), 0);
   }
@@ -87,7 +87,8 @@ TEST(Correction_8, DividedDifferencesFailNearRepeatedAxes) {
   };
   const auto by_differences = [](const Matrix3d& A) -> Matrix3d {
     const Vector3d a = A.diagonal(), a2 = a.cwiseAbs2();
-    const Vector3d slopes = 0.5 * self_gravity(1).gradient(A).diagonal().cwiseQuotient(a) / m_bar();  // ∂V/∂(a_i²)
+    const Vector3d slopes =
+        0.5 * potential_of_gravity(1).gradient(A).diagonal().cwiseQuotient(a) / m_bar_of();  // ∂V/∂(a_i²)
     Matrix3d D;  // ∂V/∂(a_i²) = Σ_k ∂V/∂I_k ∂I_k/∂(a_i²)
     for (int i = 0; i < 3; ++i) D.row(i) << 1, a2.sum() - a2[i], a2.prod() / a2[i];
     const Vector3d V_k = D.inverse() * slopes;
@@ -101,7 +102,7 @@ TEST(Correction_8, DividedDifferencesFailNearRepeatedAxes) {
   const Matrix3d apart = diagonal(1.3, 1.6, 0.6), close = diagonal(1.3, 1.3 + 1e-14, 0.6);
   EXPECT_LT(error_of(by_differences(apart), apart), 1e-12);
   EXPECT_FALSE(error_of(by_differences(close), close) < 1e-4);
-  EXPECT_LT(error_of(self_gravity(1).gradient(close) / m_bar(), close), 1e-12);
+  EXPECT_LT(error_of(potential_of_gravity(1).gradient(close) / m_bar_of(), close), 1e-12);
 }
 
 /// The coefficient, per m̄ with the reference density: a ball that is blown up or compressed to the radius qr has the
@@ -111,9 +112,9 @@ TEST(Correction_8, CoefficientIsThatOfABall) {
   for (const double q : {0.5, 1.0, 1.6}) {
     const Matrix3d Q = q * Matrix3d::Identity();
     const double exact = -0.6 * G * M * M / (q * r);
-    EXPECT_NEAR(self_gravity(G, r, rho).energies(Q).gravitational, exact, 1e-14 * std::abs(exact));
-    EXPECT_NEAR(m_bar(r, rho) * gravity_by_quadrature(Q, G * rho).real(), exact, 1e-14 * std::abs(exact));
-    const double with_current_density = m_bar(r, rho) * gravity_by_quadrature(Q, G * rho / (q * q * q)).real();
+    EXPECT_NEAR(potential_of_gravity(G, r, rho).energies(Q).gravitational, exact, 1e-14 * std::abs(exact));
+    EXPECT_NEAR(m_bar_of(r, rho) * gravity_by_quadrature(Q, G * rho).real(), exact, 1e-14 * std::abs(exact));
+    const double with_current_density = m_bar_of(r, rho) * gravity_by_quadrature(Q, G * rho / (q * q * q)).real();
     if (q != 1) {
       EXPECT_GT(std::abs(with_current_density / exact - 1), 0.5);
     }

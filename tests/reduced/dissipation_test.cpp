@@ -25,7 +25,7 @@ using reduced::DissipativeBody;
 template <class Body>
 using Damped = DissipativeBody<Body>;
 
-constexpr double eta = 0.06, c = 0.3, G = 0.2;
+constexpr double eta = 0.06, c = 0.3;
 constexpr Dissipation viscous{.viscosity = eta}, dragged{.drag = c}, both{.viscosity = eta, .drag = c};
 
 /// Rayleigh's function of a body of any shape, R = η Vol det Q tr d² + ½ c tr(Q̇E₀Q̇ᵀ).
@@ -89,7 +89,8 @@ double imbalance(const Damped<Body>& system, const State<Damped<Body>>& start, c
 }
 template <class Body>
 Damped<Body> body_with(const Dissipation& dissipation) {
-  return {loaded_body<Body>(Law{1, Body::n_constraints > 0 ? 0.0 : 2.0}, {G, generic_quadratic()}), dissipation};
+  return {loaded_body<Body>(Law{1, Body::n_constraints > 0 ? 0.0 : 2.0}, {weak_gravity, generic_quadratic()}),
+          dissipation};
 }
 
 template <class Body>
@@ -130,7 +131,7 @@ TYPED_TEST(EnergyBalance, HoldsToTheToleranceOfExplicit8) {
 
 /// Without a coefficient nothing is taken and the motion is that of the body itself, step by step.
 TEST(DissipativeBody, WithoutDissipationIsTheBody) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({weak_gravity});
   const Damped<LoadedSl3> system(body, {});
   const auto start = benchmark_state<LoadedSl3>();
   const auto plain = run<mechanics::Rattle>(body, start, 5, 1, 500);
@@ -143,7 +144,8 @@ TEST(DissipativeBody, WithoutDissipationIsTheBody) {
 /// explicit method.
 TEST(DissipativeBody, MomentaOfAGravitatingBody) {
   const auto start = benchmark_state<LoadedSl3>();
-  const Damped<LoadedSl3> viscous_body(elastic_sl3({G}), viscous), dragged_body(elastic_sl3({G}), dragged);
+  const Damped<LoadedSl3> viscous_body(elastic_sl3({weak_gravity}), viscous),
+      dragged_body(elastic_sl3({weak_gravity}), dragged);
   const auto r = run<mechanics::Rattle>(viscous_body, viscous_body.state_of(start), 10, 50, 20);
   ASSERT_TRUE(r.finished()) << r.result.reason;
   const auto before = observed(viscous_body, r.states.front());
@@ -160,7 +162,7 @@ TEST(DissipativeBody, MomentaOfAGravitatingBody) {
 
 /// A spheroid in steady rotation, elastic and gravitating: viscosity leaves it alone, drag brings it to rest.
 TEST(DissipativeBody, ViscosityLeavesARigidSpinAlone) {
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({weak_gravity});
   const auto start = spinning_spheroid(body, 0.7);
   const double Omega = steady_spin(body, 0.7);
   const Damped<LoadedSl3> viscous_body(body, viscous), dragged_body(body, dragged);
@@ -175,7 +177,7 @@ TEST(DissipativeBody, ViscosityLeavesARigidSpinAlone) {
 /// In the long run viscosity leaves the spheroid that turns steadily with the same J, and drag the ball at rest.
 TEST(DissipativeBody, EndsInSteadyRotationOrAtRest) {
   const auto start = benchmark_state<LoadedSl3>();
-  const auto body = elastic_sl3({G});
+  const auto body = elastic_sl3({weak_gravity});
   const Damped<LoadedSl3> viscous_body(body, {.viscosity = 0.3}), both_body(body, both);
   const auto end = integrate(ExplicitMultiplier(viscous_body), viscous_body.state_of(start), 100, 1e-12);
   const auto o = observed(viscous_body, end);
@@ -203,10 +205,10 @@ std::vector<double> linear_response(const Damped<Body>& system, double end, int 
 /// PHYSICS section 7.7: small oscillations decay with δ = 5η/(ρr²) under viscosity and with c/2 under drag, and turn
 /// with ω_d² = ω² − δ², ω² = 10 + 16πG/15.
 TEST(DissipativeBody, SmallOscillationsDecayAtTheKnownRates) {
-  const double omega_squared = 10 + 16 * std::numbers::pi * G / 15;
+  const double omega_squared = 10 + 16 * std::numbers::pi * weak_gravity / 15;
   for (const auto& [dissipation, delta] :
        {std::pair{viscous, 5 * eta}, std::pair{dragged, c / 2}, std::pair{both, 5 * eta + c / 2}}) {
-    const Damped<LoadedSl3> system(elastic_sl3({G}), dissipation);
+    const Damped<LoadedSl3> system(elastic_sl3({weak_gravity}), dissipation);
     const double omega_d = std::sqrt(omega_squared - delta * delta), end = 6;
     const int n = 60;
     const auto response = linear_response(system, end, n);
@@ -220,7 +222,7 @@ TEST(DissipativeBody, SmallOscillationsDecayAtTheKnownRates) {
 
 /// Compositions take some substeps backwards in time, and conserving methods have nothing to conserve.
 TEST(DissipativeBody, IsForRattleAndExplicit8Alone) {
-  const Damped<LoadedSl3> system(elastic_sl3({G}), viscous);
+  const Damped<LoadedSl3> system(elastic_sl3({weak_gravity}), viscous);
   const auto expect_refusal = [&](const auto& method) {
     const auto status = method.accepts(system);
     EXPECT_FALSE(status) << method.name;

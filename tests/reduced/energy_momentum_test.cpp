@@ -124,7 +124,7 @@ TEST(EnergyMomentumSl3, ExactRelativeEquilibriaStayNear) {
 }
 
 template <class Body>
-struct BodyFactory {
+struct ConservingBodyFactory {
   using System = Body;
   static constexpr bool incompressible = std::is_same_v<Body, Sl3>;
   Body body{Law{1, incompressible ? 0.0 : 1.0}, reduced::ReferenceBody::unit_ball()};
@@ -142,9 +142,9 @@ struct BodyFactory {
   long n_reference_steps() const { return 100 * static_cast<long>(end()); }
 };
 template <class Body>
-using AllOrders =
-    ::testing::Types<OrderCase<BodyFactory<Body>, EnergyMomentum>, OrderCase<BodyFactory<Body>, Conserving4>,
-                     OrderCase<BodyFactory<Body>, Conserving6>, OrderCase<BodyFactory<Body>, Conserving8>>;
+using AllOrders = ::testing::Types<
+    OrderCase<ConservingBodyFactory<Body>, EnergyMomentum>, OrderCase<ConservingBodyFactory<Body>, Conserving4>,
+    OrderCase<ConservingBodyFactory<Body>, Conserving6>, OrderCase<ConservingBodyFactory<Body>, Conserving8>>;
 INSTANTIATE_TYPED_TEST_SUITE_P(ConservingSl3, MethodOrder, AllOrders<Sl3>);
 INSTANTIATE_TYPED_TEST_SUITE_P(ConservingGl3, MethodOrder, AllOrders<Gl3>);
 

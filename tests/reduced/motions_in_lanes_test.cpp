@@ -98,7 +98,7 @@ struct Eight {
 /// Round-off of the constraint makes one of the multipliers, which the multistep methods carry on with weights of up to
 /// 5 for order 8 and 62 for order 12 (symmetric_multistep.h). Measured over the cases below: 3e-14 at most, and 1.8e-12
 /// for order 12.
-double round_off(mechanics::MethodId method) {
+double round_off_of(mechanics::MethodId method) {
   return method == mechanics::id_of<mechanics::Symmetric12> ? 2e-11 : 3e-13;
 }
 
@@ -112,8 +112,8 @@ void expect_twins(const Eight& eight, mechanics::MethodId method) {
     const auto alone = eight.move_alone(i, method, times, n_steps);
     ASSERT_EQ(alone.size(), together.q.size());
     for (std::size_t k = 0; k < alone.size(); ++k) {
-      EXPECT_LT((Eight::matrix(i, together.q[k]) - alone[k].q).cwiseAbs().maxCoeff(), round_off(method)) << i;
-      EXPECT_LT((Eight::matrix(i, together.v[k]) - alone[k].v).cwiseAbs().maxCoeff(), round_off(method)) << i;
+      EXPECT_LT((Eight::matrix(i, together.q[k]) - alone[k].q).cwiseAbs().maxCoeff(), round_off_of(method)) << i;
+      EXPECT_LT((Eight::matrix(i, together.v[k]) - alone[k].v).cwiseAbs().maxCoeff(), round_off_of(method)) << i;
       // Round-off of det Q goes with |Q|³, and a free fluid stretches without end. Measured: a third of this.
       EXPECT_NEAR(Eight::matrix(i, together.q[k]).determinant(), 1, 4e-16 * std::pow(alone[k].q.norm(), 3));
     }

@@ -12,24 +12,24 @@
 namespace pseudorigid::testing {
 namespace {
 
-const Sl3 neo_hookean = neo_hookean_sl3();
+const Sl3 pulsating_ball = neo_hookean_sl3();
 
 TEST(Oscillation, PeriodsFromRest) {  // PHYSICS section 5, neo-Hookean, in r/c
-  EXPECT_NEAR(turning_point(neo_hookean, 1.1, 2, 0.05).t, 1.9888587181466, 2e-13);
-  EXPECT_NEAR(turning_point(neo_hookean, 1.5, 2, 0.05).t, 2.0256220163011, 2e-13);
-  EXPECT_NEAR(turning_point(neo_hookean, 2, 2, 0.02).t, 2.1053655444928, 2e-13);
+  EXPECT_NEAR(turning_point(pulsating_ball, 1.1, 2, 0.05).t, 1.9888587181466, 2e-13);
+  EXPECT_NEAR(turning_point(pulsating_ball, 1.5, 2, 0.05).t, 2.0256220163011, 2e-13);
+  EXPECT_NEAR(turning_point(pulsating_ball, 2, 2, 0.02).t, 2.1053655444928, 2e-13);
 }
 
 TEST(Oscillation, LeastStretchIsWhereThePotentialIsEqual) {  // PHYSICS section 5: ℓ² + 2/ℓ = ℓ₀² + 2/ℓ₀
-  EXPECT_NEAR(turning_point(neo_hookean, 2, 1, 0.05).l, std::numbers::sqrt2 - 1, 1e-11);
+  EXPECT_NEAR(turning_point(pulsating_ball, 2, 1, 0.05).l, std::numbers::sqrt2 - 1, 1e-11);
 }
 
 TEST(Oscillation, SmallOnesHaveTheFrequencySquareRootOfTen) {  // PHYSICS section 3: x = √10
-  EXPECT_NEAR(2 * std::numbers::pi / turning_point(neo_hookean, std::exp(2e-5), 2).t, std::sqrt(10.0), 1e-9);
+  EXPECT_NEAR(2 * std::numbers::pi / turning_point(pulsating_ball, std::exp(2e-5), 2).t, std::sqrt(10.0), 1e-9);
 }
 
 TEST(Oscillation, FrequencyFallsWithTheSquareOfTheAmplitude) {  // PHYSICS section 5: ω/ω₀ = 1 − (5/48)A²
-  EXPECT_NEAR(frequency_shift(neo_hookean, std::sqrt(10.0)), -5.0 / 48, 2e-6);
+  EXPECT_NEAR(frequency_shift(pulsating_ball, std::sqrt(10.0)), -5.0 / 48, 2e-6);
 }
 
 TEST(Frequency, OfTheBodyAtRest) {

@@ -115,7 +115,7 @@ reduced::DissipativeBody<Body> driven(const ReferenceBody& reference, const redu
 }
 
 /// Q̈E₀ = −Vol P(Q) − T cos(ωt + φ) Q E₀ as it stands, for a compressible body.
-struct Field {
+struct DrivenField {
   using Vector = Matrix3d;
   struct Workspace {};
   ReferenceBody reference;
@@ -132,7 +132,7 @@ TEST(PeriodicTide, MovesTheBodyByItsEquation) {
   for (const auto& reference : {ReferenceBody::unit_ball(), ReferenceBody::ellipsoid({1.4, 0.9, 0.7})}) {
     const auto body = driven<LoadedGl3>(reference);
     const auto start = benchmark_state<LoadedGl3>();
-    const auto expected = integrate_samples(Field{reference}, start, 6, 12);
+    const auto expected = integrate_samples(DrivenField{reference}, start, 6, 12);
     const auto states = integrate_samples(ExplicitMultiplier(body), body.state_of(start), 6, 12);
     for (std::size_t k = 0; k < states.size(); ++k) EXPECT_LT(distance(body.motion(states[k]), expected[k]), 1e-10);
   }

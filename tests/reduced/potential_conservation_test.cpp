@@ -13,9 +13,9 @@
 namespace pseudorigid::testing {
 namespace {
 
-constexpr double G = 0.2;
-
-std::vector<Loads> all_loads() { return {{}, {G}, {0, generic_quadratic()}, {G, generic_quadratic()}}; }
+std::vector<Loads> all_loads() {
+  return {{}, {weak_gravity}, {0, generic_quadratic()}, {weak_gravity, generic_quadratic()}};
+}
 /// Every law under every load, with the time that its motion lasts for: on GL⁺(3) the Saint Venant–Kirchhoff law as
 /// printed depends on |F| alone, so that shears meet no resistance and turn the body inside out after t = 1.
 template <class Body, class Check>
@@ -95,8 +95,6 @@ TYPED_TEST(EveryPotential, Explicit8KeepsEverythingToItsTolerance) {
   });
 }
 
-using BodyState = mechanics::VectorState<Matrix3d>;
-BodyState transposed(const BodyState& s) { return {s.t, s.q.transpose(), s.v.transpose()}; }
 template <class Body>
 double distance_of_duals(const Body& body, double end) {
   const auto start = benchmark_state<Body>();

@@ -18,8 +18,6 @@ namespace {
 using reduced::Potential;
 using reduced::ReferenceBody;
 
-constexpr double G = 0.4;
-
 /// A ball, an ellipsoid, and a body with its inertia along no coordinate axis.
 std::vector<ReferenceBody> reference_bodies() {
   return {ReferenceBody::unit_ball(), ReferenceBody::ellipsoid({1.4, 0.9, 0.7}),
@@ -32,7 +30,7 @@ void for_each_potential(const Check& check) {
     for (const auto& [name, law] : laws(false)) {
       SCOPED_TRACE(name);
       check(Potential(law, reference,
-                      {.gravity_constant = G,
+                      {.gravity_constant = strong_gravity,
                        .quadratic = generic_quadratic(),
                        .nominal_traction = generic_traction(),
                        .pressure = 0.35}));
@@ -87,7 +85,7 @@ TEST(Potential, DeadTractionIsAConstantStress) {
 TEST(Potential, ForceOfTheBodyIsMinusTheGradient) {
   std::mt19937 generator(4);
   for (const auto& reference : reference_bodies()) {
-    const auto body = loaded_body<LoadedGl3>(Law{1, 3}, {G, generic_quadratic(), reference});
+    const auto body = loaded_body<LoadedGl3>(Law{1, 3}, {strong_gravity, generic_quadratic(), reference});
     const Matrix3d Q = random_deformation(generator), gradient = body.energy_density().gradient(Q);
     LoadedGl3::Workspace w;
     Matrix3d f = body.make_vector();
@@ -102,9 +100,9 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
   std::mt19937 generator(5);
   for (const auto& reference : reference_bodies()) {
     const Matrix3d Q = random_deformation(generator), T = generic_quadratic();
-    const auto all = Potential(Law{1, 3}, reference, {.gravity_constant = G, .quadratic = T}).energies(Q);
+    const auto all = Potential(Law{1, 3}, reference, {.gravity_constant = strong_gravity, .quadratic = T}).energies(Q);
     const auto elastic = Potential(Law{1, 3}, reference).energies(Q);
-    const auto gravity = Potential(materials::Fluid{}, reference, {.gravity_constant = G}).energies(Q);
+    const auto gravity = Potential(materials::Fluid{}, reference, {.gravity_constant = strong_gravity}).energies(Q);
     const auto external = Potential(materials::Fluid{}, reference, {.quadratic = T}).energies(Q);
     EXPECT_EQ(all.elastic, elastic.elastic);
     EXPECT_EQ(all.gravitational, gravity.gravitational);
@@ -114,8 +112,9 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
                               external.elastic, external.gravitational})
       EXPECT_EQ(part, 0);
     EXPECT_DOUBLE_EQ(all.total(), all.elastic + all.gravitational + all.external);
-    EXPECT_TRUE(Potential(Law{1, 3}, reference, {.gravity_constant = G, .quadratic = T}).depends_on_direction());
-    EXPECT_FALSE(Potential(Law{1, 3}, reference, {.gravity_constant = G}).depends_on_direction());
+    EXPECT_TRUE(
+        Potential(Law{1, 3}, reference, {.gravity_constant = strong_gravity, .quadratic = T}).depends_on_direction());
+    EXPECT_FALSE(Potential(Law{1, 3}, reference, {.gravity_constant = strong_gravity}).depends_on_direction());
   }
 }
 
@@ -123,15 +122,15 @@ TEST(Potential, IsTheSumOfItsPartsAndAPartNotNamedIsZero) {
 TEST(Potential, GravityOfASphere) {
   const double R = 1.7, volume = 4 * std::numbers::pi / 3;
   const auto energy = [](const ReferenceBody& reference, const Matrix3d& Q) {
-    return Potential(materials::Fluid{}, reference, {.gravity_constant = G}).energies(Q).gravitational;
+    return Potential(materials::Fluid{}, reference, {.gravity_constant = strong_gravity}).energies(Q).gravitational;
   };
   const Matrix3d turn = rotation_z(0.3);
-  const double of_ball = -0.6 * G * std::pow(volume * R * R * R, 2) / R;
+  const double of_ball = -0.6 * strong_gravity * std::pow(volume * R * R * R, 2) / R;
   EXPECT_NEAR(energy(ReferenceBody::ellipsoid({R, R, R}), turn), of_ball, 1e-14 * -of_ball);
-  const double of_unit_mass = -0.6 * G * volume * volume / R;
+  const double of_unit_mass = -0.6 * strong_gravity * volume * volume / R;
   EXPECT_NEAR(energy(ReferenceBody::unit_ball(), R * turn), of_unit_mass, 1e-14 * -of_unit_mass);
   const Vector3d a(2, 1, 0.25);
-  const double of_ellipsoid = -0.6 * G * std::pow(volume * a.prod(), 2) / R;
+  const double of_ellipsoid = -0.6 * strong_gravity * std::pow(volume * a.prod(), 2) / R;
   const Matrix3d to_sphere = turn * Matrix3d((R * a.cwiseInverse()).asDiagonal());
   EXPECT_NEAR(energy(ReferenceBody::ellipsoid(a), to_sphere), of_ellipsoid, 1e-14 * -of_ellipsoid);
 }
@@ -143,9 +142,9 @@ TEST(Potential, GravityOfAReferenceEllipsoid) {
   for (const auto& reference : reference_bodies()) {
     const Matrix3d Q = random_deformation(generator), F = Q * reference.shape;
     const double factor = 0.6 * reference.mass * reference.mass / (4 * std::numbers::pi);  // k/(4πG)
-    const Potential V(materials::Fluid{}, reference, {.gravity_constant = G});
-    const double energy = factor * self_gravity(F, G);
-    const Matrix3d gradient = factor * self_gravity_gradient(F, G) * reference.shape.transpose();
+    const Potential V(materials::Fluid{}, reference, {.gravity_constant = strong_gravity});
+    const double energy = factor * self_gravity(F, strong_gravity);
+    const Matrix3d gradient = factor * self_gravity_gradient(F, strong_gravity) * reference.shape.transpose();
     EXPECT_NEAR(V.energies(Q).gravitational, energy, 1e-14 * std::abs(energy));
     EXPECT_LT((V.gradient(Q) - gradient).norm(), 1e-13 * gradient.norm());
     EXPECT_LT((reference.shape * reference.shape.transpose() * reference.mass / 5 - reference.E0).norm(), 1e-14);
@@ -166,7 +165,7 @@ TEST(Potential, QuadraticPotentialIsTheIntegralOverTheBody) {
 TEST(Potential, MultiplierOfAGeneralReferenceBody) {
   std::mt19937 generator(8);
   for (const auto& reference : reference_bodies()) {
-    const auto body = elastic_sl3({G, generic_quadratic(), reference});
+    const auto body = elastic_sl3({strong_gravity, generic_quadratic(), reference});
     const auto s = random_unimodular_state(generator);
     const Matrix3d Q_inverse = s.q.inverse(), L = Q_inverse * s.v, E0_inverse = reference.E0.inverse();
     const Matrix3d dV = body.energy_density().gradient(s.q);
@@ -185,7 +184,7 @@ TEST(Potential, MultiplierOfAGeneralReferenceBody) {
 /// "Z is conserved only if E₀ ∝ Id", with gravity too: turns of the reference body are no symmetry of another E₀.
 TEST(Potential, GravityKeepsCirculationOnlyWhereInertiaIsIsotropic) {
   for (const bool ball : {true, false}) {
-    const auto body = elastic_sl3({G, Matrix3d::Zero(), reference_bodies()[ball ? 0 : 1]});
+    const auto body = elastic_sl3({strong_gravity, Matrix3d::Zero(), reference_bodies()[ball ? 0 : 1]});
     const auto states = integrate_samples(mechanics::ExplicitMultiplier(body), benchmark_state<LoadedSl3>(), 5, 20);
     const auto before = observed(body, states.front()), after = observed(body, states.back());
     EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-12) << "seen 1e-13, tolerance 1e-13";
@@ -203,8 +202,8 @@ TEST(Potential, GravityKeepsCirculationOnlyWhereInertiaIsIsotropic) {
 TEST(Potential, AFluidDoesNotKnowItsReferenceShape) {
   const Vector3d a(1.3, 0.9, 1 / (1.3 * 0.9));
   const Matrix3d S = a.asDiagonal();
-  const auto body = fluid_sl3({G, generic_quadratic(), ReferenceBody::ellipsoid(a)});
-  const auto ball = fluid_sl3({G, generic_quadratic()});
+  const auto body = fluid_sl3({strong_gravity, generic_quadratic(), ReferenceBody::ellipsoid(a)});
+  const auto ball = fluid_sl3({strong_gravity, generic_quadratic()});
   const auto start = benchmark_state<LoadedSl3>();
   const auto states = integrate_samples(mechanics::ExplicitMultiplier(body), start, 4, 20);
   const auto of_ball =

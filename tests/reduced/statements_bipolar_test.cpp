@@ -27,18 +27,18 @@ constexpr int margin = 8;
 constexpr double difference_tolerance = 1e-8;
 
 /// A motion of (5.120) by RATTLE of order 8, which knows no axes.
-struct SampledMotion {
+struct PathMotion {
   std::vector<State<Sl3>> states;
   std::vector<Matrix3d> Q, Qdot;
   std::vector<double> lambda;
   double h;
 };
-SampledMotion sampled_motion(const State<Sl3>& start, double end, double h) {
+PathMotion path_motion(const State<Sl3>& start, double end, double h) {
   const Sl3 body = neo_hookean_sl3();
   const long n = std::lround(end / h);
   const auto r = run<mechanics::Rattle8>(body, start, end, n, 2);
   EXPECT_TRUE(r.finished()) << r.result.reason;
-  SampledMotion motion{r.states, {}, {}, {}, h};
+  PathMotion motion{r.states, {}, {}, {}, h};
   for (const auto& s : r.states) {
     motion.Q.push_back(s.q);
     motion.Qdot.push_back(s.v);
@@ -47,14 +47,14 @@ SampledMotion sampled_motion(const State<Sl3>& start, double end, double h) {
   return motion;
 }
 /// Three axes of their own frames, turning in space and in the body.
-const SampledMotion& generic_motion() {
-  static const SampledMotion motion = sampled_motion(benchmark_state<Sl3>(), 12, 0.0025);
+const PathMotion& generic_motion() {
+  static const PathMotion motion = path_motion(benchmark_state<Sl3>(), 12, 0.0025);
   return motion;
 }
 /// The third axis turns with nothing and passes through the others, which turn with spin and circulation.
-SampledMotion crossing_motion(double h) {
+PathMotion crossing_motion(double h) {
   const Matrix3d Q = diagonal(1.5, 1.2, 1 / 1.8);
-  return sampled_motion(moving<Sl3>(Q, Q * matrix({0.2, -0.8, 0, 0.5, -0.2, 0, 0, 0, 0})), 2, h);
+  return path_motion(moving<Sl3>(Q, Q * matrix({0.2, -0.8, 0, 0.5, -0.2, 0, 0, 0, 0})), 2, h);
 }
 
 /// −∂V̄/∂A + λA⁻¹ (det A = 1), the right side of (5.121).
@@ -105,7 +105,7 @@ TEST(Statement_Eq5_121, VelocityInThePrincipalAxes) {
 }
 
 /// The program's residual of (5.121) at sample k, with the force and a multiplier.
-Matrix3d program_residual(const SampledMotion& motion, int k, double lambda) {
+Matrix3d program_residual(const PathMotion& motion, int k, double lambda) {
   const Sl3 body = neo_hookean_sl3();
   std::array<State<Sl3>, 9> around;
   std::copy_n(motion.states.begin() + k - 4, around.size(), around.begin());

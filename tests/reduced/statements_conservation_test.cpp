@@ -97,9 +97,6 @@ TEST(Statement_Momenta, CirculationIsNotConservedForATriaxialReferenceBody) {
   expect_J_alone(Gl3(Law{1, 1}, triaxial_inertia()), benchmark_state<Gl3>());
 }
 
-using BodyState = mechanics::VectorState<Matrix3d>;
-BodyState transposed(const BodyState& s) { return {s.t, s.q.transpose(), s.v.transpose()}; }
-
 /// "Dedekind duality: Q(t) a solution ⇒ Q(t)ᵀ a solution", and J and Z change places: J(Qᵀ) = −Z(Q), Z(Qᵀ) = −J(Q), as
 /// a turn ω of the one is the turn −ω of the other.
 TEST(Statement_DedekindDuality, TransposedMotionsAreMotions) {

@@ -17,6 +17,7 @@
 #include "support/differences.h"
 #include "support/integrate.h"
 #include "support/reaction.h"
+#include "support/round_off.h"
 
 namespace pseudorigid::testing {
 namespace {
@@ -24,7 +25,6 @@ namespace {
 using Eigen::Matrix3cd;
 
 /// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-constexpr double round_off = 1e-13;
 
 /// "Any real matrix G has a (non unique) bipolar decomposition G = LDR, D = diag(√σ_i), σ_i the eigenvalues of GᵀG in
 /// falling order": whatever L and R are, improper ones too, the semi-axes of the program are D.

@@ -30,7 +30,7 @@ using reduced::ReferenceBody;
 using reduced::StaticLandscape;
 
 const ReferenceBody ball = ReferenceBody::unit_ball();
-constexpr double m_bar = 4.0 / 15 * std::numbers::pi, volume = 4.0 / 3 * std::numbers::pi;
+constexpr double ball_m_bar = 4.0 / 15 * std::numbers::pi, ball_volume = 4.0 / 3 * std::numbers::pi;
 
 StaticLandscape neo_hookean_ball(const loads::Forcing& forcing, const Dissipation& dissipation = {}) {
   return {Potential(Law{1, 0}, ball, forcing), ball, dissipation, true};
@@ -54,14 +54,14 @@ Eigen::VectorXd exact_spectrum(const Matrix3d& Q, const Matrix3d& P, const Matri
       if (i != j) basis.push_back(Vector3d::Unit(i) * Vector3d::Unit(j).transpose());
   basis.push_back(diagonal(1, -1, 0));
   basis.push_back(diagonal(0, 1, -1));
-  const Matrix3d dV = volume * (Q - P) + m_bar * T * Q;
+  const Matrix3d dV = ball_volume * (Q - P) + ball_m_bar * T * Q;
   Eigen::MatrixXd B(8, 8), M(8, 8);
   for (int a = 0; a < 8; ++a)
     for (int b = 0; b < 8; ++b) {
       const Matrix3d QX = Q * basis[a], QY = Q * basis[b];
       const Matrix3d square = 0.5 * Q * (basis[a] * basis[b] + basis[b] * basis[a]);
-      B(a, b) = (volume * QX + m_bar * T * QX).cwiseProduct(QY).sum() + dV.cwiseProduct(square).sum();
-      M(a, b) = m_bar * QX.cwiseProduct(QY).sum();
+      B(a, b) = (ball_volume * QX + ball_m_bar * T * QX).cwiseProduct(QY).sum() + dV.cwiseProduct(square).sum();
+      M(a, b) = ball_m_bar * QX.cwiseProduct(QY).sum();
     }
   return generalized_eigenvalues(B, M);
 }
@@ -130,7 +130,7 @@ TEST(Statement_5_8_3, EquilibriaOfABallUnderEqualTension) {
     const CriticalPoints found = equilibria(neo_hookean_ball({.nominal_traction = P}));
     EXPECT_EQ(found.points.size(), exact.size());
     for (const Matrix3d& Q : exact) {
-      const double V = volume * (0.5 * (Q.squaredNorm() - 3) - T * Q.trace());
+      const double V = ball_volume * (0.5 * (Q.squaredNorm() - 3) - T * Q.trace());
       const auto same =
           std::ranges::find_if(found.points, [&](const CriticalPoint& p) { return std::abs(p.V - V) < 1e-10; });
       ASSERT_NE(same, found.points.end()) << Q;
@@ -174,11 +174,11 @@ TEST(StaticEquilibria, OfATideAreOneShape) {
   const Matrix3d T = diagonal(-1.1, 0.4, 0.9);
   const CriticalPoints found = equilibria(neo_hookean_ball({.quadratic = T}));
   ASSERT_EQ(found.points.size(), 1);
-  const Vector3d k = Vector3d::Constant(volume) + m_bar * T.diagonal();
+  const Vector3d k = Vector3d::Constant(ball_volume) + ball_m_bar * T.diagonal();
   const double lambda = std::cbrt(k.prod());  // Λ, but for the −Vol ln det Q of the law, which is stress-free at Id
   const Matrix3d Q = StaticLandscape::matrix(found.points[0].q), B = Q * Q.transpose();
   EXPECT_LT((B - Matrix3d((lambda * k.cwiseInverse()).asDiagonal())).norm(), 1e-12);
-  EXPECT_NEAR(found.points[0].lambda[0], lambda - volume, 1e-11);
+  EXPECT_NEAR(found.points[0].lambda[0], lambda - ball_volume, 1e-11);
   EXPECT_EQ(found.points[0].nullity, 3) << "turns of the reference ball";
   EXPECT_EQ(found.points[0].morse_index, 0);
   const Eigen::VectorXd exact = exact_spectrum(Q, Matrix3d::Zero(), T);

@@ -15,7 +15,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-bool mentions(const std::vector<std::string>& lines, std::string_view text) {
+bool has_line(const std::vector<std::string>& lines, std::string_view text) {
   return std::ranges::find(lines, text) != lines.end();
 }
 
@@ -49,9 +49,9 @@ TEST(EveryLoad, IsAbsentByDefaultAndHasItsLines) {
     scene.loads.get<L>() = filled;
     if (L::skipped.empty()) return;
     const loads::BodyFacts ball{.incompressible = true, .volume_by_inertia = 5};
-    EXPECT_TRUE(mentions(needs(plain).skipped, L::skipped));
-    EXPECT_TRUE(mentions(needs(scene).needed, filled.needed(ball))) << filled.needed(ball);
-    EXPECT_FALSE(mentions(needs(scene).skipped, L::skipped));
+    EXPECT_TRUE(has_line(needs(plain).skipped, L::skipped));
+    EXPECT_TRUE(has_line(needs(scene).needed, filled.needed(ball))) << filled.needed(ball);
+    EXPECT_FALSE(has_line(needs(scene).skipped, L::skipped));
   });
 }
 

@@ -16,14 +16,13 @@
 #include "support/differences.h"
 #include "support/runs.h"
 #include "systems/conservative_checks.h"
+#include "systems/rigid_motions.h"
 #include "systems/sample_systems.h"
 
 namespace pseudorigid::testing {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 using systems::FixedPointBody;
-
-Vector3d axial_of_skew(const Matrix3d& W) { return -0.5 * mechanics::axial_vector(W); }
 
 const systems::EulerAngles some_angles{0.7, 1.1, -2.3}, some_rates{0.4, -0.9, 1.3};
 

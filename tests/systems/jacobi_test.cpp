@@ -24,7 +24,7 @@ using mechanics::JacobiLengthField;
 using mechanics::JacobiMetric;
 using mechanics::State;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The Euclidean plane.
 struct Plane {

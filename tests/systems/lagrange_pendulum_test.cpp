@@ -12,6 +12,7 @@
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "mechanics/equilibria/critical_points.h"
 #include "support/integrate.h"
+#include "support/round_off.h"
 #include "support/surface_curves.h"
 #include "systems/double_pendulum.h"
 #include "systems/double_pendulum_chart.h"
@@ -25,11 +26,10 @@ using mechanics::State;
 using systems::DoublePendulum;
 using systems::DoublePendulumChart;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr DoublePendulumChart pendulum{1.3, 0.7, 0.9, 1.2, 2.1};
-constexpr double round_off = 1e-13;  // sums of six terms of order 1 to 10
 
-std::vector<CurveJet> jets() { return random_jets({-pi, -pi}, {pi, pi}, 50); }
+std::vector<CurveJet> pendulum_jets() { return random_jets({-pi, -pi}, {pi, pi}, 50); }
 
 /// Left sides of (5.44) and (5.45); `term` is that of (5.44) in place of the right φ̇² sin(θ−φ).
 Vector2d lagrange_equations(const CurveJet& jet, double term) {
@@ -65,7 +65,7 @@ struct LagrangeField {
 TEST(Statement_Eq5_44, LagrangeFormIsChartForm) {
   const ChartField field(pendulum);
   auto w = field.make_workspace();
-  for (CurveJet jet : jets()) {
+  for (CurveJet jet : pendulum_jets()) {
     ASSERT_TRUE(field.acceleration(0, jet.q, jet.v, w, jet.a));
     EXPECT_LT(lagrange_equations(jet, right_term(jet)).norm(), round_off);
   }
@@ -83,7 +83,7 @@ TEST(Correction_1, PrintedSignOf5_44BreaksEnergy) {
     return jet.v.dot(pendulum.metric(jet.q) * D) + mechanics::potential_differential(pendulum, jet.q).dot(jet.v);
   };
   double largest = 0;
-  for (const CurveJet& jet : jets()) {
+  for (const CurveJet& jet : pendulum_jets()) {
     const auto& [q, v, a] = jet;
     const double printed = 2 * pendulum.m2 * pendulum.l1 * pendulum.l2 * v[0] * v[0] * v[1] * std::sin(q[0] - q[1]);
     EXPECT_NEAR(energy_rate({right_term}, jet), 0, round_off);
@@ -106,7 +106,7 @@ TEST(Correction_1, PrintedSignOf5_44BreaksEnergy) {
 /// 5.5.2: the mass matrix has the determinant m₁m₂l₁²l₂² + m₂²l₁²l₂² sin²(θ−φ) > 0.
 TEST(Statement_5_5_2, DeterminantOfTheMassMatrix) {
   const auto& [m1, m2, l1, l2, g] = pendulum;
-  for (const auto& [q, v, a] : jets()) {
+  for (const auto& [q, v, a] : pendulum_jets()) {
     const double s = std::sin(q[0] - q[1]), ll = l1 * l1 * l2 * l2;
     EXPECT_NEAR(pendulum.metric(q).determinant(), m1 * m2 * ll + m2 * m2 * ll * s * s, round_off);
   }
@@ -115,7 +115,7 @@ TEST(Statement_5_5_2, DeterminantOfTheMassMatrix) {
 /// 5.5.2: E_m = ½(m₁+m₂)l₁²θ̇² + ½m₂l₂²φ̇² + m₂l₁l₂θ̇φ̇ cos(θ−φ) − (m₁+m₂)gl₁cos θ − m₂gl₂cos φ is that of the points.
 TEST(Statement_5_5_2, EnergyInAnglesIsThatOfThePoints) {
   const DoublePendulum points({pendulum.m1, pendulum.m2, pendulum.l1, pendulum.l2, pendulum.gravity});
-  for (const auto& [q, v, a] : jets()) {
+  for (const auto& [q, v, a] : pendulum_jets()) {
     Eigen::Vector4d x, dx;
     points.from_angles(q, v, x, dx);
     EXPECT_LT((pendulum.embedding(q) - x).norm(), round_off);

@@ -35,7 +35,7 @@ using mechanics::ChartLandscape;
 using mechanics::CriticalPoints;
 using systems::Torus;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using TorusState = mechanics::State<ChartField<Torus>>;
 
 CriticalPoints critical_points(const Torus& torus) {

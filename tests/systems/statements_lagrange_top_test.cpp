@@ -15,7 +15,7 @@ namespace pseudorigid::testing {
 namespace {
 
 using systems::EulerAngleChart, systems::LagrangeTop;
-using Top = systems::EulerTop<systems::LoadTorque>;
+using TopByEuler = systems::EulerTop<systems::LoadTorque>;
 
 Matrix3d tilted_inertia() { return systems::inertia_operator(tilted_E0()); }
 const Vector3d some_angles_of_body(0.7, 1.1, -2.3);
@@ -111,14 +111,14 @@ TEST(Statement_Eq5_115, HeavyTopByThreeWays) {
   const double end = 100 * 2 * std::numbers::pi / Omega.norm();
   const LagrangeTop lagrange(parameters.A(), parameters.loads());
   const auto in_angles = integrate(lagrange, LagrangeTop::turning(R, Omega), end, 1e-14);
-  const auto by_euler = integrate(parameters.by_euler(), Top::turning(R, Omega), end, 1e-15);
+  const auto by_euler = integrate(parameters.by_euler(), TopByEuler::turning(R, Omega), end, 1e-15);
   const auto constrained = run<mechanics::Rattle8>(parameters.body(), systems::turning(R, Omega), end, 100, 100);
   ASSERT_TRUE(constrained.finished()) << constrained.result.reason;
   const Matrix3d R_lagrange = LagrangeTop::rotation(in_angles.q);
-  EXPECT_LT((R_lagrange - Top::rotation(by_euler.q)).norm(), 1e-9);
+  EXPECT_LT((R_lagrange - TopByEuler::rotation(by_euler.q)).norm(), 1e-9);
   EXPECT_LT((R_lagrange - constrained.last().q).norm(), 1e-9);
   EXPECT_LT((LagrangeTop::body_angular_velocity(in_angles.q, in_angles.v) -
-             Top::body_angular_velocity(by_euler.q, by_euler.v))
+             TopByEuler::body_angular_velocity(by_euler.q, by_euler.v))
                 .norm(),
             1e-9);
   EXPECT_GT(std::abs(in_angles.q[2]), 500) << "the angle ψ has turned a hundred times";

@@ -17,8 +17,8 @@
 namespace pseudorigid::testing {
 namespace {
 
-using Top = systems::EulerTop<>;
-constexpr double pi = std::numbers::pi;
+using FreeTopByEuler = systems::EulerTop<>;
+using std::numbers::pi;
 
 struct FreeBodyOfMoments {
   Vector3d moments;
@@ -45,9 +45,9 @@ double solid_angle(const FreeBodyOfMoments& b) {
 /// The rotation that the program's motion makes in a time, from the point of the torus that is reached at t0.
 Matrix3d turn(const FreeBodyOfMoments& b, double t0, double duration) {
   const auto start = FreeTop(b.moments, b.K, b.L).at(t0);
-  const Top top({b.moments.asDiagonal(), {}});
-  const auto end = integrate(top, Top::turning(start.R, start.Omega), duration, 1e-15);
-  return Top::rotation(end.q) * start.R.transpose();
+  const FreeTopByEuler top({b.moments.asDiagonal(), {}});
+  const auto end = integrate(top, FreeTopByEuler::turning(start.R, start.Omega), duration, 1e-15);
+  return FreeTopByEuler::rotation(end.q) * start.R.transpose();
 }
 /// About e_z.
 Matrix3d about_p(double angle) { return Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix(); }

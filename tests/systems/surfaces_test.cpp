@@ -9,6 +9,7 @@
 
 #include "mechanics/core/chart_field.h"
 #include "support/integrate.h"
+#include "support/round_off.h"
 #include "support/surface_curves.h"
 
 namespace pseudorigid::testing {
@@ -19,8 +20,6 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using mechanics::ChartField;
 using mechanics::State;
-
-constexpr double round_off = 1e-13;  // some ten terms of order 1 to 10
 
 /// Image of a curve's 2-jet: position, velocity and acceleration in space.
 struct SpaceJet {
@@ -55,11 +54,11 @@ void for_each_embedded_surface(const Test& test) {
   test(systems::Paraboloid{0.8});
 }
 
-std::vector<CurveJet> jets() { return random_jets({0.2, -3}, {2.9, 3}, 50); }
+std::vector<CurveJet> surface_jets() { return random_jets({0.2, -3}, {2.9, 3}, 50); }
 
 TEST(Surfaces, MetricIsInducedByTheEmbedding) {
   for_each_embedded_surface([](const auto& surface) {
-    for (const auto& [q, v, a] : jets()) {
+    for (const auto& [q, v, a] : surface_jets()) {
       const auto Dx = tangent_map(surface, q);
       const Matrix2d g = surface.metric(q);
       EXPECT_LT((g - Dx.transpose() * Dx).norm(), round_off * g.norm());
@@ -72,7 +71,7 @@ TEST(Surfaces, MetricIsInducedByTheEmbedding) {
 TEST(Statement_Ex5_4_1, TangentialPartOfTheAccelerationIsTheConnectionOfTheInducedMetric) {
   for_each_embedded_surface([](const auto& surface) {
     const ChartField field(surface);
-    for (const CurveJet& jet : jets()) {
+    for (const CurveJet& jet : surface_jets()) {
       Vector2d D;
       ASSERT_TRUE(field.covariant_acceleration(jet.q, jet.v, jet.a, D));
       const auto Dx = tangent_map(surface, jet.q);

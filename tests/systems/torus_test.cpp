@@ -21,7 +21,7 @@ using mechanics::ChartField;
 using mechanics::ChartLandscape;
 using systems::Torus;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using TorusState = mechanics::State<ChartField<Torus>>;
 
 /// 5.8.8: ẅ = −(3 + cos w) sin w u̇² + g sin w cos u − c ẇ;

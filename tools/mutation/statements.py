@@ -32,11 +32,8 @@ class Statements(mutate.Workplace):
 
     def targets_to_build(self):
         """The targets of the files in the table."""
-        target_of = {}
-        for folder in {file.split("/")[0] for _, _, file in rows()}:
-            text = (mutate.SOURCE / "tests" / folder / "CMakeLists.txt").read_text()
-            target_of |= {f"{folder}/{source}": target for target, source in
-                          re.findall(r"pseudorigid_test\((\w+) .*?SOURCES (\w+\.cpp)", text)}
+        target_of = {f"{folder}/{source}": target for folder in {file.split("/")[0] for _, _, file in rows()}
+                     for target, sources in mutate.sources_of_tests(folder).items() for source in sources}
         return sorted({target_of[file] for _, _, file in rows()})
 
     def cases(self, test):
