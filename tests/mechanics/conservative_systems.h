@@ -25,14 +25,14 @@ class ConservativePendulum : public SphericalPendulum {
 
 /// Unit masses q_k on a chain of rods of length 1 that hangs from the origin in the gravity (0, 0, −1):
 /// g_k = ½(|q_k − q_{k−1}|² − 1). The number of constraints is known at run time only.
-class PendulumChain {
+class ConservativeChain {
  public:
   using Vector = Eigen::Matrix3Xd;
   using Multiplier = Eigen::VectorXd;
   struct Workspace {};
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
-  explicit PendulumChain(int n) : n_(n) {}
+  explicit ConservativeChain(int n) : n_(n) {}
 
   mechanics::Status force(double, const Vector&, const Vector&, Workspace&, Vector& f) const {
     f.setZero();
@@ -89,8 +89,8 @@ class PendulumChain {
   }
 
   /// Rods that lean in different directions, and velocities across them.
-  mechanics::State<PendulumChain> leaning() const {
-    mechanics::State<PendulumChain> s{0, make_vector(), make_vector()};
+  mechanics::State<ConservativeChain> leaning() const {
+    mechanics::State<ConservativeChain> s{0, make_vector(), make_vector()};
     Eigen::Vector3d end = Eigen::Vector3d::Zero(), velocity = end;
     for (int k = 0; k < n_; ++k) {
       const Eigen::Vector3d rod = Eigen::Vector3d(0.6 - 0.5 * k, 0.3 * k, -0.8).normalized();
@@ -107,6 +107,6 @@ class PendulumChain {
   int n_;
 };
 
-static_assert(mechanics::ConservativeSystem<ConservativePendulum> && mechanics::ConservativeSystem<PendulumChain>);
+static_assert(mechanics::ConservativeSystem<ConservativePendulum> && mechanics::ConservativeSystem<ConservativeChain>);
 
 }  // namespace pseudorigid::testing

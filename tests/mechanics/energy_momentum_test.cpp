@@ -30,7 +30,7 @@ TEST(EnergyMomentum, TwoConstraintsWithGravity) {
 
 TEST(EnergyMomentum, NumberOfConstraintsKnownAtRunTime) {
   for (const int n : {1, 2, 4}) {
-    const PendulumChain chain(n);
+    const ConservativeChain chain(n);
     for (const double h : {0.02, 0.1}) expect_everything_kept<EnergyMomentum>(chain, chain.leaning(), h, 1000);
   }
 }
