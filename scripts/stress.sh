@@ -28,7 +28,7 @@ run_sanitizers() {
   # Threads are used by sweeps only, of systems without finite elements.
   configure tsan -DPSEUDORIGID_TESTS=ON
   build tsan pseudorigid
-  TSAN_OPTIONS=halt_on_error=1 ctest --test-dir "$root/build/tsan" --output-on-failure --no-tests=error -R sweep
+  TSAN_OPTIONS=halt_on_error=1 ctest --test-dir "$root/build/tsan" --output-on-failure --no-tests=error -R "^Sweeps|sweep"
 }
 
 options=(--output "$root/output/stress")

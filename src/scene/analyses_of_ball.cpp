@@ -72,7 +72,7 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
-/// Modes are those of small motions about rest.
+/// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (has_mesh_file(scene)) return Refusal{"Continuum/Mesh", "modes are those of the ball; set Mesh = builtin"};
   const auto with_modes = names_where(scene, &ModelDescription::has_modes);
@@ -95,6 +95,9 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
     return Refusal{"Analysis",
                    "modes are those of the ball alone, with self-gravity or without; leave out other loads, "
                    "viscosity, drag and motions of the centre"};
+  if (scene.continuum.symmetry != Symmetry::automatic && scene.continuum.symmetry != Symmetry::octant)
+    return Refusal{"Continuum/Symmetry",
+                   "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto"};
   if (is_fluid(scene))
     return Refusal{"Material/Law",
                    "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0"};
@@ -104,12 +107,12 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
 }  // namespace
 
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene) {
+  if (scene.analysis == Analysis::equilibrium)
+    if (auto refusal = refuses_equilibria(scene)) return refusal;
   // Whatever is looked for, the initial state may be a member of a family.
   if (scene.initial_state.equilibrium != Family::none)
     if (auto refusal = refuses_relative_equilibrium(scene)) return refusal;
-  if (scene.analysis == Analysis::equilibrium) return refuses_equilibria(scene);
-  if (scene.analysis == Analysis::modes) return refuses_modes(scene);
-  return {};
+  return scene.analysis == Analysis::modes ? refuses_modes(scene) : std::nullopt;
 }
 
 }  // namespace pseudorigid::scene

@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// Nothing where the scene's analysis is a motion.
+/// Of a motion: what an equilibrium asks that is its initial state.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
 }  // namespace pseudorigid::scene

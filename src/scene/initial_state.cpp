@@ -6,6 +6,7 @@
 
 #include "entries/entry_kinds.h"
 #include "scene/scales.h"
+#include "scene/scene.h"
 
 namespace pseudorigid::scene {
 namespace {

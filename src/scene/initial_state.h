@@ -13,9 +13,6 @@
 
 namespace pseudorigid::scene {
 
-/// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
-constexpr double largest_condition = 1e12, largest_stretch = 1e12;
-
 /// Entries that are too large or too small, and a body that is turned inside out.
 std::optional<Refusal> refuses_initial_state(const Scene& scene);
 

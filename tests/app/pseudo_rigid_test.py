@@ -14,6 +14,12 @@ FLUID = {"Models": "reduced", "Material/Law": "none", "Gravity/Constant": "$(1/p
 
 
 class PseudoRigid(ReducedTest):
+    def run_params(self, name, *options):
+        """Runs a scene of params/ and returns its folder."""
+        self.scene((SOURCE / f"params/{name}.prm").read_text(), f"{name}.prm")
+        self.run_done("run", f"{name}.prm", *options)
+        return self.scratch / "output" / name
+
     # The scenes of params/
 
     def test_maclaurin(self):

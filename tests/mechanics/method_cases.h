@@ -1,6 +1,6 @@
 #pragma once
-/// Motions for methods without a constraint solver, until t = End; with End/Coarsest for a step the fitted order
-/// begins.
+/// Motions until t = End for methods without a constraint solver. The fit of an order begins with the step
+/// End/Coarsest.
 
 #include "materials/ciarlet_geymonat.h"
 #include "mechanics/toy_systems.h"

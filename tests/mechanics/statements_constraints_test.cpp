@@ -28,8 +28,6 @@ using Eigen::Vector3d;
 using mechanics::ChartField;
 using mechanics::State;
 
-/// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-
 template <class S>
 struct Sample {
   S system;

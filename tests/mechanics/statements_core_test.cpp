@@ -26,9 +26,7 @@ using mechanics::ChartField;
 using mechanics::State;
 using systems::DoublePendulumChart;
 
-constexpr double pi = std::numbers::pi;
-/// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-
+using std::numbers::pi;
 template <class C>
 using Vector = mechanics::ChartVector<C>;
 template <class C>

@@ -91,14 +91,14 @@ double energy(const State<DampedSl3>& s) {
 /// A spheroid in steady rotation (PHYSICS section 4): Ω² = κ(1 − ℓ³).
 constexpr double spheroid_axis = 0.6;
 const double spheroid_spin = std::sqrt(kappa * (1 - std::pow(spheroid_axis, 3)));
-State<Sl3> spinning_spheroid() {
+State<Sl3> turning_spheroid() {
   const Matrix3d Q = stretched(spheroid_axis).q;
   return moving<Sl3>(Q, hat({0, 0, spheroid_spin}) * Q);
 }
 
 /// "D = −cQ̇ is not objective": it has power on rigid motions, and J and Z fall as e^{−ct}, whatever the motion.
 TEST(Correction_12, LinearDampingDestroysAngularMomentumAndCirculation) {
-  for (const auto& start : {benchmark_state<Sl3>(), spinning_spheroid()}) {
+  for (const auto& start : {benchmark_state<Sl3>(), turning_spheroid()}) {
     const auto before = observed(neo_hookean_sl3(), start);
     for (const auto& s : damped_motion(linear_damping, start)) {
       const auto o = observed_motion(s);
@@ -106,7 +106,7 @@ TEST(Correction_12, LinearDampingDestroysAngularMomentumAndCirculation) {
       EXPECT_LT((o.circulation - std::exp(-c * s.t) * before.circulation).norm(), 1e-11);
     }
   }
-  const auto s = spinning_spheroid();
+  const auto s = turning_spheroid();
   EXPECT_NEAR(mechanics::dot(force_per_m_bar(linear_damping, s.q, s.v), s.v), -c * s.v.squaredNorm(), 1e-14);
   const Matrix3d Q = DampedSl3::matrix(damped_motion(linear_damping, s).back().q);
   EXPECT_GT((Q - rotation_z(3 * spheroid_spin) * s.q).norm(), 0.1) << "a steady rotation does not go on";
@@ -144,7 +144,7 @@ TEST(Correction_12, ObjectiveViscosityVanishesOnRigidMotions) {
     EXPECT_LT(force_per_m_bar(objective_viscosity, Q, turning).norm(), 1e-14);
     EXPECT_GT(force_per_m_bar(linear_damping, Q, turning).norm(), 1e-2);
   }
-  const auto start = spinning_spheroid();
+  const auto start = turning_spheroid();
   for (const auto& s : damped_motion(objective_viscosity, start))
     EXPECT_LT((DampedSl3::matrix(s.q) - rotation_z(spheroid_spin * s.t) * start.q).norm(), 1e-11);
 }

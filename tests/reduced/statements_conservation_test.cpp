@@ -25,13 +25,13 @@ std::vector<State<Body>> motion(const Body& body, const State<Body>& start, doub
   return integrate_samples(ExplicitMultiplier(body), start, end, 50);
 }
 /// Largest departures from the values at the start.
-struct Departures {
+struct LargestDepartures {
   double angular_momentum = 0, circulation = 0;
 };
 template <class Body>
-Departures departures(const Body& body, const std::vector<State<Body>>& states) {
+LargestDepartures largest_departures(const Body& body, const std::vector<State<Body>>& states) {
   const auto start = observed(body, states.front());
-  Departures d;
+  LargestDepartures d;
   for (const auto& s : states) {
     const auto o = observed(body, s);
     d.angular_momentum = std::max(d.angular_momentum, (o.angular_momentum - start.angular_momentum).norm());
@@ -77,7 +77,7 @@ TEST(Statement_Momenta, AreConservedOnSl3AndOnGl3) {
     const auto before = observed(body, start);
     ASSERT_GT(std::min(before.angular_momentum.norm(), before.circulation.norm()), 0.5);
     ASSERT_GT((before.angular_momentum - before.circulation).norm(), 0.1) << "two different vectors";
-    const auto d = departures(body, motion(body, start));
+    const auto d = largest_departures(body, motion(body, start));
     EXPECT_LT(d.angular_momentum, 1e-12) << "the method's error at its tolerance 1e-13 (seen 1e-13)";
     EXPECT_LT(d.circulation, 1e-12);
   };
@@ -89,7 +89,7 @@ TEST(Statement_Momenta, AreConservedOnSl3AndOnGl3) {
 /// space are.
 TEST(Statement_Momenta, CirculationIsNotConservedForATriaxialReferenceBody) {
   const auto expect_J_alone = [](const auto& body, const auto& start) {
-    const auto d = departures(body, motion(body, start));
+    const auto d = largest_departures(body, motion(body, start));
     EXPECT_LT(d.angular_momentum, 1e-12);
     EXPECT_GT(d.circulation, 1e-2);
   };

@@ -24,8 +24,6 @@ namespace {
 
 using Eigen::Matrix3cd;
 
-/// Sums of some ten terms of order 1 to 10, evaluated in two ways.
-
 /// "Any real matrix G has a (non unique) bipolar decomposition G = LDR, D = diag(√σ_i), σ_i the eigenvalues of GᵀG in
 /// falling order": whatever L and R are, improper ones too, the semi-axes of the program are D.
 TEST(Statement_5_7_1, BipolarDecomposition) {

@@ -16,6 +16,7 @@ REDUCED = {"Models": "reduced", "Initial state/Velocity": "0.1, 0, 0; 0, 0.1, 0;
            "Time/Method": "rattle", "Time/Step": 0.01, "Output/Samples": 5}
 SCENES = {"reduced": REDUCED, "double_pendulum": {"System": "double pendulum", "Time/End": 1, "Output/Samples": 5},
           "continuum": {**REDUCED, "Models": "continuum", "Continuum/Degree": 2, "Time/End": 0.2}}
+MESHES = "Gmsh.*:MeshFiles.*"  # the test cases of io_test that read meshes
 TALLY = re.compile(r"mutants of (.*): (\d+) refused, (\d+) accepted")
 
 
@@ -54,7 +55,7 @@ def in_process(quick):
     folder = pathlib.Path(os.environ["PSEUDORIGID_TESTS"])
     number = "1000" if quick else "10000"
     for name, test in (("stress_mutants_test", "Mutants*"), ("stress_prm_mutants_test", "Mutants*"),
-                       ("io_checkpoint_test", "*"), ("io_test", "Gmsh.*:MeshFiles.*"), ("scene_oracle_test", "*")):
+                       ("io_checkpoint_test", "*"), ("io_test", MESHES), ("scene_oracle_test", "*")):
         if not (folder / name).exists():
             continue
         result = subprocess.run([folder / name, f"--gtest_filter={test}"], capture_output=True, text=True, timeout=3000,
@@ -64,7 +65,7 @@ def in_process(quick):
             yield {"kind": f"mutants of {of}", "runs": int(refused), "code": WRONG_INPUT, "faults": found}
             yield {"kind": f"mutants of {of}", "runs": int(accepted), "code": DONE, "faults": ""}
         if found or not TALLY.search(result.stdout):
-            yield {"kind": name, "code": result.returncode, "faults": found}
+            yield {"kind": f"{name} {test}".removesuffix(" *"), "code": result.returncode, "faults": found}
 
 
 def resumed(program, number, rng, with_continuum):

@@ -1,5 +1,4 @@
 """What tests of the reduced body's scenes share."""
-from program_test import SOURCE
 from stopped_run import StoppedRunTest
 
 BALL = {"Models": "reduced", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 0, 0, 0.8",
@@ -8,12 +7,6 @@ BALL = {"Models": "reduced", "Initial state/Deformation": "1.25, 0, 0; 0, 1, 0; 
 
 
 class ReducedTest(StoppedRunTest):
-    def run_params(self, name, *options):
-        """Runs a scene of params/ and returns its folder."""
-        self.scene((SOURCE / f"params/{name}.prm").read_text(), f"{name}.prm")
-        self.run_done("run", f"{name}.prm", *options)
-        return self.scratch / "output" / name
-
     def run_scene(self, entries, *options, name="scene"):
         self.scene(entries, f"{name}.prm")
         return self.run_done("run", f"{name}.prm", *options)

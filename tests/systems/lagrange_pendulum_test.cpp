@@ -104,7 +104,7 @@ TEST(Correction_1, PrintedSignOf5_44BreaksEnergy) {
 }
 
 /// 5.5.2: the mass matrix has the determinant m₁m₂l₁²l₂² + m₂²l₁²l₂² sin²(θ−φ) > 0.
-TEST(Statement_5_5_2, DeterminantOfTheMassMatrix) {
+TEST(Statement_5_5_2, DeterminantOfTheMassMatrixOfTheChart) {
   const auto& [m1, m2, l1, l2, g] = pendulum;
   for (const auto& [q, v, a] : pendulum_jets()) {
     const double s = std::sin(q[0] - q[1]), ll = l1 * l1 * l2 * l2;
@@ -151,7 +151,7 @@ TEST(Statement_5_5_2, FourCriticalPoints) {
 }
 
 /// 5.5.2: multiplier form (5.43) and Lagrange form (5.44)–(5.45) have the same motions; t = 20 at a non-chaotic energy.
-TEST(Statement_5_5_2, MultiplierFormAndLagrangeFormAgree) {
+TEST(Statement_5_5_2, MultiplierFormAndLagrangeFormOfTheChartAgree) {
   const DoublePendulum points({pendulum.m1, pendulum.m2, pendulum.l1, pendulum.l2, pendulum.gravity});
   const mechanics::ExplicitMultiplier constrained(points);
   const ChartField field(pendulum);

@@ -43,7 +43,7 @@ def sources_of_tests(folder):
     """{test program: its sources}, as a folder of tests/ declares them."""
     text = (SOURCE / "tests" / folder / "CMakeLists.txt").read_text()
     return {target: re.findall(r"\w+\.cpp", sources)
-            for target, sources in re.findall(r"^pseudorigid_test\((\w+)\s([^)]*)\)", text, re.M)}
+            for target, sources in re.findall(r"^\s*pseudorigid_test\((\w+)\s([^)]*)\)", text, re.M)}
 
 
 class Workplace:

@@ -35,16 +35,13 @@ std::string continuum_needed(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Modes need a discretisation, and take the symmetry of the ball themselves.
+/// Modes need a discretisation.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (scene.analysis != scene::Analysis::modes) return {};
   if (!scene::fixed_discretization(scene))
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
                    "auto is offered for motions; for modes give a number (the column spread measures the error of "
                    "the mesh)"};
-  if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::octant)
-    return Refusal{"Continuum/Symmetry",
-                   "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto"};
   return {};
 }
 

@@ -20,6 +20,13 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
+/// Gives a method what it carried from step to step. std::invalid_argument where that is of another method.
+template <class Workspace>
+void give_memory(Workspace& workspace, std::span<const double> memory) {
+  if (!memory.empty() && !mechanics::restore_memory(workspace, memory))
+    throw std::invalid_argument("memory of another method");
+}
+
 /// Of a model that one process has whole.
 template <class Model>
 class CheckpointVectors {
@@ -38,8 +45,7 @@ class CheckpointVectors {
   }
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
-    if (!snapshot.memory.empty() && !mechanics::restore_memory(workspace, snapshot.memory))
-      throw std::invalid_argument("memory of another method");
+    give_memory(workspace, snapshot.memory);
   }
   SavedVectors collect(Snapshot& snapshot) const {
     const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
@@ -66,15 +72,13 @@ class CheckpointVectors<Model> {
     snapshot.memory = file.get_doubles("memory");
     memory_is_whole_ = true;
   }
-  /// std::invalid_argument where the memory is that of another method.
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     layout_.emplace(order_);
     workspace.visit_memory(*layout_);
     if (std::exchange(memory_is_whole_, false) && !snapshot.memory.empty())
       snapshot.memory = layout_->take(snapshot.memory);
-    if (!snapshot.memory.empty() && !mechanics::restore_memory(workspace, snapshot.memory))
-      throw std::invalid_argument("memory of another method");
+    give_memory(workspace, snapshot.memory);
   }
   /// Collective; whole on the rank that writes.
   SavedVectors collect(Snapshot& snapshot) const {
