@@ -18,11 +18,12 @@ import PIL.Image
 
 import gallery_bodies
 import gallery_curves
+import gallery_systems
 from run_directory import fail
 
 WIDTH, N_COLOURS = 800, 256
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-PICTURES = {**gallery_bodies.PICTURES, **gallery_curves.PICTURES}  # name -> drawing(run, path of the picture)
+PICTURES = {**gallery_bodies.PICTURES, **gallery_curves.PICTURES, **gallery_systems.PICTURES}  # name -> drawing(run, its path)
 
 
 class Runs:
