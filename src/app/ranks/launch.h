@@ -8,6 +8,7 @@
 /// the results directory keeps them apart.
 
 #include <cstdlib>
+#include <initializer_list>
 
 namespace pseudorigid::app {
 
