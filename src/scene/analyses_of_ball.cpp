@@ -23,12 +23,12 @@ std::string first_entry(const Load& load) {
   return path;
 }
 
-/// The refusal of the first load that acts and of which `keeps_from_rest` holds.
+/// Refuses the first load that acts and for which `is_refused` holds.
 template <class Predicate>
-std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& keeps_from_rest) {
+std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) {
   std::optional<Refusal> refusal;
   scene.loads.for_each([&]<class Load>(const Load& load) {
-    if (!refusal && loads::present(load) && keeps_from_rest(load))
+    if (!refusal && loads::present(load) && is_refused(load))
       refusal = Refusal{first_entry(load), std::string(Load::no_equilibria)};
   });
   return refusal;

@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// Of a motion: what an equilibrium asks that is its initial state.
+/// A motion is refused only where its initial state is an equilibrium that the scene does not have.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -6,6 +6,7 @@
 
 #include "entries/wording.h"
 #include "scene/entries.h"
+#include "scene/owners.h"
 
 namespace pseudorigid::scene {
 namespace {

@@ -15,6 +15,7 @@
 #include "scene/entries.h"
 #include "scene/initial_state.h"
 #include "scene/models.h"
+#include "scene/owners.h"
 #include "scene/scales.h"
 #include "scene/user_error.h"
 

@@ -4,7 +4,8 @@
 ///   translations of space    no spring, across the weight
 ///   turns of space           about an axis that fixes the weight and every anchor
 ///
-/// Turns of the body, R ↦ RO, are not among them: they leave the set g = 0 of the rotations, but not the functions g.
+/// Turns of the body, R ↦ RO, are not among them: they map the rotations, g = 0, to rotations, but change the functions
+/// g.
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"

@@ -8,6 +8,7 @@
 
 #include "app/run/scene_to_model.h"
 #include "scene/needs.h"
+#include "scene/owners.h"
 #include "scene/scene_files.h"
 #include "scene/validate.h"
 #include "support/differences.h"

@@ -35,7 +35,7 @@ std::string continuum_needed(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Modes need a discretisation.
+/// Modes are computed on one given discretisation.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (scene.analysis != scene::Analysis::modes) return {};
   if (!scene::fixed_discretization(scene))

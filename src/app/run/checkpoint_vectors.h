@@ -20,7 +20,8 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
-/// Gives a method what it carried from step to step. std::invalid_argument where that is of another method.
+/// Gives a method the memory that it carried from step to step; std::invalid_argument where the memory is that of
+/// another method.
 template <class Workspace>
 void give_memory(Workspace& workspace, std::span<const double> memory) {
   if (!memory.empty() && !mechanics::restore_memory(workspace, memory))

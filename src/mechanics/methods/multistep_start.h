@@ -1,0 +1,95 @@
+#pragma once
+/// The first k − 1 steps of a symmetric multistep method (symmetric_multistep.h), which another method makes: for order
+/// 8 and 12 the explicit one with a tolerance at round-off, for order 4 a composition of RATTLE of the same order.
+///
+/// Both are a Start<S> of a system S, made once and begun anew wherever the step changes:
+///
+///   begin(system, w)                       from the state, with the compensation of its sum in w
+///   acceleration(system, state, w, a)      a ← M⁻¹(f + Gᵀλ) at the state
+///   step(system, h, state, w)              one step of h
+///   project(system, state, w)              makes the velocity valid, where the steps leave it open
+///   visit_memory(visit)                    what it carries from step to step
+
+#include <limits>
+
+#include "mechanics/core/explicit_multiplier.h"
+#include "mechanics/methods/composition.h"
+#include "mechanics/methods/dormand_prince_8.h"
+#include "mechanics/methods/rattle.h"
+
+namespace pseudorigid::mechanics {
+
+/// The first steps by the explicit method of order 8 with a tolerance at round-off.
+template <ConstrainedSystem S>
+struct ExplicitStart {
+  explicit ExplicitStart(const S& system)
+      : field(system), workspace(field, 4 * std::numeric_limits<double>::epsilon()) {}
+
+  void begin(const S& system, RattleWorkspace<S>& w) {
+    workspace.acceleration_known = false;
+    workspace.h = 0;
+    workspace.q_rounding = w.q_rounding;
+    workspace.v_rounding = system.make_vector();
+  }
+  Status acceleration(const S&, State<S>& state, RattleWorkspace<S>&, typename S::Vector& a) {
+    return field.acceleration(state.t, state.q, state.v, workspace.system, a);
+  }
+  Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
+    // A step that accuracy or stability admits takes a few tens of them. Nobody can interrupt them.
+    constexpr int most = 2000;
+    const double t_end = state.t + h;
+    for (int n = 0; state.t != t_end; ++n) {
+      if (n == most)
+        return Status::failure(
+            "the first steps of the multistep method take more than 2000 small ones each; use a smaller step");
+      if (Status status = DormandPrince8::step(field, t_end, state, workspace); !status) return status;
+    }
+    w.q_rounding = workspace.q_rounding;
+    return {};
+  }
+  Status project(const S&, State<S>&, RattleWorkspace<S>&) const { return {}; }  // the velocity is valid already
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    workspace.visit_memory(visit);
+  }
+
+  ExplicitMultiplier<S> field;
+  DormandPrince8Workspace<ExplicitMultiplier<S>> workspace;
+};
+
+/// The first steps by a composition of RATTLE, which is stable for steps beyond those of the multistep method.
+template <class Composed>
+struct CompositionStart {
+  template <ConstrainedSystem S>
+  struct Of {
+    explicit Of(const S& system) : curvature(system.make_multiplier()) {}
+
+    void begin(const S& system, RattleWorkspace<S>& w) {
+      w.history.n_known = 0;
+      w.pending_weight = 0;
+      w.v_rounding = make_rounding(system);
+    }
+    Status acceleration(const S& system, State<S>& state, RattleWorkspace<S>& w, typename S::Vector& a) {
+      if (Status status = project(system, state, w); !status) return status;
+      if (Status status = Rattle::ensure_acceleration(system, state, w); !status) return status;
+      a = w.acceleration;
+      if constexpr (unconstrained<S>) return {};
+      return detail::add_reaction_of_motion(system, state.q, state.v, w.system, w.constraint, curvature, a);
+    }
+    Status step(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+      const double t_end = state.t + h;
+      if (Status status = Composed::advance(system, h, state, w); !status) return status;
+      state.t = t_end;
+      return {};
+    }
+    Status project(const S& system, State<S>& state, RattleWorkspace<S>& w) {
+      return Rattle::project_velocity(system, state, w);
+    }
+    template <class Visit>
+    void visit_memory(Visit&&) {}
+
+    typename S::Multiplier curvature;
+  };
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,32 @@
+#pragma once
+/// Which system an entry belongs to.
+
+#include <string_view>
+
+#include "scene/catalogue.h"
+#include "scene/entries.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+
+/// The system that an entry belongs to: "ball", the name of another one, or "" for an entry of every scene.
+inline std::string_view owner_of(const Catalogue& catalogue, std::string_view path) {
+  const std::string_view section = path.substr(0, path.find('/'));
+  for (const SystemDescription& system : catalogue.systems)
+    if (section == system.section) return system.name;
+  for (const std::string_view of_ball : {"Models", "Body", "Material", "Gravity", "Loads", "Initial state",
+                                         "Equilibrium", "Modes", "Polynomial", "Continuum"})
+    if (section == of_ball) return ball;
+  for (const std::string_view of_ball :
+       {"Output/Quantities", "Output/Graphics", "Output/Frames", "Output/Fields", "Output/Cells"})
+    if (path == of_ball) return ball;
+  return "";
+}
+
+/// Whether the entry says something about the system of the scene.
+inline bool concerns(const Scene& scene, std::string_view path) {
+  const std::string_view owner = owner_of(catalogue_of(scene), path);
+  return owner.empty() || owner == scene.system;
+}
+
+}  // namespace pseudorigid::scene
