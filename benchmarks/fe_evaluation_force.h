@@ -1,7 +1,7 @@
 #pragma once
 /// The elastic force f_n = −∫P(F):∇φ_n of the same discretisation by dealii::MatrixFree and dealii::FEEvaluation of the
 /// installed library, with the settings that suit it best: geometry stored at the points, unknowns renumbered for its
-/// cell loop, which also clears the result, no test of det F.
+/// cell loop, which also clears the result, no test of det F. Debian's library has vectors of one number.
 
 #include <memory>
 

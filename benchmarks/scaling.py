@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a step of the continuum on several ranks takes, and what it sends: counts for a model of runs on many cores.
+"""What a step of the continuum on several ranks takes, and what it sends.
 
     benchmarks/scaling.py build/release/bin/pseudorigid [--quick] > scaling.csv
 

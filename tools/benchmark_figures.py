@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import FuncFormatter  # noqa: E402
 
 from benchmark_data import (  # noqa: E402
-    HISTORY_LEVELS, discretization, errors_of, front, read_rows, release_uncertainty, runs_of_skipping, work_precision)
+    discretization, errors_of, front, read_rows, release_uncertainty, runs_of_skipping, work_precision)
 from run_directory import fail  # noqa: E402
 
 # Okabe and Ito's colours and some more; marker and kind of line alone tell the methods apart. Own methods have full
@@ -44,7 +44,7 @@ LINES = ("-", "--", ":", "-.")  # by refinements
 KERNELS = {"force": ("#0072B2", "o", "force"), "constraint": ("#009E73", "s", "constraint"),
            "rate": ("#E69F00", "D", "rate of the constraint"), "reaction": ("#CC79A7", "^", "reaction"),
            "gram": ("#000000", "v", "action of S"),
-           "FEEvaluation": ("#D55E00", "x", "force by dealii::FEEvaluation")}
+           "FEEvaluation": ("#D55E00", "x", "force by dealii::FEEvaluation, scalar")}
 
 
 def make(width=8, height=4.8):
@@ -275,23 +275,6 @@ def draw_steps(data, images):
     axes.set_title("cost of a step, released ball, one core", loc="left", fontsize=12)
     finish(axes)
     return save(figure, images / "benchmark_steps.svg")
-
-
-def draw_release_history(data, images):
-    rows = read_rows(data, "release_history.csv")
-    if not rows:
-        return None
-    figure, axes = make(8, 3.6)
-    for level, colour, marker in zip(HISTORY_LEVELS, ("#0072B2", "#D55E00"), "os"):
-        points = [(n, float(r[f"fenicsx_{level:.0e}"]) / float(r[f"seconds_{level:.0e}"])) for n, r in enumerate(rows)
-                  if r[f"fenicsx_{level:.0e}"] and r[f"seconds_{level:.0e}"]]
-        axes.semilogy(*zip(*points), color=colour, marker=marker, linewidth=1.5, label=f"error at most {level:.0e}")
-    axes.set_xticks(range(len(rows)), [f"{r['commit'][:7]}\n{r['date'][:10]}" for r in rows])
-    axes.set_ylabel("time of FEniCSx over ours")
-    plain_numbers(axes.yaxis)
-    axes.set_title("nonlinear release of the ball, over commits", loc="left", fontsize=12)
-    finish(axes)
-    return save(figure, images / "benchmark_release_history.svg")
 
 
 def draw_skipping(data, images):

@@ -45,7 +45,6 @@ TABLES = {
     "steps": tables.steps,
     "ranks": tables.ranks,
     "scaling": tables.scaling,
-    "scaling_to_many": tables.scaling_to_many,
     "gram_iterations": tables.gram_iterations,
     "skipping": tables.skipping,
     "skipped_parts": tables.skipped_parts,
