@@ -44,7 +44,8 @@ print(f"C differs most at t = {reduced.index[apart.argmax()]:.4g}, by {apart.max
 # %% The comparison that the program made.
 print(run.comparison["summary"])
 frequency = run.comparison["frequency"]
-print(f"ratio of the frequencies {frequency['ratio']:.4f} +- {frequency['ratio_uncertainty']:.1g}")
+if frequency["ratio_uncertainty"]:  # none if an error is not known, or if the balls follow a load
+    print(f"ratio of the frequencies {frequency['ratio']:.4f} +- {frequency['ratio_uncertainty']:.1g}")
 
 # %% A phase portrait of both models: the strain and its rate.
 figure, ax = plt.subplots(figsize=(5, 4), layout="constrained")

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "analysis/frequency_error.h"
 #include "analysis/samples.h"
 #include "scene/user_error.h"
 
@@ -21,6 +22,7 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
+  RunErrors of_model, of_reference;
   const ComparisonOptions& options;
   Comparison out;
 
@@ -82,6 +84,21 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
   return time;
 }
 
+FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
+  const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
+  const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
+  // The largest of (a ± δa)/(b ± δb) is at b − δb; a larger δb than b/2 leaves nothing of the ratio in any case.
+  const double least = b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0), b / 2);
+  const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
+  FrequencyRatio ratio{a / b, {.fit = of_parts(of_a.fit, of_b.fit), .time = {}, .space = {}}};
+  const auto both = [&](std::optional<double> ErrorBar::*part) {
+    return of_a.*part && of_b.*part ? std::optional(of_parts(*(of_a.*part), *(of_b.*part))) : std::nullopt;
+  };
+  ratio.error.time = both(&ErrorBar::time);
+  ratio.error.space = both(&ErrorBar::space);
+  return ratio;
+}
+
 void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   Comparison& out = w.out;
   const bool by_reference = !out.model.deforms && out.reference.deforms;
@@ -93,10 +110,14 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
                                : out.model.name + " model");
   out.model.frequency = fit_component(r.component(i, j), out.time, out.model.deforms);
   out.reference.frequency = fit_component(c.component(i, j), out.time, out.reference.deforms);
-  if (!out.model.frequency || !out.reference.frequency) return;
-  const Line &a = out.model.frequency.dominant(), &b = out.reference.frequency.dominant();
-  const double value = a.frequency / b.frequency;
-  out.ratio = FrequencyRatio{value, value * std::hypot(a.uncertainty / a.frequency, b.uncertainty / b.frequency)};
+  const auto judge = [&](ModelSummary& model, const Deformation& deformation, const RunErrors& errors) {
+    model.frequency_error = frequency_error(model.frequency, deformation, {i, j}, out.time, errors);
+    model.load = load_of_line(model.frequency, w.options.facts.load_frequencies);
+  };
+  judge(out.model, r, w.of_model);
+  judge(out.reference, c, w.of_reference);
+  if (!out.model.frequency || !out.reference.frequency || out.model.load || out.reference.load) return;
+  out.ratio = ratio_of(out.model, out.reference);
 }
 
 /// The axial vectors of Q̇Qᵀ and QᵀQ̇ are J/m̄ and Z/m̄.
@@ -115,17 +136,18 @@ void compare_states(Workshop& w) {
   if (!w.available("deformation and frequency", Q_columns)) return;
   Comparison& out = w.out;
   out.has_state = true;
-  const Deformation r(w.r, w.options.resolution, out.model), c(w.c, w.options.resolution, out.reference);
+  const double resolution = w.options.facts.resolution;
+  const Deformation r(w.r, resolution, out.model), c(w.c, resolution, out.reference);
   const std::vector<double> apart = distances(c.Q, r.Q);
   const std::vector<double> sizes = norms(r.Q);
   w.add("q_difference", 1, each(ratio_or_zero, apart, sizes));
-  if (w.options.space_error)
-    out.error = {*w.options.space_error, ratio_or_zero(3 * w.options.time_error, std::ranges::min(sizes))};
+  out.error.space = w.of_reference.space;
+  if (w.of_model.time && w.of_reference.time)
+    out.error.time = ratio_or_zero(3 * (*w.of_model.time + *w.of_reference.time), std::ranges::min(sizes));
   // Where nothing moves, what is left to divide by is the resolution itself.
-  const double departure =
-      std::max({out.model.departure, out.reference.departure, w.options.resolution * r.Q[0].norm()});
+  const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
-      std::max({out.model.strain_amplitude, out.reference.strain_amplitude, w.options.resolution * r.C[0].norm()});
+      std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
   w.add("q_difference_of_departure", departure, apart);
   w.add("strain_difference", amplitude, distances(c.C, r.C));
   fit_frequencies(w, r, c);
@@ -145,7 +167,7 @@ void compare_axes(Workshop& w) {
 
 void compare_energies(Workshop& w) {
   if (!w.available("energies", {"kinetic", "elastic", "energy"})) return;
-  const double reference = std::max(energy_reference(w.r), energy_reference(w.c));
+  const double reference = energy_reference({&w.r, &w.c}, w.options.facts.energy_unit);
   for (const std::string name : {"kinetic", "elastic", "energy"})
     w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)));
   w.out.model.energy_drift = drift(w.r.column("energy"), reference);
@@ -187,7 +209,9 @@ const Series* Comparison::find(std::string_view name) const {
 }
 
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options) {
-  Workshop w{model.table, reference.table, options, {}};
+  Workshop w{model.table, reference.table, model.errors, reference.errors, options, {}};
+  w.of_model.space = 0;
+  w.of_model.other = nullptr;
   w.out.model.name = model.name, w.out.model.adjective = model.adjective;
   w.out.reference.name = reference.name, w.out.reference.adjective = reference.adjective;
   w.out.time = common_times(model, reference);

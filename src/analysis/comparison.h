@@ -13,7 +13,8 @@
 ///   kinetic_difference,
 ///   elastic_difference,
 ///   energy_difference           (E_c − E_r) / E₀,   E₀ = max_t (kinetic + elastic) of the model that has more: without
-///                               gravity, loads and growth by error this is the initial mechanical energy
+///                               gravity, loads and growth by error this is the initial mechanical energy. If nothing
+///                               moves, E₀ is the largest energy that there is (energy_reference)
 ///   angular_momentum_difference,
 ///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|, or, if that is round-off, m̄|Q||Q̇|, the bound
 ///                               of |J| and |Z| up to a factor √2, where |Q̇| is largest
@@ -21,13 +22,15 @@
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  of the reference, as they are
 ///
 /// The frequency is that of the component of C (invariant under rotations of the body) with the largest variance in the
-/// first model, the same component in both.
+/// first model, the same component in both. Errors in space are those of the reference: the first model's truncation is
+/// part of the difference that is measured.
 
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "analysis/error_bar.h"
 #include "analysis/motion.h"
 #include "io/csv.h"
 
@@ -37,19 +40,9 @@ namespace pseudorigid::analysis {
 /// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
-/// What of q_difference may be the finite elements' and the integrators' own: |δQ|/|Q|, estimated, largest over the
-/// samples.
-struct DiscretizationError {
-  double space = 0;  ///< given
-  double time = 0;   ///< 3 e / min_t |Q_r|, e the estimated time errors of both models together, largest entry of Q
-  double total() const { return space + time; }
-};
-
 struct ComparisonOptions {
-  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
+  SceneFacts facts{};
   std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value where the scene has one
-  std::optional<double> space_error{};            ///< of the reference, |δQ|/|Q|, if known
-  double time_error = 0;                          ///< of both models, largest entry of Q, as far as known
   std::optional<double> surface_limit_time{};     ///< when the reference's surface reached Biot's limit, if it did
 };
 
@@ -64,7 +57,7 @@ struct Series {
 
 struct FrequencyRatio {
   double value = 0;  ///< ω_r / ω_c
-  double uncertainty = 0;
+  ErrorBar error;    ///< by those of both frequencies, at worst
 };
 
 struct Comparison {
@@ -74,9 +67,11 @@ struct Comparison {
   bool has_state = false;
   std::string signal;         ///< "C33"
   std::string signal_reason;  ///< why this one
-  std::optional<DiscretizationError> error;
-  std::optional<FrequencyRatio> ratio;
-  std::optional<double> exact_ratio;  ///< only where it applies: the body does not spin
+  /// What of q_difference may be the models' discretisations: |δQ|/|Q|, largest over the samples. `space` is that of
+  /// the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together.
+  ErrorBar error;
+  std::optional<FrequencyRatio> ratio;  ///< none if one of the lines is that of a load
+  std::optional<double> exact_ratio;    ///< only where it applies: the body does not spin
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
@@ -84,8 +79,11 @@ struct Comparison {
   std::vector<std::string> not_compared;     ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
-  /// Whether the models differ by more than the discretisation may have made.
-  bool is_resolved() const { return !error || find("q_difference")->max > error->total(); }
+  /// Whether the models differ by more than the discretisation may have made, if that is known.
+  std::optional<bool> is_resolved() const {
+    const auto bar = error.total();
+    return bar ? std::optional(find("q_difference")->max > *bar) : std::nullopt;
+  }
 };
 
 /// UserError if the tables are empty, hold different sample times or a value that is not finite. Groups of columns that

@@ -16,7 +16,21 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json to_json(const FrequencyFit& fit) {
+/// The parts and their sum, null if one is not known.
+void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool is_fitted) {
+  if (is_fitted) json[prefix + "fit_error"] = bar.fit;
+  json[prefix + "time_error"] = to_json(bar.time);
+  json[prefix + "space_error"] = to_json(bar.space);
+  json[prefix + "uncertainty"] = to_json(bar.total());
+}
+
+void add_ratio_errors(Json& json, const Comparison& c) {
+  add_errors(json, "ratio_", c.ratio ? c.ratio->error : ErrorBar{}, true);
+  if (!c.ratio) json["ratio_fit_error"] = nullptr;
+}
+
+Json frequency_of_model(const ModelSummary& m) {
+  const FrequencyFit& fit = m.frequency;
   Json json{{"found", bool(fit)}};
   if (!fit) {
     json["reason"] = fit.reason;
@@ -24,34 +38,34 @@ Json to_json(const FrequencyFit& fit) {
   }
   const Line& line = fit.dominant();
   json["omega"] = line.frequency;
-  json["uncertainty"] = line.uncertainty;
+  add_errors(json, "", m.frequency_error, true);
+  json["load"] = to_json(m.load);
   json["amplitude"] = line.amplitude;
   json["cycles"] = fit.cycles;
   json["residual_rms"] = fit.residual_rms;
   for (const Line& l : fit.lines) {
     if (l.frequency <= 3 * l.uncertainty) continue;  // part of the fit, but a drift rather than an oscillation
     json["lines"].push_back(
-        {{"omega", l.frequency}, {"uncertainty", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
+        {{"omega", l.frequency}, {"fit_error", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
   }
   return json;
 }
 
 Json frequency_json(const Comparison& c) {
   Json json{{"signal", c.signal}, {"reason", c.signal_reason}};
-  json[c.model.name] = to_json(c.model.frequency);
-  json[c.reference.name] = to_json(c.reference.frequency);
+  json[c.model.name] = frequency_of_model(c.model);
+  json[c.reference.name] = frequency_of_model(c.reference);
   json["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
-  json["ratio_uncertainty"] = c.ratio ? Json(c.ratio->uncertainty) : Json(nullptr);
+  add_ratio_errors(json, c);
   json["exact_small_amplitude_ratio"] = to_json(c.exact_ratio);
   return json;
 }
 
 Json model_difference_json(const Comparison& c) {
   Json json{{"value", c.find("q_difference")->max}};
-  json["space_error"] = c.error ? Json(c.error->space) : Json(nullptr);
-  json["time_error"] = c.error ? Json(c.error->time) : Json(nullptr);
-  json["uncertainty"] = c.error ? Json(c.error->total()) : Json(nullptr);
-  json["resolved"] = c.error ? Json(c.is_resolved()) : Json(nullptr);
+  add_errors(json, "", c.error, false);
+  const auto resolved = c.is_resolved();
+  json["resolved"] = resolved ? Json(*resolved) : Json(nullptr);
   return json;
 }
 
@@ -65,9 +79,9 @@ Json model_json(const ModelSummary& m, bool has_state) {
   return json;
 }
 
-/// A number of per cent to one digit, or to the whole number.
+/// A number of per cent to one digit, or to the whole number, rounded up.
 std::string roughly(double percent) {
-  return percent < 9.5 ? fmt::format("{:.1g}", percent) : fmt::format("{:.0f}", percent);
+  return percent <= 9 ? printed_error(percent) : fmt::format("{:.0f}", std::ceil(percent));
 }
 
 /// "18.6" or, where the uncertainty shows in three digits, "18.6 +- 0.4".
@@ -80,22 +94,44 @@ std::string unknown_frequency(const ModelSummary& m) {
   return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
-std::string compared_frequencies(const Comparison& c) {
-  const double excess = c.ratio->value - 1, uncertainty = c.ratio->uncertainty;
-  constexpr double round_off = 1e-12;
+/// Two frequencies of which some error is not known: no bar, and the words "as far as" in its place.
+std::string fitted_frequencies(const Comparison& c) {
+  const double excess = c.ratio->value - 1;
+  const std::string apart =
+      std::abs(excess) > 3 * c.ratio->error.fit
+          ? fmt::format("pulsates {:.3g} % {} than", 100 * std::abs(excess), excess > 0 ? "faster" : "slower")
+          : "pulsates with the same frequency as";
+  return fmt::format("As far as the fits tell, the {} ball {} the {} ball ({})", c.model.adjective, apart,
+                     c.reference.adjective, unknown_parts(c.ratio->error));
+}
+
+std::string known_frequencies(const Comparison& c, double uncertainty) {
+  const double excess = c.ratio->value - 1;
+  constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  constexpr double says_little = 0.05;
-  std::string text;
-  if (std::abs(excess) > 3 * uncertainty + round_off)
-    text = fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
+  // The fit's part is a standard error, of which three are taken; the others are bounds.
+  if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
+    return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
-  else if (known_to <= says_little)
-    text = fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));
-  else
-    text = fmt::format("The run is too short to tell the frequencies of the two balls apart: they are known to {} %",
-                       roughly(100 * known_to));
+  if (known_to <= says_little)
+    return fmt::format("The two balls pulsate with the same frequency to within {} %", roughly(100 * known_to));
+  return fmt::format("The frequencies of the two balls cannot be told apart: they are known to {} %",
+                     roughly(100 * known_to));
+}
+
+std::string compared_frequencies(const Comparison& c) {
+  const auto uncertainty = c.ratio->error.total();
+  std::string text = uncertainty ? known_frequencies(c, *uncertainty) : fitted_frequencies(c);
   if (c.exact_ratio) text += fmt::format(" (exact small-amplitude value: {:.2f} %)", 100 * (*c.exact_ratio - 1));
   return text;
+}
+
+/// At least one of them moves with a load.
+std::string followed_load(const ModelSummary& r, const ModelSummary& e) {
+  const std::string who = r.load && e.load ? "Both balls follow a load"
+                                           : fmt::format("The {} ball follows a load", (r.load ? r : e).adjective);
+  return fmt::format("{}, of angular frequency {:.6g}, and their own frequencies cannot be compared", who,
+                     *(r.load ? r : e).load);
 }
 
 std::string pulsation(const ModelSummary& m) {
@@ -107,6 +143,7 @@ std::string motion_clause(const Comparison& c) {
   const ModelSummary &r = c.model, &e = c.reference;
   if (!c.has_state) return "Deformations and frequencies cannot be compared without the columns Q11 to Q33";
   if (c.ratio) return compared_frequencies(c);
+  if (r.load || e.load) return followed_load(r, e);
   if (!r.deforms && !e.deforms)
     return r.turns || e.turns ? "Both balls turn without changing shape" : "Neither ball moves";
   constexpr const char* one_keeps = "The {} ball keeps its shape while the {} ball {}";
@@ -144,6 +181,10 @@ std::string cell(const std::optional<double>& value, int digits) {
   return fmt::format("{:>13}", value ? fmt::format("{:.{}g}", *value, digits) : "-");
 }
 
+std::string drift_cell(const std::optional<double>& drift) {
+  return fmt::format("{:>13}", drift ? drift_in_words(*drift) : "-");
+}
+
 std::string model_row(std::string_view label, const std::optional<double>& model,
                       const std::optional<double>& reference, int digits) {
   return fmt::format("{:<38}{}{}", label, cell(model, digits), cell(reference, digits));
@@ -156,11 +197,14 @@ std::optional<double> frequency(const ModelSummary& m) {
 void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
   const ModelSummary &r = c.model, &e = c.reference;
   const auto drift = [&](std::string_view label, std::optional<double> ModelSummary::*value) {
-    if (r.*value) lines.push_back(model_row(label, r.*value, e.*value, 2));
+    if (r.*value) lines.push_back(fmt::format("{:<38}{}{}", label, drift_cell(r.*value), drift_cell(e.*value)));
   };
   if (c.has_state) {
     lines.push_back(model_row("frequency of " + c.signal, frequency(r), frequency(e), 7));
-    if (c.ratio) lines.back() += fmt::format("   ratio {:.6f} +- {:.1g}", c.ratio->value, c.ratio->uncertainty);
+    if (c.ratio) {
+      lines.back() += fmt::format("   ratio {:.6f}{}", c.ratio->value, in_short(c.ratio->error));
+      lines.push_back(fmt::format("{:<38}{}", "error of the ratio", parts_in_words(c.ratio->error)));
+    }
     lines.push_back(model_row("amplitude of C = Q^T Q", r.strain_amplitude, e.strain_amplitude, 3));
   }
   drift("drift of the energy", &ModelSummary::energy_drift);
@@ -235,9 +279,15 @@ std::string summary_sentence(const Comparison& c) {
 
 std::string model_difference(const Comparison& c) {
   const double value = c.find("q_difference")->max;
-  if (!c.error) return fmt::format("model difference {:.3g} (discretisation error: not estimated)", value);
-  return fmt::format("model difference {:.3g} +- {:.1g} (discretisation error, estimated){}", value, c.error->total(),
-                     c.is_resolved() ? "" : "; the two overlap: the difference is not resolved");
+  if (!c.error.total()) return fmt::format("model difference {:.3g}{}", value, in_short(c.error));
+  return fmt::format("model difference {:.3g}{} (discretisation error, estimated: {}){}", value, in_short(c.error),
+                     parts_in_words(c.error),
+                     *c.is_resolved() ? "" : "; the two overlap: the difference is not resolved");
+}
+
+std::string frequency_ratio(const Comparison& c) {
+  return fmt::format("ratio of the frequencies {:.6f}{} ({})", c.ratio->value, in_short(c.ratio->error),
+                     parts_in_words(c.ratio->error));
 }
 
 std::string terminal_table(const Comparison& c) {
@@ -279,6 +329,7 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
     model["summary"] = summary_sentence(c);
     model["model_difference"] = c.has_state ? model_difference_json(c) : Json(nullptr);
     model["ratio"] = c.ratio ? Json(c.ratio->value) : Json(nullptr);
+    add_ratio_errors(model, c);
   }
   return json;
 }

@@ -27,11 +27,14 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
 /// What the comparison means, in one sentence that ends with a full stop.
 std::string summary_sentence(const Comparison& comparison);
 
-/// "model difference 0.0123 +- 0.0004 (discretisation error, estimated)", of Q relative to |Q|, and whether the two
-/// overlap. Takes a comparison that has_state.
+/// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", of Q relative to
+/// |Q|, and whether the two overlap. Takes a comparison that has_state.
 std::string model_difference(const Comparison& comparison);
 
-/// A table of at most 17 lines, the last one the sentence.
+/// "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Takes a comparison with one.
+std::string frequency_ratio(const Comparison& comparison);
+
+/// A table of at most 18 lines, the last one the sentence.
 std::string terminal_table(const Comparison& comparison);
 
 }  // namespace pseudorigid::analysis

@@ -9,6 +9,7 @@
 #include <functional>
 #include <numbers>
 
+#include "analysis/frequency_error.h"
 #include "analysis/samples.h"
 
 namespace pseudorigid::analysis {
@@ -49,6 +50,10 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   s.last_time = run.table.row(s.n_samples - 1)[0];
   return s;
 }
+
+/// Energies below this part of others are their round-off, and kinetic energies below this part of the scene's unit
+/// that of velocities.
+constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
 /// The columns that the table of the terminal shows, with their labels.
 constexpr std::pair<const char*, const char*> shown_ranges[] = {
@@ -104,8 +109,19 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
   return none.reason.empty() ? fit_frequency(signal, interval) : none;
 }
 
-double energy_reference(const io::Table& table) {
-  return largest(each(std::plus{}, table.column("kinetic"), table.column("elastic")));
+double energy_reference(std::initializer_list<const io::Table*> models, double unit) {
+  double of_motion = 0, others = 0;
+  for (const io::Table* table : models) {
+    of_motion = std::max(of_motion, largest(each(std::plus{}, table->column("kinetic"), table->column("elastic"))));
+    for (const char* name : {"gravitational", "external", "dissipated"})
+      if (table->has_column(name)) others = std::max(others, largest(table->column(name)));
+  }
+  if (of_motion >= std::max(least_energy_part * others, least_kinetic_part * unit)) return of_motion;
+  return others > 0 ? others : unit;
+}
+
+std::string drift_in_words(double drift) {
+  return drift <= round_off_drift ? "round-off" : fmt::format("{:.2g}", drift);
 }
 
 double momentum_reference(const io::Table& table, const std::vector<Vector3d>& momenta) {
@@ -113,20 +129,23 @@ double momentum_reference(const io::Table& table, const std::vector<Vector3d>& m
   return own > spin_threshold * bound ? own : bound;
 }
 
-MotionSummary summarize_motion(const ModelRunTable& run, double resolution) {
+MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts) {
   const io::Table& table = run.table;
   MotionSummary s = begin_summary(run);
   if (has_all(table, Q_columns)) {
     s.has_state = true;
-    const Deformation deformation(table, resolution, s.model);
+    const Deformation deformation(table, facts.resolution, s.model);
+    const std::vector<double> time = table.column("time");
     const auto [i, j] = deformation.liveliest_component();
     s.signal = fmt::format("C{}{}", i + 1, j + 1);
-    s.model.frequency = fit_component(deformation.component(i, j), table.column("time"), s.model.deforms);
+    s.model.frequency = fit_component(deformation.component(i, j), time, s.model.deforms);
+    s.model.frequency_error = frequency_error(s.model.frequency, deformation, {i, j}, time, run.errors);
+    s.model.load = load_of_line(s.model.frequency, facts.load_frequencies);
   }
   for (const auto& [name, label] : shown_ranges)
     if (table.has_column(name)) s.ranges.push_back(range_of(label, table.column(name)));
   if (has_all(table, {"kinetic", "elastic", "energy"}))
-    s.model.energy_drift = drift(table.column("energy"), energy_reference(table));
+    s.model.energy_drift = drift(table.column("energy"), energy_reference({&table}, facts.energy_unit));
   s.model.angular_momentum_drift = momentum_drift(table, {"J1", "J2", "J3"});
   s.model.circulation_drift = momentum_drift(table, {"Z1", "Z2", "Z3"});
   if (has_all(table, {"nonaffine_kinetic_fraction", "kinetic"}))
@@ -141,14 +160,16 @@ MotionSummary summarize_system(const ModelRunTable& run) {
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
-    // Potentials have no zero of their own: what moves is measured by how far the parts of the energy go.
-    double size = 0;
-    for (const char* part : {"kinetic", "potential"})
-      if (table.has_column(part)) {
-        const std::vector<double> values = table.column(part);
-        const auto [least, greatest] = std::ranges::minmax_element(values);
-        size = std::max(size, *greatest - *least);
-      }
+    // A potential has no zero of its own, and is worth how far it goes; a kinetic energy is worth itself. Where both
+    // are round-off of the potential that there is, nothing moves.
+    double size = 0, potential = 0;
+    if (table.has_column("kinetic")) size = largest(table.column("kinetic"));
+    if (table.has_column("potential")) {
+      const ColumnRange range = range_of("", table.column("potential"));
+      size = std::max(size, range.greatest - range.least);
+      potential = std::max(std::abs(range.least), std::abs(range.greatest));
+    }
+    if (size < least_energy_part * potential) size = potential;
     if (size > 0) s.model.energy_drift = drift(table.column("energy"), size);
   }
   return s;
@@ -164,16 +185,24 @@ std::string terminal_table(const MotionSummary& s) {
   };
   if (s.has_state) {
     const FrequencyFit& fit = s.model.frequency;
-    if (fit)
-      lines.push_back(fmt::format("{:<38}{:>13.7g}   +- {:.1g}", "frequency of " + s.signal, fit.dominant().frequency,
-                                  fit.dominant().uncertainty));
-    else
+    const ErrorBar& error = s.model.frequency_error;
+    if (fit) {
+      lines.push_back(fmt::format("{:<38}{:>13.7g}  {}{}", "frequency of " + s.signal, fit.dominant().frequency,
+                                  in_short(error), s.model.load ? ", that of a load" : ""));
+      lines.push_back(fmt::format("{:<38}{}", "error of the frequency", parts_in_words(error)));
+    } else
       lines.push_back(fmt::format("{:<38}{:>13}   ({})", "frequency of " + s.signal, "-", fit.reason));
     add("amplitude of C = Q^T Q", s.model.strain_amplitude, 3);
   }
-  add("drift of the energy", s.model.energy_drift, 2);
-  add("drift of the angular momentum", s.model.angular_momentum_drift, 2);
-  add("drift of the circulation", s.model.circulation_drift, 2);
+  const auto add_drift = [&](std::string_view what, const std::optional<double>& drift) {
+    if (!drift) return;
+    lines.push_back(*drift <= round_off_drift
+                        ? fmt::format("{:<38}constant to round-off", what)
+                        : fmt::format("{:<38}{:>13.2g}", fmt::format("drift of the {}", what), *drift));
+  };
+  add_drift("energy", s.model.energy_drift);
+  add_drift("angular momentum", s.model.angular_momentum_drift);
+  add_drift("circulation", s.model.circulation_drift);
   add("non-affine part of the kinetic energy", s.mean_nonaffine_kinetic_fraction, 3);
   if (!s.ranges.empty())
     lines.push_back(fmt::format("{:<38}{:>13}{:>13}{:>13}", "", "least", "greatest", "at the end"));

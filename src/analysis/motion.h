@@ -2,30 +2,36 @@
 /// What one model's run shows by itself: its frequency, how far it deforms, what it should conserve.
 
 #include <Eigen/Core>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "analysis/error_bar.h"
 #include "analysis/frequency.h"
 #include "io/csv.h"
 
 namespace pseudorigid::analysis {
 
-/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), and its samples.
+/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), its samples and their errors.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
+  RunErrors errors{};
 };
 
-/// What one model does on its own. Drifts are the largest departures from the initial value, over E₀ and J₀.
+/// What one model does on its own. Drifts are the largest departures from the initial value, over what energies and
+/// momenta are compared with (energy_reference, momentum_reference).
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
-  double departure = 0;         ///< max_t |Q − Q(0)|
-  double strain_amplitude = 0;  ///< √2 rms_t |C − C̄|
-  bool turns = false;           ///< Q changes
-  bool deforms = false;         ///< C changes
+  ErrorBar frequency_error;      ///< of the dominant line (frequency_error.h)
+  std::optional<double> load{};  ///< angular frequency of the load whose line it is, if it is one
+  double departure = 0;          ///< max_t |Q − Q(0)|
+  double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|
+  bool turns = false;            ///< Q changes
+  bool deforms = false;          ///< C changes
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
 };
 
@@ -45,8 +51,15 @@ struct Deformation {
 /// Of samples of a component of C. The times need not be equally spaced, but then there is none.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
-/// max_t (kinetic + elastic), what energies are compared with.
-double energy_reference(const io::Table& table);
+/// What energies of one or more models are compared with: max_t (kinetic + elastic) or, if that is round-off of the
+/// energies that there are, the largest of them. `unit` is the scene's unit of energy, of which 1e-24 is as much as
+/// round-off of velocities has.
+double energy_reference(std::initializer_list<const io::Table*> models, double unit);
+
+/// A drift up to this is said to be round-off: some hundred roundings of a double.
+inline constexpr double round_off_drift = 1e-13;
+/// "3.2e-07" or "round-off".
+std::string drift_in_words(double drift);
 
 /// What angular momenta or circulations are compared with: their largest norm or, if that is round-off, m̄|Q||Q̇| where
 /// |Q̇| is largest, a bound of both up to a factor √2, with m̄ from K = ½m̄|Q̇|². 0 if the table cannot tell.
@@ -72,10 +85,17 @@ struct MotionSummary {
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK
 };
 
-/// Of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at least.
-MotionSummary summarize_motion(const ModelRunTable& run, double resolution);
+/// What is known of the scene of a run.
+struct SceneFacts {
+  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
+  double energy_unit = 0;     ///< of the scene
+  std::vector<double> load_frequencies{};  ///< angular, of loads that depend on time
+};
 
-/// Of another system: the range of each of its columns, and the drift of its energy.
+/// Of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at least.
+MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
+
+/// Of another system: the range of each of its columns, and the drift of its energy over what energy there is.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// For the terminal: a line for each number, at most 20 lines.

@@ -16,7 +16,7 @@ double SpaceErrorLadder::rate() const {
   const auto quotient = [&](double p) {
     return (std::pow(one.N / two.N, -p) - 1) / (1 - std::pow(three.N / two.N, -p));
   };
-  double low = least_space_rate, high = largest_space_rate;
+  double low = least_rate_, high = largest_space_rate;
   for (int i = 0; i < 50; ++i) {
     const double p = (low + high) / 2;
     (two.d > quotient(p) * three.d ? low : high) = p;

@@ -3,6 +3,7 @@
 
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "loads/acceleration.h"
 #include "loads/drag.h"
@@ -114,6 +115,16 @@ inline bool depend_on_time(const Loads& loads) {
     if constexpr (DependsOnTime<L>) any = any || present(load);
   });
   return any;
+}
+
+/// Of those that are periodic.
+inline std::vector<double> angular_frequencies(const Loads& loads) {
+  std::vector<double> frequencies;
+  loads.for_each([&]<class L>(const L& load) {
+    if constexpr (requires { load.angular_frequency(); })
+      if (present(load)) frequencies.push_back(load.angular_frequency());
+  });
+  return frequencies;
 }
 
 /// Those that move a body which keeps its volume: a pressure alone is carried by its constraint.

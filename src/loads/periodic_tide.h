@@ -30,6 +30,7 @@ struct PeriodicTide {
   Forcing forcing(double t) const { return times(std::cos(frequency * t + phase)); }
   Forcing forcing_rate(double t) const { return times(-frequency * std::sin(frequency * t + phase)); }
   Forcing largest_forcing() const { return times(1); }
+  double angular_frequency() const { return frequency; }
 
  private:
   Forcing times(double factor) const { return {.quadratic = factor * to_eigen(amplitude)}; }

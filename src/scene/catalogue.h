@@ -121,6 +121,9 @@ struct ModelDescription {
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// The header of its CSV file.
   std::function<std::vector<std::string>(const Quantities&)> header{};
+  /// The discretisation of the run by which its error in space is estimated, in words; none of a scene that leaves the
+  /// discretisation to a search. Null for a model that has no such error.
+  std::function<std::optional<std::string>(const Scene&)> companion{};
   /// The line for people of a scene that runs it, and of one that does not.
   std::function<std::string(const Scene&)> needed{}, skipped{};
   /// What is wrong with a sound scene for this model, if anything.

@@ -52,4 +52,6 @@ Discretization companion(const Discretization& d) {
   return {d.degree + 1, d.refinements};
 }
 
+int companion_degree(int N) { return N < 9 ? N + 2 : N - 2; }
+
 }  // namespace pseudorigid::scene

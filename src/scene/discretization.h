@@ -49,4 +49,9 @@ std::vector<Discretization> ladder(const Scene& scene);
 /// less, and of the coarsest one the next finer.
 Discretization companion(const Discretization& d);
 
+/// Likewise of a polynomial body of degree N. Motions with the symmetry of an octant go in steps of two. A richer body
+/// tells the error itself, while the error of a poorer one is often many times as large; of the dearer ones, N ≥ 9, it
+/// is that of two degrees less.
+int companion_degree(int N);
+
 }  // namespace pseudorigid::scene

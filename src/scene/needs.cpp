@@ -23,15 +23,15 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// The discretisation error: known of a search, estimated by a companion run where somebody reads it.
+/// The discretisation error of the richest model: known of a search, estimated by a companion run if somebody reads it.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
-  if (!needs.discretized || scene.analysis != Analysis::motion) return;
-  const auto fixed = fixed_discretization(scene);
-  if (!fixed) return needs.needed.push_back("discretisation error: estimated by runs on coarser discretisations");
-  const bool asked = scene.continuum.error_estimate == ErrorEstimate::automatic;
+  const ModelDescription& richest = *needs.models.back();
+  if (!richest.companion || scene.analysis != Analysis::motion) return;
+  const auto companion = richest.companion(scene);
+  if (!companion) return needs.needed.push_back("discretisation error: estimated by runs on coarser discretisations");
+  const bool asked = !richest.discretized || scene.continuum.error_estimate == ErrorEstimate::automatic;
   needs.companion = needs.comparison && asked;
-  sort_out(needs, needs.companion,
-           fmt::format("discretisation error: estimated by a companion run ({})", describe(companion(*fixed))),
+  sort_out(needs, needs.companion, fmt::format("discretisation error: estimated by a companion run ({})", *companion),
            asked ? "discretisation error: no comparison to set it beside"
                  : "discretisation error: Continuum/Error estimate is none; no companion run");
 }

@@ -17,7 +17,7 @@ struct Needs {
   bool constraint = false;                      ///< det = 1 and its multiplier
   bool pressure_space = false;                  ///< of the models that may bend
   bool comparison = false;                      ///< of the others with the last of the models
-  bool companion = false;                       ///< a run on another discretisation, for the error of the first
+  bool companion = false;                       ///< the reference has a run on another discretisation, for its error
   bool surface_watch = false;  ///< of the discretized model: whether its surface reaches the limit of its law
   bool graphics = false;       ///< files for ParaView
   bool report = false;         ///< report.html, and shapes.csv of a discretized model

@@ -20,7 +20,7 @@ TEST(Comparison, TwoPulsationsHaveTheKnownRatio) {
   ASSERT_TRUE(c.ratio) << c.model.frequency.reason << c.reference.frequency.reason;
   EXPECT_NEAR(c.ratio->value, incompressible_ball_ratio, 1e-10);
   EXPECT_NEAR(incompressible_ball_ratio, 1.186319, 5e-7);  // PHYSICS.md, section 3
-  EXPECT_LT(c.ratio->uncertainty, 1e-9);
+  EXPECT_LT(*c.ratio->error.total(), 1e-9);
   EXPECT_NEAR(c.model.frequency.dominant().amplitude, 0.02, 1e-5);  // of C33 = (1 + ε cos ωt)²
   EXPECT_TRUE(c.not_compared.empty());
 }

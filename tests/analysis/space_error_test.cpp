@@ -54,6 +54,16 @@ TEST(SpaceError, DoesNotTrustChance) {
   EXPECT_GT(stagnant.error(), 0.9e-2);
 }
 
+/// Of bodies whose errors fall more slowly.
+TEST(SpaceError, TakesALeastRateOfItsOwn) {
+  SpaceErrorLadder slow(least_polynomial_rate), other;
+  for (SpaceErrorLadder* ladder : {&slow, &other})
+    for (const double N : {3.0, 5.0, 7.0}) ladder->add(N, N < 5 ? 0 : std::pow(N - 2, -1.6) - std::pow(N, -1.6));
+  EXPECT_NEAR(slow.rate(), 1.6, 1e-9);
+  EXPECT_NEAR(slow.error(), std::pow(7, -1.6), 1e-9);
+  EXPECT_LT(other.error(), 0.7 * slow.error());
+}
+
 /// Errors that alternate in sign are met at their sum: the estimate may be too large, not too small.
 TEST(SpaceError, IsOnTheSafeSideWhereErrorsAlternate) {
   for (const double p : {3.0, 4.0, 5.0}) {

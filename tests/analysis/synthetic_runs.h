@@ -102,11 +102,17 @@ inline Table continuum_run(const Motion& motion, const std::vector<double>& t, c
 inline const std::vector<double> ten{times(201, 10)};
 inline const Motion reduced_pulsation = pulsation(pseudo_rigid_omega), exact_pulsation = pulsation(exact_omega);
 
+/// What is known of the errors of two runs of which everything is known.
+struct KnownErrors {
+  pseudorigid::analysis::RunErrors reduced{.time = 0, .space = 0}, continuum{.time = 0, .space = 0};
+};
+
 /// Of two runs, called as those of the program.
 inline pseudorigid::analysis::Comparison compare(const Table& reduced, const Table& continuum,
-                                                 const pseudorigid::analysis::ComparisonOptions& options = {}) {
-  return pseudorigid::analysis::compare({"reduced", "pseudo-rigid", reduced}, {"continuum", "elastic", continuum},
-                                        options);
+                                                 const pseudorigid::analysis::ComparisonOptions& options = {},
+                                                 const KnownErrors& errors = {}) {
+  return pseudorigid::analysis::compare({"reduced", "pseudo-rigid", reduced, errors.reduced},
+                                        {"continuum", "elastic", continuum, errors.continuum}, options);
 }
 
 }  // namespace synthetic

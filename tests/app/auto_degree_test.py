@@ -134,7 +134,7 @@ class AutoDegree(ProgramTest):
 
     def test_comparison_tells_its_error(self):
         text, difference = self.compare({"Continuum/Degree": 4})
-        self.assertRegex(text, r"model difference 0\.\d+ \+- \S+ \(discretisation error, estimated\)\n")
+        self.assertRegex(text, r"model difference 0\.\d+ \+- \S+ \(discretisation error, estimated: time \S+, space \S+\)\n")
         self.assertTrue(difference["resolved"])
         reference = json.loads(REFERENCES.read_text())["velocity"]
         error = max(sum((x - y) ** 2 for x, y in zip(a, b)) ** 0.5 / sum(y * y for y in b) ** 0.5
@@ -145,7 +145,7 @@ class AutoDegree(ProgramTest):
 
     def test_comparison_without_an_estimate(self):
         text, difference = self.compare({"Continuum/Degree": 2, "Continuum/Error estimate": "none"})
-        self.assertIn("discretisation error: not estimated", text)
+        self.assertIn("error in space not known", text)
         self.assertIsNone(difference["uncertainty"])
 
     def test_comparison_of_models_that_hardly_differ(self):

@@ -54,6 +54,15 @@ TEST(Companion, IsCoarserWhereThereIsACoarserOne) {
   EXPECT_EQ(companion({2, 0}), (Discretization{3, 0}));
 }
 
+/// In steps of two, to a richer body while that is cheap.
+TEST(Companion, OfAPolynomialBodyIsAnotherWhichTheProgramHas) {
+  for (int N = 1; N <= largest_polynomial_degree; ++N) {
+    EXPECT_EQ(std::abs(companion_degree(N) - N), 2);
+    EXPECT_GE(companion_degree(N), 1);
+    EXPECT_LE(companion_degree(N), largest_polynomial_degree);
+  }
+}
+
 TEST(Descriptions, AreForPeople) {
   EXPECT_EQ(describe(Discretization{4, 0}), "degree 4, unrefined");
   EXPECT_EQ(describe(Discretization{4, 1}), "degree 4, refined once");

@@ -135,6 +135,20 @@ TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMe
   EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: no comparison to set it beside"));
 }
 
+TEST(DiscretizationErrorOfNeeds, IsThatOfTheRichestModel) {
+  Scene scene = test::ball_scene();
+  scene.models = {"reduced", "polynomial"};
+  scene.polynomial.degrees = {3, 5};
+  EXPECT_TRUE(needs(scene).companion);
+  EXPECT_TRUE(mentions(needs(scene).needed, "discretisation error: estimated by a companion run (degree 7)"));
+  scene.polynomial.degrees.clear();
+  EXPECT_FALSE(needs(scene).companion);
+  EXPECT_TRUE(mentions(needs(scene).needed, "discretisation error: estimated by runs on coarser discretisations"));
+  scene.models = {"reduced"};
+  EXPECT_FALSE(needs(scene).companion);
+  EXPECT_FALSE(mentions(needs(scene).skipped, "discretisation error"));
+}
+
 TEST(NegativeZero, IsZeroForTheSector) {
   Scene scene = test::ball_scene();
   scene.initial_state.deformation[0][1] = -0.0;

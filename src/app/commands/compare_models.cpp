@@ -46,33 +46,45 @@ std::vector<Run> runs_to_compare(const RunContext& context, const io::Manifest& 
   return n_common < 2 ? std::vector<Run>{} : runs;
 }
 
-/// What the models' runs know of their errors.
-void take_errors(const io::Manifest::Model& model, analysis::ComparisonOptions& options) {
-  if (const auto e = model.counters.find("relative_space_error"); e != model.counters.end())
-    options.space_error = e->second;
-  if (const auto e = model.counters.find("estimated_time_error"); e != model.counters.end())
-    options.time_error += e->second;
-  if (const auto t = model.counters.find("surface_limit_time"); t != model.counters.end())
-    options.surface_limit_time = t->second;
+std::optional<double> counter(const io::Manifest::Model& statistics, const char* name) {
+  const auto found = statistics.counters.find(name);
+  return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-analysis::Comparison compare(const RunContext& context, const Run& run, const Run& reference) {
+/// What a model's run knows of its errors. A model that moves as x = QX is what it is: it has no error in space.
+analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
+                              const OtherResolutions& others) {
+  const auto other = others.find(model.name);
+  return {.time = counter(statistics, "estimated_time_error"),
+          .space = model.has_nonaffine ? counter(statistics, "relative_space_error") : 0,
+          .other = other == others.end() ? nullptr : &other->second};
+}
+
+analysis::SceneFacts facts_of(const RunContext& context) {
   const scene::Scene& scene = context.scene;
-  analysis::ComparisonOptions options;
-  options.resolution = scene.time.tolerance;
+  return {.resolution = scene.time.tolerance,
+          .energy_unit = context.units.energy(),
+          .load_frequencies = loads::angular_frequencies(scene.loads)};
+}
+
+analysis::Comparison compare(const RunContext& context, const Run& run, const Run& reference,
+                             const OtherResolutions& others) {
+  const scene::Scene& scene = context.scene;
+  analysis::ComparisonOptions options{.facts = facts_of(context)};
   const bool is_free_ball = scene.body.incompressible && scene::is_free(scene) && !scene::has_mesh_file(scene);
   // The exact value is that of nine unknowns beside all: the first model and one with elements.
   if (is_free_ball && run.model == &scene.catalogue->models.front() && reference.model->discretized)
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
-  take_errors(*run.statistics, options);
-  take_errors(*reference.statistics, options);
-  const auto named = [](const Run& r) { return analysis::ModelRunTable{r.name, r.adjective, r.table}; };
+  options.surface_limit_time = counter(*reference.statistics, "surface_limit_time");
+  const auto named = [&](const Run& r) {
+    return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, *r.statistics, others)};
+  };
   return analysis::compare(named(run), named(reference), options);
 }
 
 }  // namespace
 
-std::string summarize_run(const RunContext& context) {
+std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others) {
   const bool is_system = context.needs.system != nullptr;
   if (!is_system && context.needs.models.size() != 1) return {};
   const std::string name(is_system ? context.needs.system->file : context.needs.models.front()->name);
@@ -80,29 +92,35 @@ std::string summarize_run(const RunContext& context) {
   if (!std::filesystem::exists(path)) return {};
   const io::Table table = io::read_csv(path);
   if (table.n_rows() < 2) return {};
-  const analysis::ModelRunTable run{
-      name, is_system ? name : scene::runs_of(*context.needs.models.front(), context.scene).back().adjective, table};
+  analysis::ModelRunTable run{name, name, table};
+  if (!is_system) {
+    const scene::ModelDescription& model = *context.needs.models.front();
+    run.adjective = scene::runs_of(model, context.scene).back().adjective;
+    run.errors = errors_of(model, manifest.models.at(name), others);
+  }
   try {
     io::print(analysis::terminal_table(is_system ? analysis::summarize_system(run)
-                                                 : analysis::summarize_motion(run, context.scene.time.tolerance)));
+                                                 : analysis::summarize_motion(run, facts_of(context))));
   } catch (const io::WriteError& error) {
     return error.what();
   }
   return {};
 }
 
-std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet) {
+std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
+                           bool quiet) {
   const std::vector<Run> runs = runs_to_compare(context, manifest);
   if (runs.size() < 2) return {};
   const std::filesystem::path& folder = context.directory.path();
   const bool is_pair = runs.size() == 2;
   std::vector<analysis::Comparison> comparisons;
   for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    comparisons.push_back(compare(context, runs[i], runs.back()));
+    comparisons.push_back(compare(context, runs[i], runs.back(), others));
     const analysis::Comparison& comparison = comparisons.back();
     analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + runs[i].name, comparison);
     context.log->debug("{}", analysis::summary_sentence(comparison));
     if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
+    if (comparison.ratio) context.log->debug("{}", analysis::frequency_ratio(comparison));
   }
   if (!is_pair)
     io::write_file_atomically(context.directory.comparison_json(),

@@ -3,17 +3,24 @@
 /// are comparison.csv and comparison.json; of more, `comparison-<model>.csv` and .json for each, and comparison.json
 /// has an overview of them. A model that runs alone has a table of its own.
 
+#include <functional>
+#include <map>
 #include <string>
 
+#include "analysis/other_resolution.h"
 #include "app/run/run_context.h"
 
 namespace pseudorigid::app {
 
+/// By the names of models: the same motion on another discretisation.
+using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
+
 /// Compares what the models that ran have written. Returns why the table could not be printed, if it could not; it is
 /// in the files as well.
-std::string compare_models(const RunContext& context, const io::Manifest& manifest, bool quiet);
+std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
+                           bool quiet);
 
 /// Prints what the run of the only model, or of the system, shows by itself. Returns likewise.
-std::string summarize_run(const RunContext& context);
+std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

@@ -50,6 +50,14 @@ RunContext context_of(const scene::ModelDescription& model, const RunContext& co
   return of_model;
 }
 
+/// Returns why it could not be printed, if it could not.
+std::string print(const std::string& results) try {
+  if (!results.empty()) io::print(results);
+  return {};
+} catch (const io::WriteError& error) {
+  return error.what();
+}
+
 /// What remains to be said of a run, in the log and in the manifest. Returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
@@ -64,16 +72,22 @@ int end_run(mechanics::Outcome outcome, int exit_code, const std::string& messag
 int run_models(const RunContext& context, const Executable& executable, io::ManifestFile& manifest, bool quiet) {
   using enum mechanics::Outcome;
   ModelOutcome last;
-  if (const auto* system = context.needs.system) last = run_model(system->file, run_system, context, manifest);
+  OtherResolutions others;
+  std::string results;
+  const auto run = [&](std::string_view name, RunModel model, const RunContext& of_model) {
+    last = run_model(name, model, of_model, manifest);
+    results += last.results;
+    if (last.other) others.emplace(name, std::move(*last.other));
+  };
+  if (const auto* system = context.needs.system) run(system->file, run_system, context);
   for (const scene::ModelDescription* model : context.needs.models)
     if (last.end == finished)
-      last =
-          run_model(model->name, executable.models.at(model->name), context_of(*model, context, executable), manifest);
-  std::string not_printed;
+      run(model->name, executable.models.at(model->name), context_of(*model, context, executable));
+  std::string not_printed = quiet ? "" : print(results);
   if (context.needs.comparison && last.end != interrupted)
-    not_printed = compare_models(context, manifest.content(), quiet);
+    not_printed = compare_models(context, manifest.content(), others, quiet);
   else if (context.scene.analysis == scene::Analysis::motion && last.end == finished && !quiet)
-    not_printed = summarize_run(context);
+    not_printed = summarize_run(context, manifest.content(), others);
   if (last.end == finished && !not_printed.empty()) {
     context.log->info("results are in {}", context.directory.path().string());
     return end_run(failed, exit_stopped, not_printed, "; the results are complete", context, manifest);

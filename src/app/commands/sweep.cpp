@@ -166,7 +166,8 @@ class SweepRun {
 
   void add_frequency(const io::Table& table, std::vector<double>& row) const {
     analysis::ModelSummary model;
-    if (table.n_rows() > 1) model = analysis::summarize_motion({"", "", table}, context_.scene.time.tolerance).model;
+    if (table.n_rows() > 1)
+      model = analysis::summarize_motion({"", "", table}, {.resolution = context_.scene.time.tolerance}).model;
     row.push_back(model.frequency ? model.frequency.dominant().frequency : 0);
     row.push_back(model.strain_amplitude);
   }

@@ -33,6 +33,11 @@ std::string continuum_needed(const Scene& scene) {
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
 }
 
+std::optional<std::string> continuum_companion(const Scene& scene) {
+  const auto fixed = scene::fixed_discretization(scene);
+  return fixed ? std::optional(scene::describe(scene::companion(*fixed))) : std::nullopt;
+}
+
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
 /// Modes are computed on one given discretisation.
@@ -119,6 +124,7 @@ scene::ModelDescription continuum_description() {
           .has_modes = true,
           .columns = io::documented_columns<Observables>(),
           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+          .companion = continuum_companion,
           .needed = continuum_needed,
           .skipped = continuum_skipped,
           .refuses = refuses};

@@ -33,6 +33,12 @@ std::string polynomial_needed(const Scene& scene) {
                      sector.reason);
 }
 
+std::optional<std::string> polynomial_companion(const Scene& scene) {
+  const auto& degrees = scene.polynomial.degrees;
+  return degrees.empty() ? std::nullopt
+                         : std::optional(fmt::format("degree {}", scene::companion_degree(degrees.back())));
+}
+
 std::string polynomial_skipped(const Scene&) { return "polynomial body: not among Models"; }
 
 /// Of a run for a degree that is not the highest of a list.
@@ -109,6 +115,7 @@ scene::ModelDescription polynomial_description() {
       .rungs = rungs(),
       .runs = runs,
       .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+      .companion = polynomial_companion,
       .needed = polynomial_needed,
       .skipped = polynomial_skipped,
       .refuses = refuses};

@@ -11,6 +11,7 @@
 
 #include "analysis/space_error.h"
 #include "app/run/model_checkpoint.h"
+#include "app/search/error_estimate.h"
 #include "app/search/silent_run.h"
 #include "io/checkpoint.h"
 #include "scene/discretization.h"
@@ -41,14 +42,14 @@ class DegreeSearch {
     counters["relative_space_error"] = error_ * relative_to_largest_;
     counters["search_runs"] = static_cast<double>(n_runs_);
     counters["search_work"] = work_;
+    outcome.other = other_resolution(before_, degree_, degree_ - 2, analysis::least_polynomial_rate, context_);
     return outcome;
   }
 
  private:
   /// Ends at the first degree whose error is within the tolerance, or at the last one.
   ModelOutcome search() {
-    analysis::SpaceErrorLadder errors;
-    DeformationTrace before;
+    analysis::SpaceErrorLadder errors(analysis::least_polynomial_rate);
     ModelOutcome outcome;
     for (degree_ = 1;; degree_ += 2) {
       DeformationTrace trace;
@@ -59,7 +60,7 @@ class DegreeSearch {
       }
       work_ += work(outcome);
       ++n_runs_;
-      const TraceDifference apart = difference(trace, before);
+      const TraceDifference apart = difference(trace, before_);
       errors.add(degree_, apart.largest);
       if (apart.largest > 0) relative_to_largest_ = apart.relative / apart.largest;
       if (errors.n_runs() > 1) {
@@ -71,7 +72,7 @@ class DegreeSearch {
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
       // Where the motion breaks off, a higher degree does not carry it on.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
-      before = std::move(trace);
+      before_ = std::move(trace);
     }
     outcome.end = mechanics::Outcome::finished;
     if (error_ > tolerance_)
@@ -96,6 +97,7 @@ class DegreeSearch {
     c.set("scene", run_identity(context_.scene).frozen_scene);
     c.set("degree", degree_);
     c.set("numbers", std::array{error_, relative_to_largest_, work_});
+    c.set("trace before", numbers_of(before_));
     c.save(path());
   }
   bool load() {
@@ -106,6 +108,7 @@ class DegreeSearch {
     error_ = numbers[0];
     relative_to_largest_ = numbers[1];
     work_ = numbers[2];
+    before_ = trace_of(c.get_doubles("trace before"));
     return true;
   }
 
@@ -116,7 +119,25 @@ class DegreeSearch {
   int degree_ = 1;
   std::size_t n_runs_ = 0;
   double error_ = 0, relative_to_largest_ = 0, work_ = 0;
+  DeformationTrace before_;  ///< of the run of two degrees less
 };
+
+/// The body that the scene gives, or the last of several: others are compared with it, unless there is a richer model.
+ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
+  const scene::Needs& needs = context.needs;
+  if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});
+  const int other = scene::companion_degree(N);
+  ModelOutcome outcome = run_with_companion(
+      context,
+      {"polynomial", double(N), double(other), fmt::format("degree {}", other), analysis::least_polynomial_rate,
+       analysis::least_polynomial_rate},
+      [&](const RunContext& of_run, bool is_companion, const std::optional<Stepping>& stepping,
+          DeformationTrace* trace) {
+        return run(of_run, {.degree = is_companion ? other : N, .trace = trace, .stepping = stepping});
+      });
+  if (outcome.other) outcome.statistics.counters["companion_degree"] = other;
+  return outcome;
+}
 
 }  // namespace
 
@@ -126,7 +147,7 @@ ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& 
   for (const int N : degrees) {
     const bool is_last = N == degrees.back();
     const std::string name = is_last ? "polynomial" : fmt::format("polynomial-{}", N);
-    ModelOutcome outcome = run(context, {.degree = N, .name = name});
+    ModelOutcome outcome = is_last ? run_richest_degree(context, run, N) : run(context, {.degree = N, .name = name});
     if (!is_last && outcome.end != mechanics::Outcome::interrupted) {
       if (outcome.end == mechanics::Outcome::failed) context.log->warn("{}", outcome.message);
       of_rungs[name] = outcome.statistics;

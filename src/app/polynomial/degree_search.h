@@ -11,7 +11,10 @@
 /// run repeats no search; a search that was interrupted is repeated. Time errors are kept to a twentieth of the
 /// tolerance.
 ///
-/// Counters of the run: estimated_space_error, relative_space_error (|Q − Q'|/|Q|), search_runs, search_work.
+/// A body of a given degree that others are compared with has a companion of another degree (search/error_estimate.h).
+///
+/// Counters of the run: estimated_space_error, relative_space_error (|Q − Q'|/|Q|); of a search search_runs,
+/// search_work; of a companion companion_degree, companion_work.
 
 #include <functional>
 
@@ -23,7 +26,7 @@ using PolynomialRun = std::function<ModelOutcome(const RunContext& context, cons
 
 inline constexpr const char* degree_checkpoint_name = "degree";
 
-/// Of a scene that lists several degrees.
+/// Of a scene that gives one degree or several.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
 /// Of a scene that leaves the degree open.

@@ -17,9 +17,7 @@ ModelOutcome run_polynomial(const RunContext& context) {
   if (context.scene.analysis == scene::Analysis::modes) return run_polynomial_modes(context);
   if (context.scene.analysis == scene::Analysis::equilibrium) return run_polynomial_equilibria(context);
   const std::vector<int>& degrees = context.scene.polynomial.degrees;
-  if (degrees.empty()) return run_degree_search(context, run_body);
-  if (degrees.size() > 1) return run_listed_degrees(context, run_body);
-  return run_body(context, {.degree = degrees.front()});
+  return degrees.empty() ? run_degree_search(context, run_body) : run_listed_degrees(context, run_body);
 }
 
 }  // namespace pseudorigid::app

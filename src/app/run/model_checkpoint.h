@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ struct RunPosition {
   long steps_in_interval = 0;  ///< of the interval that the cursor is in; 0 at a sample
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
+  /// Estimated for the configuration, of all the parts of the run whose step was looked for; absent if one was not.
+  std::optional<double> time_error = 0;
 };
 
 /// `frozen_scene`: what a resumed run must have in common with this one, but for what commands/resume.h admits;
@@ -77,6 +80,9 @@ struct SavedVectors {
   std::vector<double> q, v, memory;
 };
 
+/// In place of an estimated error in a checkpoint.
+inline constexpr double unknown_error = -1;
+
 template <class S>
 io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& snapshot, const SavedVectors& vectors) {
   const RunPosition& position = snapshot.position;
@@ -90,9 +96,9 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   c.set("next look", position.looks.next);
   c.set("last look", position.looks.last);
   c.set("method", std::string(mechanics::method_name(position.method)));
-  c.set("numbers",
-        std::array{position.step, position.local_tolerance, position.max_constraint, position.max_constraint_rate,
-                   snapshot.state.t, position.looks.stable_step, position.looks.fastest_change});
+  c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
+                              position.max_constraint_rate, snapshot.state.t, position.looks.stable_step,
+                              position.looks.fastest_change, position.time_error.value_or(unknown_error)});
   c.set("q", vectors.q);
   c.set("v", vectors.v);
   c.set("memory", vectors.memory);
@@ -105,7 +111,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
 /// The reverse, without the vectors. UserError where the file does not fit.
 template <class S>
 void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
-  const auto& numbers = c.get_doubles("numbers", 7);
+  const auto& numbers = c.get_doubles("numbers", 8);
   const auto method = mechanics::find_method(c.get_string("method"));
   if (!method) throw UserError("the checkpoint is of a method that this program does not have");
   snapshot.position = {{c.get_integer("sample"), c.get_integer("step in interval")},
@@ -115,7 +121,8 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
                        c.get_integer("steps in interval"),
                        {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
-                       numbers[3]};
+                       numbers[3],
+                       numbers[7] == unknown_error ? std::nullopt : std::optional(numbers[7])};
   snapshot.state.t = numbers[4];
   const auto& n = c.get_doubles("counters", 6);
   snapshot.counters = {static_cast<long>(n[0]), static_cast<long>(n[1]), static_cast<long>(n[2]),

@@ -156,6 +156,7 @@ class ModelRun {
     auto result = mechanics::run_time_loop<Method>(form, times, state_, position_.cursor, workspace, *this);
     if (!verdict_) result = {Outcome::failed, verdict_.reason(), result.t};
     counters_ = workspace.counters;
+    if (position_.time_error) statistics_.counters["estimated_time_error"] = *position_.time_error;
     model_.report(workspace, statistics_);
     return result;
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "app/run/model_checkpoint.h"
 #include "app/run/run_context.h"
@@ -51,6 +52,7 @@ class ModelStepping {
   /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
   /// somebody is announced and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
+    const std::optional<double> error_so_far = std::exchange(position.time_error, std::nullopt);
     if (known_) return take_over(*known_, state, position);
     const std::optional<mechanics::MethodId> method = mechanics::find_method(context_.scene.time.method);  // or auto
     const double bound = step_bound();
@@ -81,7 +83,7 @@ class ModelStepping {
     if (!choice.status)
       fall_back(choice, request, position);
     else
-      take(choice, position, statistics);
+      take(choice, error_so_far, position, statistics);
     plan_look(request.rattle_limit / reserve, position);
     return {};
   }
@@ -202,12 +204,13 @@ class ModelStepping {
                        is_adaptive(position.method) ? position.local_tolerance : position.step * context_.units.time);
   }
 
-  void take(const mechanics::StepChoice& choice, RunPosition& position, io::Manifest::Model& statistics) const {
+  void take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far, RunPosition& position,
+            io::Manifest::Model& statistics) const {
     position.method = choice.method;
     position.step = choice.step;
     position.local_tolerance = choice.local_tolerance;
     statistics.counters["pilot_forces"] += static_cast<double>(choice.n_force);
-    statistics.counters["estimated_time_error"] = choice.error;
+    if (error_so_far) position.time_error = *error_so_far + choice.error;
     if (is_adaptive(choice.method))
       context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", model_.name,
                          mechanics::method_name(choice.method), choice.local_tolerance, choice.error);

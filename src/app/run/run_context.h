@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "analysis/other_resolution.h"
 #include "app/ranks/ranks.h"
 #include "app/run/model_sink.h"
 #include "entries/units.h"
@@ -75,6 +76,14 @@ struct ModelOutcome {
   io::Manifest::Model statistics;
   std::optional<Stepping> stepping{};
   std::map<std::string, io::Manifest::Model> of_rungs{};  ///< of further runs, by the names of their files
+  std::optional<analysis::OtherResolution> other{};       ///< the same motion, for the error in space of its numbers
+  std::string results{};                                  ///< lines for people, for standard output
 };
+
+/// A line of results: for standard output at the end of the run, and into log.txt.
+inline void add_result(ModelOutcome& outcome, const RunContext& context, const std::string& line) {
+  context.log->debug("{}", line);
+  outcome.results += line + "\n";
+}
 
 }  // namespace pseudorigid::app

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "app/run/run_context.h"
 #include "app/search/deformation_trace.h"
@@ -21,12 +22,12 @@ struct ContinuumTask {
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
 /// A resumed run knows Q before its resume from the columns of continuum.csv alone.
-inline void warn_of_gaps(const RunContext& context, const DeformationTrace& trace) {
+inline void warn_of_gaps(const RunContext& context, std::string_view model, const DeformationTrace& trace) {
   if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
     context.log->warn(
-        "continuum: the discretisation error is estimated from {} of {} samples: continuum.csv has no Q from before "
-        "the resume, as Output/Quantities lacks state",
-        trace.size(), context.scene.output.samples + 1);
+        "{}: the discretisation error is estimated from {} of {} samples: {}.csv has no Q from before the resume, as "
+        "Output/Quantities lacks state",
+        model, trace.size(), context.scene.output.samples + 1, model);
 }
 
 }  // namespace pseudorigid::app

@@ -11,6 +11,7 @@
 #include "app/run/mesh_file.h"
 #include "app/run/model_checkpoint.h"
 #include "app/search/effort.h"
+#include "app/search/error_estimate.h"
 #include "io/checkpoint.h"
 
 namespace pseudorigid::app {
@@ -108,11 +109,11 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
     first_stepping_ = outcome.stepping;
     first_resolution_ = N;
   }
-  warn_of_gaps(context_, trace);
+  warn_of_gaps(context_, "continuum", trace);
   const TraceDifference apart = difference(trace, trace_);
   relative_to_largest_ = apart.largest > 0 ? apart.relative / apart.largest : 0;
   errors_.add(N, apart.largest);
-  trace_ = std::move(trace);
+  trace_before_ = std::exchange(trace_, std::move(trace));
   if (errors_.n_runs() > 1)
     context_.log->info("continuum: {}: Q differs by {:.1e} from the run before, estimated error {:.1e}",
                        scene::describe(rung()), apart.largest, errors_.error());
@@ -140,13 +141,9 @@ void DiscretizationSearch::save() const {
 }
 
 void DiscretizationSearch::write_checkpoint() const {
-  std::vector<double> errors, trace;
+  std::vector<double> errors;
   for (std::size_t i = 0; i < errors_.n_runs(); ++i)
     errors.insert(errors.end(), {errors_.resolution_of(i), errors_.difference_of(i)});
-  for (const auto& [sample, Q] : trace_) {
-    trace.push_back(static_cast<double>(sample));
-    trace.insert(trace.end(), Q.data(), Q.data() + Q.size());
-  }
   io::Checkpoint c;
   c.set("scene", run_identity(context_.scene).frozen_scene);
   c.set("position", position_);
@@ -154,7 +151,8 @@ void DiscretizationSearch::write_checkpoint() const {
   c.set("settled", static_cast<int>(settled_));
   c.set("failures", n_failures_);
   c.set("errors", std::span<const double>(errors));
-  c.set("trace", std::span<const double>(trace));
+  c.set("trace", numbers_of(trace_));
+  c.set("trace before", numbers_of(trace_before_));
   c.set("method", std::string(first_stepping_ ? mechanics::method_name(first_stepping_->method) : ""));
   c.set("numbers", std::array{first_stepping_ ? first_stepping_->step : 0.0, first_resolution_, relative_to_largest_,
                               search_work_});
@@ -177,9 +175,8 @@ void DiscretizationSearch::take(const io::Checkpoint& c) {
   n_failures_ = static_cast<int>(c.get_integer("failures"));
   const auto& errors = c.get_doubles("errors");
   for (std::size_t i = 0; i + 1 < errors.size(); i += 2) errors_.add(errors[i], errors[i + 1]);
-  const auto& trace = c.get_doubles("trace");
-  for (std::size_t i = 0; i + 9 < trace.size(); i += 10)
-    trace_[static_cast<long>(trace[i])] = Eigen::Matrix3d(trace.data() + i + 1);
+  trace_ = trace_of(c.get_doubles("trace"));
+  trace_before_ = trace_of(c.get_doubles("trace before"));
   const auto& numbers = c.get_doubles("numbers", 4);
   if (const auto method = mechanics::find_method(c.get_string("method"))) first_stepping_ = {*method, numbers[0]};
   first_resolution_ = numbers[1];
@@ -188,6 +185,9 @@ void DiscretizationSearch::take(const io::Checkpoint& c) {
 }
 
 void DiscretizationSearch::report(ModelOutcome& outcome) const {
+  if (const std::size_t n = errors_.n_runs(); n > 1)
+    outcome.other = other_resolution(trace_before_, errors_.resolution_of(n - 1), errors_.resolution_of(n - 2),
+                                     analysis::least_space_rate, context_);
   auto& counters = outcome.statistics.counters;
   counters["degree"] = rung().degree;
   counters["refinements"] = rung().refinements;

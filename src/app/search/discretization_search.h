@@ -61,6 +61,7 @@ class DiscretizationSearch {
   analysis::SpaceErrorLadder errors_;
   double relative_to_largest_ = 0;  ///< |Q − Q'|/|Q| over the largest entry of the last difference
   DeformationTrace trace_;          ///< of the last run that came to its end
+  DeformationTrace trace_before_;   ///< of the last but one
   std::optional<Stepping> first_stepping_;
   double first_resolution_ = 0, search_work_ = 0;
 };

@@ -4,40 +4,67 @@
 
 namespace pseudorigid::app {
 
-ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run) {
-  const scene::Discretization discretization = *scene::fixed_discretization(context.scene);
-  DeformationTrace trace, coarse;
-  ModelOutcome outcome =
-      run(context, {.discretization = discretization, .trace = context.needs.companion ? &trace : nullptr});
+analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
+                                           double least_rate, const RunContext& context) {
+  return {table_of(trace, context), analysis::space_error(1, resolution, resolution_of_trace, least_rate)};
+}
+
+ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run) {
+  DeformationTrace trace, other;
+  ModelOutcome outcome = run(context, false, {}, &trace);
   auto& counters = outcome.statistics.counters;
   counters["work"] = work(outcome);
-  if (!context.needs.companion || outcome.end != mechanics::Outcome::finished) return outcome;
+  if (outcome.end != mechanics::Outcome::finished) return outcome;
 
-  const scene::Discretization other = scene::companion(discretization);
-  ModelOutcome companion = run_silently(run, context, context.scene, ContinuumTask{other, outcome.stepping, &coarse});
+  const auto run_companion = [&](const RunContext& silent, const std::optional<Stepping>& stepping) {
+    return run(silent, true, stepping, &other);
+  };
+  ModelOutcome companion = run_silently(run_companion, context, context.scene, outcome.stepping);
   if (companion.end == mechanics::Outcome::interrupted) {
     outcome.end = companion.end;
     outcome.message = "interrupted while the discretisation error was estimated";
     return outcome;
   }
   if (companion.end == mechanics::Outcome::failed) {
-    context.log->warn("continuum: no estimate of the discretisation error: on {} the {}", scene::describe(other),
+    context.log->warn("{}: no estimate of the discretisation error: on {} the {}", pair.model, pair.companion,
                       companion.message);
     return outcome;
   }
-  warn_of_gaps(context, trace);
-  const TraceDifference apart = difference(trace, coarse);
+  warn_of_gaps(context, pair.model, trace);
+  const TraceDifference apart = difference(trace, other);
   const auto error = [&](double d) {
-    return analysis::space_error(d, scene::resolution(discretization), scene::resolution(other));
+    return analysis::space_error(d, pair.resolution, pair.resolution_of_companion, pair.rate);
   };
   counters["estimated_space_error"] = error(apart.largest);
   counters["relative_space_error"] = error(apart.relative);
-  counters["companion_degree"] = other.degree;
-  counters["companion_refinements"] = other.refinements;
   counters["companion_work"] = work(companion);
+  outcome.other = other_resolution(other, pair.resolution, pair.resolution_of_companion, pair.least_rate, context);
   const double seconds = outcome.statistics.timers["companion"] = companion.statistics.timers["run"];
-  context.log->info("continuum: discretisation error of Q {:.1e}, estimated by a run on {} ({:.3g} s)",
-                    error(apart.largest), scene::describe(other), seconds);
+  context.log->info("{}: discretisation error of Q {:.1e}, estimated by a run on {} ({:.3g} s)", pair.model,
+                    error(apart.largest), pair.companion, seconds);
+  return outcome;
+}
+
+ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run) {
+  const scene::Discretization own = *scene::fixed_discretization(context.scene);
+  if (!context.needs.companion) {
+    ModelOutcome outcome = run(context, {.discretization = own});
+    outcome.statistics.counters["work"] = work(outcome);
+    return outcome;
+  }
+  const scene::Discretization companion = scene::companion(own);
+  ModelOutcome outcome =
+      run_with_companion(context,
+                         {"continuum", scene::resolution(own), scene::resolution(companion), scene::describe(companion),
+                          analysis::assumed_space_rate, analysis::least_space_rate},
+                         [&](const RunContext& of_run, bool is_companion, const std::optional<Stepping>& stepping,
+                             DeformationTrace* trace) {
+                           return run(of_run, {is_companion ? companion : own, stepping, trace});
+                         });
+  if (outcome.other) {
+    outcome.statistics.counters["companion_degree"] = companion.degree;
+    outcome.statistics.counters["companion_refinements"] = companion.refinements;
+  }
   return outcome;
 }
 

@@ -74,13 +74,28 @@ function show(value, digits = 4) {
   return text.replace("-", "−").replace("e-", "e−");
 }
 
+// An error to one digit, rounded up.
+const digitUp = error => { const place = 10 ** Math.floor(Math.log10(error) + 1e-9); return Number((Math.ceil(error / place * (1 - 1e-9)) * place).toPrecision(1)); };
+const showError = error => error > 0 ? show(digitUp(error), 1) : "0";
+
 // With the digits that the uncertainty leaves, `digits` at most; an uncertainty behind the last of them is left out.
 function showWithin(value, uncertainty, digits) {
   const placeOf = v => Math.floor(Math.log10(Math.abs(v)) + 1e-9), finest = value ? placeOf(value) - digits + 1 : -digits;
   if (!(uncertainty >= 0.5 * 10 ** finest)) return show(value, digits);
-  const rounded = Number(uncertainty.toPrecision(1)), decimals = -Math.max(finest, placeOf(rounded));
+  const rounded = digitUp(uncertainty), decimals = -Math.max(finest, placeOf(rounded));
   if (decimals < 0 || decimals > 6) return `${show(value, Math.max(1, (value ? placeOf(value) : 0) + decimals + 1))} ± ${show(rounded, 1)}`;
   return `${value.toFixed(decimals).replace("-", "−")} ± ${rounded.toFixed(decimals)}`;
+}
+
+// The sum of its errors, or the words for those that are not known; fit, time and space are those of `errors` with the prefix.
+function showWithErrors(value, errors, prefix, digits) {
+  const total = errors[`${prefix}uncertainty`];
+  if (typeof total === "number") return showWithin(value, total, digits);
+  return `${show(value, digits)} (${["fit", "time", "space"].filter(part => errors[`${prefix}${part}_error`] === null).map(part => `error in ${part} not known`).join(", ")})`;
+}
+// "fit 0.003, time 2e−6, space 4e−4"
+function partsInWords(errors, prefix = "") {
+  return ["fit", "time", "space"].filter(part => typeof errors[`${prefix}${part}_error`] === "number").map(part => `${part} ${showError(errors[`${prefix}${part}_error`])}`).join(", ");
 }
 
 // Numbers of one column: all to the last place of the largest one's `digits`.

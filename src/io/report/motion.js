@@ -100,7 +100,7 @@ function energySections() {
   const withEnergies = MODELS.filter(m => m.table.has("energy")), withMomenta = MODELS.filter(m => m.table.has("J1"));
   const content = [];
   if (withEnergies.length) {
-    const E0 = reference("energy_difference", () => Math.max(...withEnergies.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))))) || 1;
+    const E0 = reference("energy_difference", () => energyReference(withEnergies)) || 1;
     content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name} energy`})), SQUARED));
     content.push(make("h3", {}, "What is conserved"), make("p", {class: "note"},
       `The sum of all energies, less what it was at the start, over E₀ = ${show(E0)}; J and Z likewise, by their size.`));
@@ -114,6 +114,13 @@ function energySections() {
       }) : [])]));
   }
   return content.length ? section("Energies and momenta", "", legend(MODELS), content) : [];
+}
+
+// Of kinetic and elastic energy together or, if that is round-off of the others, the largest of them.
+function energyReference(models) {
+  const others = Math.max(...models.map(m => Math.max(...["gravitational", "external", "dissipated"].filter(n => m.table.has(n)).map(n => largest(column(m, n))))), 0);
+  const ofMotion = Math.max(...models.map(m => largest(column(m, "kinetic").map((k, i) => k + column(m, "elastic")[i]))));
+  return ofMotion >= 1e-12 * others ? ofMotion : others;
 }
 
 const DIFFERENCES = {
@@ -147,8 +154,8 @@ function differenceSections() {
   const x = table.columns.time;
   const names = table.names.filter(n => !/^time$|^nonaffine|^a\d_difference$|^q_difference_of_departure$/.test(n) && largest(table.columns[n]) > 1e-9);
   const d = comparison && comparison.model_difference;
-  const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${show(d.value, 3)} (discretisation error: not estimated).`
-    : `${showWithin(d.value, d.uncertainty, 4)}, the discretisation error as estimated${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
+  const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${showWithErrors(d.value, d, "", 3)}.`
+    : `${showWithErrors(d.value, d, "", 4)}, the discretisation error as estimated (${partsInWords(d)})${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
   const one = n => { const {name, y} = fromFirst(DIFFERENCES[n] || n, table.columns[n]); return chart({title: name, xLabel: timeLabel, series: [{x, y, name: "", style: "other"}]}); };
   return section("Difference of the models", `${MODELS.map((m, i) => i ? m.name : m.name.replace(" ball", "").replace(/^./, c => c.toUpperCase())).join(" less ")}. ${verdict}`,
     make("div", {class: "charts"}, [...names.map(one), ...axisDifferences()]),
@@ -223,7 +230,7 @@ function spectrumSections() {
   const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
   const marks = signals.map((s, k) => {
     const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
-    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? `= ${showWithin(at, fit.uncertainty, 5)}` : `≈ ${show(at, 3)}`}`};
+    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? `= ${showWithErrors(at, fit, "", 5)}` : `≈ ${show(at, 3)}`}`};
   }).filter(mark => mark.x !== null);
   const name = `C${entry.join("")}`;
   const n_fitted = signals.filter(s => fitted(s.model.key)).length;
@@ -232,7 +239,8 @@ function spectrumSections() {
   const why = known ? known.reason.replace("component of C = Q^T Q", "the entry") : "the entry that varies most";
   return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${why}, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}. Rotations of the body do not count. `
     + `Upright lines: ${lines}. `
-    + (known && known.ratio ? `Their ratio: ${showWithin(known.ratio, known.ratio_uncertainty, 6)}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
+    + (known && [known[models[0].key], known[models[models.length - 1].key]].some(m => m && m.load) ? "A line is that of a load, and says nothing of the body. " : "")
+    + (known && known.ratio ? `Their ratio: ${showWithErrors(known.ratio, known, "ratio_", 6)}, errors: ${partsInWords(known, "ratio_")}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
     legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
 }
 

@@ -1,0 +1,59 @@
+#pragma once
+/// The error of a number that is read off a run, part by part. A part that is not known is absent: it is named, and no
+/// bar is printed in its place.
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "analysis/other_resolution.h"
+
+namespace pseudorigid::analysis {
+
+struct ErrorBar {
+  double fit = 0;  ///< how well the samples determine the number; 0: it is read off without a fit
+  std::optional<double> time{}, space{};  ///< by the discretisation in time, in space
+
+  /// The sum.
+  std::optional<double> total() const { return time && space ? std::optional(fit + *time + *space) : std::nullopt; }
+};
+
+/// An error to one digit, rounded up: what is printed is a bound as well. "0.003", "2e-06".
+inline std::string printed_error(double error) {
+  if (!(error > 0)) return "0";
+  const double place = std::pow(10, std::floor(std::log10(error)));
+  constexpr double round_off = 1e-9;
+  return fmt::format("{:.1g}", std::ceil(error / place * (1 - round_off)) * place);
+}
+
+/// "error in space not known"; empty if every part is known.
+inline std::string unknown_parts(const ErrorBar& bar) {
+  if (bar.total()) return {};
+  if (bar.time || bar.space) return fmt::format("error in {} not known", bar.time ? "space" : "time");
+  return "errors in time and space not known";
+}
+
+/// "fit 3e-03, time 2e-06, space not known".
+inline std::string parts_in_words(const ErrorBar& bar) {
+  const auto part = [](const char* name, const std::optional<double>& value) {
+    return value ? name + (" " + printed_error(*value)) : fmt::format("{} not known", name);
+  };
+  return (bar.fit > 0 ? part("fit", bar.fit) + ", " : "") + part("time", bar.time) + ", " + part("space", bar.space);
+}
+
+/// " +- 0.003", or " (error in space not known)".
+inline std::string in_short(const ErrorBar& bar) {
+  const auto total = bar.total();
+  return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
+}
+
+/// The estimated errors of a run's samples.
+struct RunErrors {
+  std::optional<double> time{};   ///< largest entry of the error of Q
+  std::optional<double> space{};  ///< largest |δQ|/|Q|; 0: the model has no discretisation in space
+  const OtherResolution* other = nullptr;
+};
+
+}  // namespace pseudorigid::analysis

@@ -1,0 +1,58 @@
+#include "analysis/frequency_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pseudorigid::analysis {
+namespace {
+
+double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
+
+double error_in_time(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
+  constexpr double of_growing_phase = 1.5;
+  const auto [i, j] = entry;
+  double columns = 0;
+  for (const Eigen::Matrix3d& Q : deformation.Q)
+    columns = std::max(columns, Q.col(i).lpNorm<1>() + Q.col(j).lpNorm<1>());
+  return of_growing_phase * columns * e / (fit.dominant().amplitude * record_length(fit));
+}
+
+/// The line of the same entry on the other discretisation, if there is one.
+std::optional<Line> other_line(std::pair<int, int> entry, const std::vector<double>& time, const RunErrors& errors) {
+  if (!errors.other || errors.other->samples.n_rows() < time.size()) return std::nullopt;
+  ModelSummary summary;
+  std::vector<double> signal = Deformation(errors.other->samples, 0, summary).component(entry.first, entry.second);
+  signal.resize(time.size());
+  const FrequencyFit fit = fit_component(signal, time, true);
+  return fit ? std::optional(fit.dominant()) : std::nullopt;
+}
+
+}  // namespace
+
+ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
+                         const std::vector<double>& time, const RunErrors& errors) {
+  ErrorBar bar;
+  if (!fit) return bar;
+  const Line& own = fit.dominant();
+  bar.fit = own.uncertainty;
+  if (errors.time) bar.time = error_in_time(fit, deformation, entry, *errors.time);
+  if (const auto other = other_line(entry, time, errors)) {
+    bar.fit = std::max(bar.fit, other->uncertainty);
+    bar.space = errors.other->factor * std::abs(own.frequency - other->frequency);
+  } else if (!errors.other && errors.space == 0.0) {
+    bar.space = 0;
+  }
+  return bar;
+}
+
+std::optional<double> load_of_line(const FrequencyFit& fit, const std::vector<double>& load_frequencies) {
+  if (!fit) return std::nullopt;
+  const double width = std::numbers::pi / 2 / record_length(fit);
+  for (const double load : load_frequencies)
+    for (const double multiple : {1.0, 2.0})
+      if (std::abs(fit.dominant().frequency - multiple * std::abs(load)) <= width) return std::abs(load);
+  return std::nullopt;
+}
+
+}  // namespace pseudorigid::analysis

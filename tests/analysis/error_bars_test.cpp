@@ -1,0 +1,99 @@
+/// Of runs whose errors are known the bar of a frequency holds what the errors do to it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "analysis/frequency_error.h"
+#include "synthetic_runs.h"
+
+namespace {
+
+using namespace pseudorigid::analysis;
+using namespace synthetic;
+
+constexpr double end = 20, omega = exact_omega, amplitude = 1e-3;
+const std::vector<double> samples = times(401, end);
+
+/// The pulsation, its phase wrong by `phase(t/end)` times `size`.
+Motion with_phase(const std::function<double(double)>& phase, double size) {
+  const Eigen::Matrix3d H = Eigen::Vector3d(-0.5, -0.5, 1).asDiagonal();
+  const auto Q = [=](double t) -> Eigen::Matrix3d {
+    return Eigen::Matrix3d::Identity() + amplitude * std::cos(omega * t + size * phase(t / end)) * H;
+  };
+  return {Q, [](double) -> Eigen::Matrix3d { return Eigen::Matrix3d::Zero(); }};
+}
+
+/// Largest entry of the error of Q.
+double error_of(const Motion& motion) {
+  const Motion exact = pulsation(omega, amplitude);
+  double largest = 0;
+  for (const double t : samples) largest = std::max(largest, (motion.Q(t) - exact.Q(t)).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+TEST(ErrorBars, TimeErrorsThatGrowAreHeld) {
+  struct Shape {
+    const char* name;
+    std::function<double(double)> phase;
+    double part;  ///< of the bar that it reaches at least
+  };
+  const std::vector<Shape> shapes{{"linear", [](double s) { return s; }, 0.6},
+                                  {"quadratic", [](double s) { return s * s; }, 0.6},
+                                  {"root", [](double s) { return std::sqrt(s); }, 0.4},
+                                  {"cubic", [](double s) { return s * s * s; }, 0.5},
+                                  {"jump", [](double s) { return s < 0.5 ? 0.0 : 1.0; }, 0.9}};
+  for (const Shape& shape : shapes)
+    for (const double size : {1e-4, 1e-2}) {
+      const Motion motion = with_phase(shape.phase, size);
+      const Table run = continuum_run(motion, samples);
+      const Comparison c = compare(run, run, {}, {.continuum = {.time = error_of(motion), .space = 0}});
+      ASSERT_TRUE(c.reference.frequency) << shape.name;
+      const double error = std::abs(c.reference.frequency.dominant().frequency - omega);
+      const double bar = *c.reference.frequency_error.time;
+      EXPECT_LE(error, 1.01 * bar) << shape.name << size;  // 1 %: of samples, which are no integral
+      EXPECT_GE(error, shape.part * bar) << shape.name << size;
+    }
+}
+
+TEST(ErrorBars, SpaceErrorFollowsFromAnotherResolution) {
+  const Table coarse = continuum_run(pulsation(1.02 * omega), samples),
+              fine = continuum_run(pulsation(1.005 * omega), samples);
+  const OtherResolution other{coarse, 0.5};
+  const Table reduced = reduced_run(reduced_pulsation, samples);
+  const Comparison c = compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3, .other = &other}});
+  EXPECT_NEAR(*c.reference.frequency_error.space, 0.5 * 0.015 * omega, 1e-6);
+  EXPECT_EQ(*c.model.frequency_error.space, 0);
+  EXPECT_LE(std::abs(c.ratio->value - incompressible_ball_ratio), *c.ratio->error.total());
+  // Of a space error of Q alone nothing follows for a frequency, and a motion that broke off says nothing.
+  EXPECT_FALSE(compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3}}).ratio->error.space);
+  const OtherResolution broken_off{continuum_run(pulsation(omega), times(100, 5)), 0.5};
+  EXPECT_FALSE(
+      compare(reduced, fine, {}, {.continuum = {.time = 0, .space = 1e-3, .other = &broken_off}}).ratio->error.space);
+}
+
+/// The largest of (a ± δa)/(b ± δb), not its linear part.
+TEST(ErrorBars, RatioHoldsTheCornersOfItsFrequencies) {
+  const Table coarse = continuum_run(pulsation(1.25 * omega), samples),
+              fine = continuum_run(pulsation(1.1 * omega), samples);
+  const OtherResolution other{coarse, 1};
+  const Comparison c =
+      compare(reduced_run(reduced_pulsation, samples), fine, {},
+              {.reduced = {.time = 1e-5, .space = 0}, .continuum = {.time = 1e-5, .space = 1e-3, .other = &other}});
+  const auto bar_of = [](const ModelSummary& m) { return *m.frequency_error.total(); };
+  const double a = c.model.frequency.dominant().frequency, b = c.reference.frequency.dominant().frequency;
+  const double corner = (a + bar_of(c.model)) / (b - bar_of(c.reference));
+  EXPECT_NEAR(*c.ratio->error.total(), corner - a / b, 1e-12);
+  EXPECT_LT((a - bar_of(c.model)) / (b + bar_of(c.reference)), corner);
+}
+
+TEST(ErrorBars, PartsAreNamed) {
+  EXPECT_EQ(*ErrorBar({.fit = 1, .time = 2, .space = 4}).total(), 7);
+  EXPECT_FALSE(ErrorBar({.fit = 1, .time = 2}).total());
+  EXPECT_EQ(in_short({.time = 0.5, .space = 1}), " +- 2");
+  EXPECT_NE(in_short({.time = 1}).find("space not known"), std::string::npos);
+  EXPECT_NE(parts_in_words({.fit = 0.1, .space = 1}).find("time not known"), std::string::npos);
+}
+
+}  // namespace
