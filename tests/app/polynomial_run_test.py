@@ -104,7 +104,7 @@ class PolynomialRun(ProgramTest):
                     "Equilibrium/Family": "maclaurin", "Equilibrium/First": 0.78, "Equilibrium/Last": 0.84,
                     "Equilibrium/Number": 2, **FLUID})
         result = self.run_done("run", "scene.prm")
-        self.assertRegex(result.stderr, r"degree 3: 2 equilibria.*\n  index at e = 0\.81267\d* \(even in z, m = 2\)")
+        self.assertRegex(result.stdout, r"degree 3: 2 equilibria.*\n  index at e = 0\.81267\d* \(even in z, m = 2\)")
         reduced, bodies = self.table("output/scene/equilibria.csv"), self.table("output/scene/equilibria-polynomial.csv")
         self.assertEqual(set(bodies.column("degree")), {1.0, 3.0})
         of_degree = [k for k, N in enumerate(bodies.column("degree")) if N == 1]

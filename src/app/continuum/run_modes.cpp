@@ -26,14 +26,14 @@ double gravity_of(const continuum::RestProblem& problem) {
 }
 
 void write_table(const std::vector<BallFrequency>& frequencies, const continuum::RestProblem& problem,
-                 const RunContext& context) {
+                 const RunContext& context, ModelOutcome& outcome) {
   std::vector<ModeFrequency> rows;
   for (const BallFrequency& f : frequencies)
     rows.push_back({f.omega, f.least, f.largest, f.kind == ModeKind::spheroidal, f.degree, f.overtone, f.multiplicity});
   const auto& elasticity = problem.elasticity;
   write_mode_table(rows,
                    {elasticity.shear_modulus(), elasticity.lame_lambda(), problem.incompressible, gravity_of(problem)},
-                   context, "modes");
+                   context, "modes", outcome);
 }
 
 /// One shape for each frequency, on the ball at rest, its largest displacement one radius.
@@ -89,7 +89,7 @@ ModelOutcome run_modes(const RunContext& context) {
     outcome.message = status.reason();
     return outcome;
   }
-  write_table(frequencies, problem, context);
+  write_table(frequencies, problem, context, outcome);
   if (context.needs.graphics) write_shapes(frequencies, space, context);
   context.log->info("modes: {} frequencies, {:.3g} s", frequencies.size(), timers["run"]);
   return outcome;

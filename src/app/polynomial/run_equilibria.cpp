@@ -144,10 +144,12 @@ class EquilibriaRun {
   void report(int degree, const polynomial::RotationFamily& family, Figure figure, const std::string& name) {
     const auto n_stable = std::ranges::count_if(
         family.members, [](const polynomial::RotationMember& member) { return !fastest_growing(member); });
-    context_.log->info("degree {}: {} equilibria, {} of them stable", degree, family.members.size(), n_stable);
+    add_result(outcome_, context_,
+               fmt::format("degree {}: {} equilibria, {} of them stable", degree, family.members.size(), n_stable));
     for (const auto& special : family.special)
-      context_.log->info("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), name, special.member.parameter,
-                         app::name_of(special.motions, figure));
+      add_result(outcome_, context_,
+                 fmt::format("  {} at {} = {:.10g} ({})", mechanics::name_of(special.kind), name,
+                             special.member.parameter, app::name_of(special.motions, figure)));
     n_members_ += static_cast<double>(family.members.size());
     n_special_ += static_cast<double>(family.special.size());
   }

@@ -51,7 +51,7 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
   const double gamma = 4 * std::numbers::pi / 3 * loads::constant_forcing(setup.loads).gravity_constant / mu;
   const bool is_alone = context.needs.models.size() == 1;
   write_mode_table(rows, {mu, lambda, scene.body.incompressible, gamma}, context,
-                   is_alone ? "modes" : "modes-polynomial");
+                   is_alone ? "modes" : "modes-polynomial", outcome);
   context.log->info("polynomial: degree {}, {} frequencies, {:.3g} s", setup.degree, found.size(), timers["run"]);
   return outcome;
 }

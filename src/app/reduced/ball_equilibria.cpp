@@ -198,9 +198,10 @@ ModelOutcome run_ball_equilibria(const RunContext& context) {
   write_family(family, context);
   const auto n_stable = std::count_if(family.points.begin(), family.points.end(),
                                       [](const EquilibriumPoint& p) { return p.stability.stable; });
-  context.log->info("{} equilibria, {} of them stable", family.points.size(), n_stable);
+  add_result(outcome, context, fmt::format("{} equilibria, {} of them stable", family.points.size(), n_stable));
   for (const auto& special : family.special)
-    context.log->info("  {} at {} = {:.10g}", mechanics::name_of(special.kind), name, special.point.parameter);
+    add_result(outcome, context,
+               fmt::format("  {} at {} = {:.10g}", mechanics::name_of(special.kind), name, special.point.parameter));
   outcome.statistics.counters["equilibria"] = static_cast<double>(family.points.size());
   outcome.statistics.counters["special_points"] = static_cast<double>(family.special.size());
   if (interrupted) {

@@ -41,7 +41,7 @@ std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, con
 }
 
 /// The centre of mass moves by itself: ẍ = b − Tx.
-void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context) {
+void report_center(const ReducedScene& s, const io::Units& units, const RunContext& context, ModelOutcome& outcome) {
   const Eigen::Matrix3d& T = s.forcing.quadratic;
   const Eigen::Vector3d& b = s.forcing.acceleration;
   if (T.isZero(0) && b.isZero(0)) return;
@@ -52,8 +52,11 @@ void report_center(const ReducedScene& s, const io::Units& units, const RunConte
     return;
   }
   const Eigen::VectorXd stiffness = mechanics::symmetric_spectrum(T).values;
-  context.log->info("the centre of mass, which moves by itself, is at rest at ({:.9g}, {:.9g}, {:.9g}): Morse index {}",
-                    x[0] * units.length, x[1] * units.length, x[2] * units.length, (stiffness.array() < 0).count());
+  add_result(
+      outcome, context,
+      fmt::format("the centre of mass, which moves by itself, is at rest at ({:.9g}, {:.9g}, {:.9g}): Morse "
+                  "index {}",
+                  x[0] * units.length, x[1] * units.length, x[2] * units.length, (stiffness.array() < 0).count()));
 }
 
 }  // namespace
@@ -106,7 +109,7 @@ ModelOutcome run_static_equilibria(const RunContext& context) {
   }
   csv.flush();
   report_search(found, scales("mass*length^2/time^2"), context, outcome);
-  report_center(s, context.units, context);
+  report_center(s, context.units, context, outcome);
   return outcome;
 }
 

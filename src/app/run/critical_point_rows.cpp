@@ -36,11 +36,13 @@ void append_critical_point(const mechanics::CriticalPoint& point, std::vector<do
 
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome) {
-  context.log->info("{} critical points from {} of {} starts (a search: there may be more)", found.points.size(),
-                    found.n_converged, found.n_starts);
+  add_result(outcome, context,
+             fmt::format("{} critical points from {} of {} starts (a search: there may be more)", found.points.size(),
+                         found.n_converged, found.n_starts));
   for (const mechanics::CriticalPoint& p : found.points)
-    context.log->info("  V = {:.6g}: Morse index {}, nullity {}, {} unstable and {} stable directions", p.V * energy,
-                      p.morse_index, p.nullity, p.n_unstable, p.n_stable);
+    add_result(outcome, context,
+               fmt::format("  V = {:.6g}: Morse index {}, nullity {}, {} unstable and {} stable directions",
+                           p.V * energy, p.morse_index, p.nullity, p.n_unstable, p.n_stable));
   outcome.statistics.counters["critical_points"] = static_cast<double>(found.points.size());
   outcome.statistics.counters["starts"] = found.n_starts;
   outcome.statistics.counters["converged_starts"] = found.n_converged;

@@ -15,7 +15,7 @@ namespace pseudorigid::app {
 std::vector<scene::Column> critical_point_columns(int n_modes);
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Lines of the log and counters of the manifest; `energy` is the unit of V.
+/// Lines of the results and counters of the manifest; `energy` is the unit of V.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

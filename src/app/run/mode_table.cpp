@@ -37,13 +37,14 @@ std::string name_of(const ModeFrequency& f) {
 }  // namespace
 
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
-                      std::string_view file) {
+                      std::string_view file, ModelOutcome& outcome) {
   const std::vector<std::string> columns{"index",        "omega",  "kind",  "degree", "overtone",
                                          "multiplicity", "spread", "exact", "reduced"};
   constexpr double spheroidal = 1, toroidal = 2;  // the column kind
   auto csv = io::CsvWriter::create(context.directory.csv(file), columns);
-  context.log->info("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies", "spread",
-                    "exact sphere", "difference", "pseudo-rigid");
+  add_result(outcome, context,
+             fmt::format("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies",
+                         "spread", "exact sphere", "difference", "pseudo-rigid"));
   int index = 0;
   for (const ModeFrequency& f : frequencies) {
     const double time = context.units.time, spread = (f.largest - f.least) / f.omega;
@@ -51,10 +52,11 @@ void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallA
     csv.append(std::vector<double>{static_cast<double>(++index), f.omega / time, f.spheroidal ? spheroidal : toroidal,
                                    static_cast<double>(f.degree), static_cast<double>(f.overtone),
                                    static_cast<double>(f.multiplicity), spread, exact / time, reduced / time});
-    context.log->info("{:>3}  {:<14} {:>16.10g} {:>6} {:>9.1e} {:>16} {:>10} {:>16}", index, name_of(f), f.omega / time,
-                      f.multiplicity, spread, fmt::format("{:.10g}", exact / time),
-                      fmt::format("{:.1e}", f.omega / exact - 1),
-                      reduced == 0 ? "" : fmt::format("{:.10g}", reduced / time));
+    add_result(outcome, context,
+               fmt::format("{:>3}  {:<14} {:>16.10g} {:>6} {:>9.1e} {:>16} {:>10} {:>16}", index, name_of(f),
+                           f.omega / time, f.multiplicity, spread, fmt::format("{:.10g}", exact / time),
+                           fmt::format("{:.1e}", f.omega / exact - 1),
+                           reduced == 0 ? "" : fmt::format("{:.10g}", reduced / time)));
   }
   csv.flush();
 }

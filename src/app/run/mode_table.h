@@ -26,8 +26,8 @@ struct BallAtRest {
   double gamma;
 };
 
-/// Columns of the table, by name.
+/// Writes the file, and adds the lines for people to the results.
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
-                      std::string_view file);
+                      std::string_view file, ModelOutcome& outcome);
 
 }  // namespace pseudorigid::app

@@ -45,7 +45,7 @@ std::vector<std::string> names_of(const std::vector<scene::Column>& columns, std
 class ManifoldRun {
  public:
   ManifoldRun(const systems::AnySystemScene& system, const systems::AnyModel& model, const systems::Scales& scales,
-              const RunContext& context, const std::vector<CriticalPoint>& points)
+              const RunContext& context, const std::vector<CriticalPoint>& points, ModelOutcome& outcome)
       : model_(model),
         scales_(scales),
         context_(context),
@@ -56,7 +56,8 @@ class ManifoldRun {
         rows_(io::CsvWriter::create(
             context.directory.csv("manifolds"),
             names_of(system.description.columns_of(context.scene), {"curve", "point", "stable", "time"}))),
-        ends_(io::CsvWriter::create(context.directory.csv("connections"), names_of(connections_columns(), {}))) {
+        ends_(io::CsvWriter::create(context.directory.csv("connections"), names_of(connections_columns(), {}))),
+        outcome_(outcome) {
     for (const scene::Column& column : system.description.columns_of(context.scene))
       units_.push_back(scales(column.unit));
     if (points.empty()) return;
@@ -104,8 +105,9 @@ class ManifoldRun {
       if (n_ends[to] > 0)
         text += fmt::format("{}{} {} point {}", text.empty() ? "" : ", ", n_ends[to], stable ? "from" : "to", to);
     if (n_ends[0] > 0) text += fmt::format("{}{} to no point", text.empty() ? "" : ", ", n_ends[0]);
-    context_.log->info("  point {}, {} manifold: {} motions, {}", from, stable ? "stable" : "unstable", starts.size(),
-                       text);
+    add_result(outcome_, context_,
+               fmt::format("  point {}, {} manifold: {} motions, {}", from, stable ? "stable" : "unstable",
+                           starts.size(), text));
     return {};
   }
 
@@ -188,6 +190,7 @@ class ManifoldRun {
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> units_, row_;
   io::CsvWriter rows_, ends_;
+  ModelOutcome& outcome_;  ///< gets the results
   int n_curves_ = 0;
 };
 
@@ -208,7 +211,7 @@ ModelOutcome run_manifolds(const systems::AnySystemScene& system, const systems:
   mechanics::CriticalPoints found;
   ModelOutcome outcome = run_equilibria(model.landscape(), dissipative, model.coordinates(), scales, context, &found);
   if (outcome.end != mechanics::Outcome::finished) return outcome;
-  ManifoldRun run(system, model, scales, context, found.points);
+  ManifoldRun run(system, model, scales, context, found.points, outcome);
   if (const Status status = run.run(); !status) {
     outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
     outcome.message = "the manifolds are not complete: " + status.reason();

@@ -64,7 +64,7 @@ class SectionRun {
     counters["crossings"] = static_cast<double>(csv_.n_rows());
     outcome.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const auto& section = context_.scene.section;
-    context_.log->info("{} crossings of {} = {}", csv_.n_rows(), section.column, section.value);
+    add_result(outcome, context_, fmt::format("{} crossings of {} = {}", csv_.n_rows(), section.column, section.value));
     return outcome;
   }
 
