@@ -53,8 +53,11 @@ double octant_frequency(const Rest& rest) {
   ParitySector sector(rest.problem, parity_of_sector(0));
   require(sector.factorize());
   std::vector<EigenPair> pairs;
-  require(append_largest_eigenpairs([&](auto y, auto z) { sector.apply(y, z); }, sector.n_unknowns(), 1, 1e-7, pairs));
-  return std::sqrt(sector.mode_of(pairs.front().vector).omega_squared);
+  require(append_largest_eigenpairs([&](auto y, auto z) { return sector.apply(y, z); }, sector.n_unknowns(), 1, 1e-7,
+                                    pairs));
+  ParitySector::Mode mode;
+  require(sector.mode_of(pairs.front().vector, mode));
+  return std::sqrt(mode.omega_squared);
 }
 
 double frequency_among_all(const Rest& rest) {

@@ -20,6 +20,11 @@ else()
   set(pseudorigid_instructions generic)
 endif()
 
+# Without binutils a single build is compiled as it is, and shares inlined functions with the program.
+if(CMAKE_OBJCOPY AND CMAKE_SYSTEM_NAME STREQUAL Linux AND NOT pseudorigid_instructions STREQUAL generic)
+  set(PSEUDORIGID_JOINS_OBJECTS TRUE)
+endif()
+
 # pseudorigid_kernel_options(VARIABLE INSTRUCTIONS): how kernels are compiled for them. -Wno-psabi: wide vectors are
 # passed between inlined functions only.
 function(pseudorigid_kernel_options variable instructions)
@@ -64,7 +69,7 @@ function(pseudorigid_kernels target)
     endif()
     string(APPEND builds "    {\"${instructions}\", [] { return ${runs_here}; }, &${table}},\n")
     pseudorigid_kernel_options(options ${instructions})
-    if(n_builds EQUAL 1)
+    if(instructions STREQUAL generic OR (n_builds EQUAL 1 AND NOT PSEUDORIGID_JOINS_OBJECTS))
       target_sources(${target} PRIVATE ${KERNELS_SOURCES})
       set_source_files_properties(${KERNELS_SOURCES} PROPERTIES SKIP_PRECOMPILE_HEADERS ON
         COMPILE_OPTIONS "${options}" COMPILE_DEFINITIONS PSEUDORIGID_KERNEL_TABLE=${table})

@@ -103,13 +103,9 @@ Columns<ContinuumObservables> continuum_columns() {
            "principal stretches of the mean deformation gradient, in descending order",
            [](const O& o) { return mechanics::singular_values(o.F); }},
           {"max_stretch", &Quantities::stretches, "", "largest principal stretch at the integration points",
-           [](const O& o) {
-             return -o.least_over_points([](const Eigen::Matrix3d& F) { return -mechanics::singular_values(F)[0]; });
-           }},
+           [](const O& o) { return o.max_stretch; }},
           {"min_stretch", &Quantities::stretches, "", "least principal stretch at the integration points",
-           [](const O& o) {
-             return o.least_over_points([](const Eigen::Matrix3d& F) { return mechanics::singular_values(F)[2]; });
-           }},
+           [](const O& o) { return o.min_stretch; }},
       });
   return columns;
 }

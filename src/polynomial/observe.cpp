@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "mechanics/core/observe_stretches.h"
 #include "mechanics/core/principal_axes.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
@@ -96,9 +97,7 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
     o.angular_momentum = mechanics::axial_vector(space.moment(x, u));
     o.circulation = mechanics::axial_vector(sums.X_pulled_back);
   }
-  o.least_over_points = [&body, &state](double (*value)(const Eigen::Matrix3d& F)) {
-    return body.least(state.q, value);
-  };
+  if (request.stretches) mechanics::observe_stretches([&](auto value) { return body.least(state.q, value); }, o);
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
   if (request.nonaffine) {
     const Parts of_x = parts(space, x), of_u = parts(space, u);

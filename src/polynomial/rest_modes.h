@@ -3,12 +3,17 @@
 ///
 ///   K u = ω² u on ker G,   K = D²V − Σ_b λ_b D²g_b   at x = X with its multiplier λ,
 ///
-/// from dense matrices. A motion is even or odd under each reflection of a coordinate plane, so that K and G fall into
-/// eight parts (u_i has the parity of the part with bit i changed, the constraints that of the part), and each part is
-/// an eigenvalue problem on an orthonormal basis of ker G. All frequencies of the body are found.
+/// from dense matrices, a problem for each of the eight parities (parity_parts.h) on an orthonormal basis of ker G
+/// without the six rigid motions. All other frequencies of the body are found, those of unstable motions among them.
 ///
-/// The basis is made of |ξ|^l Y_lm, and a toroidal motion of degree n has l = n in every component, a spheroidal one
-/// l = n ± 1: that tells kind and degree of a mode.
+/// Kind and degree of a mode are measured: P_N is invariant under turns, and the square of a turn of the whole field
+/// (turns.h) splits a parity into motions of one degree n each. A mode has the degree of which its share is largest. It
+/// is spheroidal where its inversion X ↦ −X has the sign (−1)^(n+1), and otherwise toroidal.
+///
+/// Self-gravity at rest is exact: its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
+/// (continuum/modes/parity_sector.h). The quadrature of a motion's gravity (body_gravity.h) errs in the highest
+/// harmonics by more than all elasticity where γ = ρgr/μ is large: it mixed kinds from γ = 400 on at N = 3, from 4000
+/// on at N = 8.
 
 #include <vector>
 
@@ -16,18 +21,20 @@
 
 namespace pseudorigid::polynomial {
 
-/// One frequency of the ball with its 2n + 1 modes. Internal units.
+/// One frequency of the ball with its 2n + 1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate
+/// of growth.
 struct RestFrequency {
   double omega;           ///< mean of the copies
   double least, largest;  ///< of the copies
   bool spheroidal;
   int degree;
   int overtone;           ///< 0: the lowest of its kind and degree
+  double share;           ///< least share of the degree in a copy
   Eigen::VectorXd shape;  ///< one of the modes, coefficients of the whole body, of norm 1
 };
 
-/// The lowest `number` frequencies above 0, rising. `setup.reflect` is not used. Fails where the body is in no
-/// equilibrium at rest.
+/// The lowest `number` frequencies, rising. `setup.reflect` is not used. Fails where the body is in no equilibrium at
+/// rest, and where modes cannot be put together to frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

@@ -11,46 +11,22 @@
 #include "polynomial/constraint.h"
 #include "polynomial/gram_solver.h"
 #include "polynomial/octant_quadrature.h"
+#include "polynomial/parity_parts.h"
 
 namespace pseudorigid::polynomial {
 namespace {
 
-constexpr int n_parities = 8;
 constexpr Parity half_turn = 3;  // changes the parity in x and in y
 
 /// Singular values of G and of the symmetries below this part of the largest count as zero.
 constexpr double dependent = 1e-8;
 
-/// Coefficients of each parity of the motion, 0 that of the octant, without those of uniform motions.
+/// Coefficients of each parity without those of uniform motions.
 std::array<std::vector<int>, n_parities> coefficients_by_parity(const PolynomialSpace& space) {
-  std::array<std::vector<int>, n_parities> places;
-  for (const Block& block : space.blocks())
-    for (int a = 0; a < block.n(); ++a)
-      if (block.functions[a] > 0)  // the first function is the constant
-        places[block.parity ^ 1U << block.component].push_back(block.offset + a);
+  auto places = unknowns_by_parity(space);
+  for (int i = 0; i < 3; ++i)
+    for (auto& of_parity : places) std::erase(of_parity, space.place(i, 0));  // the first function is the constant
   return places;
-}
-
-/// [axis](b, a): ∫φ_b (e × X)·∇φ_a of a ball, by the points of integration, which are exact for it.
-std::array<Eigen::MatrixXd, 3> turns_of_functions(const PolynomialSpace& space) {
-  const Eigen::Index n = space.n_functions();
-  std::array<Eigen::MatrixXd, 3> turns;
-  turns.fill(Eigen::MatrixXd::Zero(n, n));
-  for (int p = 0; p < space.n_points(); ++p) {
-    if (space.weights()[p] == 0) continue;
-    const auto& xi = space.points()[p];
-    const Eigen::Vector3d X = space.semi_axes().cwiseProduct(Eigen::Vector3d(xi[0], xi[1], xi[2]));
-    const std::vector<Jet> functions = space.functions_at(xi);
-    for (int axis = 0; axis < 3; ++axis) {
-      const Eigen::Vector3d along = Eigen::Vector3d::Unit(axis).cross(X);
-      for (Eigen::Index a = 0; a < n; ++a) {
-        const auto& gradient = functions[a].gradient;
-        const double rate = along[0] * gradient[0] + along[1] * gradient[1] + along[2] * gradient[2];
-        for (Eigen::Index b = 0; b < n; ++b) turns[axis](b, a) += space.weights()[p] * functions[b].value * rate;
-      }
-    }
-  }
-  return turns;
 }
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
@@ -71,7 +47,7 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
   whole.reflect = {};
   body_ = std::make_shared<CompressibleBody>(whole);
   octant_ = std::make_shared<PolynomialSpace>(setup.degree, std::array<bool, 3>{true, true, true}, setup.semi_axes);
-  turns_of_functions_ = turns_of_functions(space());
+  turns_ = std::make_shared<const Turns>(space());
   for (const bool odd_in_z : {false, true})
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
@@ -89,7 +65,7 @@ void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure
   std::map<int, std::vector<Eigen::Index>> of_m;
   if (figure == Figure::spheroid) {
     Eigen::MatrixXd turn(space().n_unknowns(), n);
-    for (Eigen::Index k = 0; k < n; ++k) turn.col(k) = turned(2, all.col(k)) - reference_turned(2, all.col(k));
+    for (Eigen::Index k = 0; k < n; ++k) turn.col(k) = turns_->of_space(2, all.col(k)) - turns_->of_ball(2, all.col(k));
     const auto squares = mechanics::symmetric_spectrum(turn.transpose() * turn);
     for (Eigen::Index k = 0; k < n; ++k)
       of_m[static_cast<int>(std::lround(std::sqrt(std::max(squares.values[k], 0.0))))].push_back(k);
@@ -142,61 +118,26 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// ê×x
-Eigen::VectorXd RotationSpectrum::turned(int axis, const Eigen::VectorXd& x) const {
-  const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-  Eigen::VectorXd turned = Eigen::VectorXd::Zero(x.size());
-  for (int a = 0; a < space().n_functions(); ++a) {
-    turned[space().place(j, a)] = -x[space().place(k, a)];
-    turned[space().place(k, a)] = x[space().place(j, a)];
-  }
-  return turned;
-}
-
-/// ∂x/∂X (ê×X)
-Eigen::VectorXd RotationSpectrum::reference_turned(int axis, const Eigen::VectorXd& x) const {
-  const Eigen::Index n = space().n_functions();
-  Eigen::VectorXd turned(x.size());
-  for (int i = 0; i < 3; ++i) {
-    Eigen::VectorXd component(n);
-    for (Eigen::Index a = 0; a < n; ++a) component[a] = x[space().place(i, static_cast<int>(a))];
-    component = turns_of_functions_[axis] * component;
-    for (Eigen::Index a = 0; a < n; ++a) turned[space().place(i, static_cast<int>(a))] = component[a];
-  }
-  return turned;
-}
-
 /// The turns of space (ζ×x, −(ω×ζ)×x), ω = Ω ê₃, and those of the ball.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
-    N.y.col(axis) = turned(axis, x);
-    N.y.col(3 + axis) = reference_turned(axis, x);
+    N.y.col(axis) = turns_->of_space(axis, x);
+    N.y.col(3 + axis) = turns_->of_ball(axis, x);
   }
-  N.rate.col(0) = -spin * turned(1, x);
-  N.rate.col(1) = spin * turned(0, x);
+  N.rate.col(0) = -spin * turns_->of_space(1, x);
+  N.rate.col(1) = spin * turns_->of_space(0, x);
   return N;
 }
 
-/// Motions of different parity are put into one call, and their images taken apart again.
 Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) const {
   const Eigen::VectorXd x = whole(rotation.x), lambda = whole_multiplier(rotation.lambda);
-  const auto places = coefficients_by_parity(space());
-  std::size_t n_calls = 0;
-  for (const auto& of_parity : places) n_calls = std::max(n_calls, of_parity.size());
-  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(x.size(), x.size());
-  for (std::size_t call = 0; call < n_calls; ++call) {
-    Eigen::VectorXd u = Eigen::VectorXd::Zero(x.size());
-    for (const auto& of_parity : places)
-      if (call < of_parity.size()) u[of_parity[call]] = 1;
-    Eigen::VectorXd image = rotation.spin_squared * across_axis_3(space(), u);
-    body_->add_force_rate(x, u, image);
-    if (incompressible_) add_reaction_rate(space(), x, u, lambda, image);
-    for (const auto& of_parity : places)
-      if (call < of_parity.size())
-        for (const int i : of_parity) K(i, of_parity[call]) = -image[i];
-  }
-  return 0.5 * (K + K.transpose());
+  return stiffness_by_parity(space(), [&](const Eigen::VectorXd& u) {
+    Eigen::VectorXd rate = rotation.spin_squared * across_axis_3(space(), u);
+    body_->add_force_rate(x, u, rate);
+    if (incompressible_) add_reaction_rate(space(), x, u, lambda, rate);
+    return rate;
+  });
 }
 
 /// Those of a class, in the basis T of its motions.
@@ -233,7 +174,7 @@ mechanics::Status RotationSpectrum::analyse(const SteadyRotation& rotation,
     if (incompressible_) T = T * mechanics::null_space(rows_beyond(dependent * G.norm(), G * T), dependent);
     if (T.cols() == 0) continue;
     Eigen::MatrixXd coriolis(T.rows(), T.cols());
-    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin * turned(2, T.col(k));
+    for (Eigen::Index k = 0; k < T.cols(); ++k) coriolis.col(k) = spin * turns_->of_space(2, T.col(k));
     ClassStability of_class{part.motions, {}};
     const auto system = mechanics::reduce(T.transpose() * K * T, T.transpose() * coriolis,
                                           symmetries(part, T, space().affine_part(x), of_body), dependent);

@@ -19,6 +19,7 @@
 
 #include "mechanics/equilibria/linear_stability.h"
 #include "polynomial/steady_rotation.h"
+#include "polynomial/turns.h"
 
 namespace pseudorigid::polynomial {
 
@@ -55,8 +56,6 @@ class RotationSpectrum {
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;
   Eigen::VectorXd whole_multiplier(const Eigen::VectorXd& lambda) const;
   Eigen::MatrixXd stiffness(const SteadyRotation& rotation) const;
-  Eigen::VectorXd turned(int axis, const Eigen::VectorXd& x) const;
-  Eigen::VectorXd reference_turned(int axis, const Eigen::VectorXd& x) const;
   mechanics::SymmetryDirections turns(const Eigen::VectorXd& x, double spin) const;
   mechanics::SymmetryDirections symmetries(const Part& part, const Eigen::MatrixXd& T, const Eigen::Matrix3d& A,
                                            const mechanics::SymmetryDirections& turns) const;
@@ -64,7 +63,7 @@ class RotationSpectrum {
   bool incompressible_, is_fluid_;
   std::shared_ptr<const CompressibleBody> body_;
   std::shared_ptr<const PolynomialSpace> octant_;
-  std::array<Eigen::MatrixXd, 3> turns_of_functions_;  ///< [axis](b, a): ∫φ_b (e × X)·∇φ_a
+  std::shared_ptr<const Turns> turns_;
   std::vector<Part> parts_;
 };
 

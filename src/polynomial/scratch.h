@@ -2,6 +2,7 @@
 /// Arrays for the time of a function, kept for the next one: a step of a small body allocates nothing.
 
 #include <cstddef>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -18,7 +19,12 @@ class ScratchArray {
     }
     if (numbers_.size() < n) numbers_.resize(n);
   }
-  ~ScratchArray() { kept_arrays().push_back(std::move(numbers_)); }
+  ~ScratchArray() {
+    try {
+      kept_arrays().push_back(std::move(numbers_));
+    } catch (const std::bad_alloc&) {  // it is freed, not kept
+    }
+  }
   ScratchArray(const ScratchArray&) = delete;
   ScratchArray& operator=(const ScratchArray&) = delete;
 

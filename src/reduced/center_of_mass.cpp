@@ -107,7 +107,6 @@ struct CenterPath::Integration {
 CenterPath::CenterPath(const CenterOfMass& center) : center_(center) {
   if (loads::depend_on_time(center.driving) && !rests(center)) integration_ = std::make_unique<Integration>(center_);
 }
-CenterPath::CenterPath(CenterPath&& other) noexcept : CenterPath(other.center_) {}
 CenterPath::~CenterPath() = default;
 
 CenterOfMass::Motion CenterPath::at(double t) {

@@ -43,7 +43,8 @@ struct CenterOfMass {
 class CenterPath {
  public:
   explicit CenterPath(const CenterOfMass& center);
-  CenterPath(CenterPath&&) noexcept;
+  CenterPath(const CenterPath&) = delete;  // its integration refers to the law
+  CenterPath& operator=(const CenterPath&) = delete;
   ~CenterPath();
 
   const CenterOfMass& law() const { return center_; }

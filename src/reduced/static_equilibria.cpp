@@ -1,9 +1,14 @@
 #include "reduced/static_equilibria.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <random>
 #include <vector>
+
+#include "mechanics/core/principal_axes.h"
+#include "mechanics/equilibria/morse_count.h"
 
 namespace pseudorigid::reduced {
 namespace {
@@ -31,6 +36,9 @@ std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
     rotations.emplace_back(svd.matrixU() * (sign * s).asDiagonal() * svd.matrixV().transpose());
   return rotations;
 }
+
+/// |ln S|
+double log_stretch(const Eigen::Matrix3d& Q) { return mechanics::singular_values(Q).array().log().matrix().norm(); }
 
 }  // namespace
 
@@ -92,6 +100,55 @@ mechanics::Status StaticLandscape::damping(const Vector& q, Matrix& C) const {
     C.col(k) = -column_of(force);
   }
   return {};
+}
+
+/// dV/ds at Q = R₁ exp(s diag(d)) R₂; of (R₁, R₂, d) quaternions and a vector of any length.
+double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction) const {
+  const auto rotation = [&](Eigen::Index first) {
+    return Eigen::Quaterniond(Eigen::Vector4d(direction.segment<4>(first))).normalized().toRotationMatrix();
+  };
+  Eigen::Vector3d d = direction.tail<3>();
+  if (incompressible_) d.array() -= d.mean();
+  d.normalize();
+  const Eigen::Vector3d S = (s * d).array().exp();
+  const Eigen::Matrix3d R1 = rotation(0), R2 = rotation(4), Q = R1 * S.asDiagonal() * R2;
+  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // V is infinite there
+  return potential_.gradient(Q).cwiseProduct(R1 * S.cwiseProduct(d).asDiagonal() * R2).sum();
+}
+
+bool StaticLandscape::rises_at(double s) const {
+  constexpr int n_descents = 64, n_steps = 60;
+  std::mt19937_64 generator(1);
+  const auto irregular = [&] {  // in (−1, 1), the same everywhere
+    return Eigen::VectorXd(
+        Eigen::VectorXd::NullaryExpr(11, [&] { return 2 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1; }));
+  };
+  for (int descent = 0; descent < n_descents; ++descent) {
+    Eigen::VectorXd at = irregular();
+    double slope = outward_slope(s, at), size = 0.5;
+    for (int step = 0; step < n_steps; ++step) {
+      const Eigen::VectorXd next = at + size * irregular();
+      const double found = outward_slope(s, next);
+      size *= found < slope ? 1.5 : 0.9;
+      if (found < slope) slope = found, at = next;
+      if (!(slope > 0)) return false;
+    }
+  }
+  return true;
+}
+
+bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points) {
+  constexpr int betti[] = {1, 1, 1, 1};
+  std::vector<int> indices;
+  double farthest = 1;
+  for (const mechanics::CriticalPoint& p : points) {
+    if (p.nullity > 0) return false;
+    indices.push_back(p.morse_index);
+    farthest = std::max(farthest, log_stretch(StaticLandscape::matrix(p.q)));
+  }
+  const int dimension = landscape.n_coordinates() - landscape.n_constraints();
+  if (mechanics::obeys_morse(indices, dimension, betti)) return false;
+  return landscape.rises_at(1.5 * farthest) || landscape.rises_at(3 * farthest);
 }
 
 mechanics::CriticalPointSearch static_search(bool incompressible, const Eigen::Matrix3d& nominal_traction,

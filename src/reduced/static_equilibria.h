@@ -13,6 +13,8 @@
 
 #include <Eigen/Dense>
 
+#include <vector>
+
 #include "mechanics/core/status.h"
 #include "mechanics/equilibria/critical_points.h"
 #include "reduced/dissipation.h"
@@ -42,14 +44,26 @@ class StaticLandscape {
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
+  /// Whether V rises outwards where |ln S| = s > 0, Q = R₁ S R₂ with S diagonal: looked for by 64 descents to the least
+  /// slope over the directions of S and both rotations.
+  bool rises_at(double s) const;
+
  private:
   mechanics::Status admissible(const Eigen::Matrix3d& Q) const;
+  double outward_slope(double s, const Eigen::VectorXd& direction) const;
 
   Potential potential_;
   ReferenceBody body_;
   Dissipation dissipation_;
   bool incompressible_;
 };
+
+/// Whether Morse's count (mechanics/equilibria/morse_count.h) says that equilibria are missing among these. SL(3) and
+/// GL⁺(3) retract along the stretches to SO(3), and so does each of their parts |ln S| ≤ s, whose Betti numbers over
+/// Z/2 are 1, 1, 1, 1: where V rises at such a boundary around the points, there is at least one each of index 0 to 3,
+/// and the numbers of even and odd index are equal. That holds for every law and load. It says nothing of degenerate
+/// points, as those of a body that may be turned without a change of V, nor where V falls outwards.
+bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
 /// A search that starts from Q = Id, from the four rotations that a dead traction leaves at rest in a body that is
 /// almost rigid, and then from Q = R₁ diag(exp s) R₂ with rotations and |s_i| < 1.5 by chance.

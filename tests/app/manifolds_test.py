@@ -72,6 +72,19 @@ class Manifolds(SystemTest):
             for curve, energy in zip(rows.column("curve"), rows.column("energy")):
                 self.assertAlmostEqual(energy, points[int(table.column("from")[int(curve) - 1]) - 1], delta=1e-8)
 
+    def test_a_motion_that_cannot_be_followed(self):
+        """A point between a uniform field and an attracting center: on one side of the saddle it falls into the center."""
+        scene = {"System": "mass points", "Analysis": "manifolds", "Mass points/Masses": 1,
+                 "Mass points/Positions": "1.2, 0, 0", "Mass points/Velocities": "0, 0, 0",
+                 "Mass points/Central attraction": 1, "Mass points/Field": "1, 0, 0",
+                 "Time/End": 20, "Output/Samples": 20}
+        result = self.run_program("run", self.scene(scene), "--output", "fall")
+        self.assert_exit(result, 3)
+        self.assertIn("curve 2", result.stderr)
+        table = self.table("fall", "connections.csv")
+        self.assertEqual(table.column("curve"), [1, 3, 4], "the other motions are followed")
+        self.assertEqual(self.table("fall", "equilibria.csv").column("morse_index"), [1])
+
     def test_refusals(self):
         for scene, fragments in (({"System": "geodesic", "Analysis": "manifolds"}, ("Analysis", "no critical points")),
                                  ({"Analysis": "manifolds"}, ("Analysis", "beside the ball")),

@@ -1,5 +1,6 @@
 """Runs of the model polynomial: several degrees in one scene, a degree from a tolerance, modes, pictures, sweeps, resumed
 runs, and what is refused. No finite elements."""
+import math
 import unittest
 
 from program_test import SOURCE, STOPPED, WRONG_INPUT, ProgramTest, overrides
@@ -72,6 +73,27 @@ class PolynomialRun(ProgramTest):
         for omega, exact in zip(table.column("omega"), table.column("exact")):
             self.assertAlmostEqual(omega / exact, 1, delta=1e-5)
         self.assertAlmostEqual(table.column("omega")[1], 2.665622189236, delta=1e-7)
+
+    def test_modes_of_a_law_that_is_stressed_at_rest(self):
+        """Its shear modulus at rest is 2 mu, and so the sphere's frequencies and the pseudo-rigid ball's are those times
+        sqrt 2 (the continuum's table: tests/continuum/modes_test.cpp)."""
+        self.scene({"Models": "polynomial", "Analysis": "modes", "Polynomial/Degree": 3, "Modes/Number": 2,
+                    "Material/Law": "saint-venant-kirchhoff (as printed)"})
+        self.run_done("run", "scene.prm")
+        table = self.table("output/scene/modes.csv")
+        self.assertAlmostEqual(table.column("exact")[1], math.sqrt(2) * 2.665622189236, delta=1e-11)
+        self.assertAlmostEqual(table.column("reduced")[1], math.sqrt(20), delta=1e-12)
+        self.assertAlmostEqual(table.column("omega")[1] / table.column("exact")[1], 1, delta=3e-3)
+
+    def test_modes_under_strong_gravity(self):
+        """gamma = 4.2e3: every mode is there with its copies, and the table ends with exit 0."""
+        self.scene({"Models": "polynomial", "Analysis": "modes", "Polynomial/Degree": 8, "Modes/Number": 8,
+                    "Material/Shear modulus": 1e-3, "Gravity/Constant": 1})
+        self.run_done("run", "scene.prm")
+        table = self.table("output/scene/modes.csv")
+        self.assertLess(max(table.column("spread")), 1e-9)
+        for omega, exact in zip(table.column("omega"), table.column("exact")):
+            self.assertAlmostEqual(omega / exact, 1, delta=5e-3)
 
     def test_a_resumed_run_is_the_whole_one(self):
         entries = {**RELEASE, "Polynomial/Degree": 3, "Time/Method": "rattle-4", "Time/Step": 0.02}

@@ -155,6 +155,23 @@ class PseudoRigid(ReducedTest):
         self.assertLess(max(decaying), 1e-6)
         self.assertLess(min(decaying), -0.1)
 
+    def test_no_saddle_at_rest_is_missed(self):
+        """A scene without symmetry whose first 400 starts miss the saddle of index 2: Morse's count asks for it."""
+        self.run_scene({
+            "Models": "reduced", "Analysis": "equilibrium", "Equilibrium/Family": "static", "Body/Radius": 1.3,
+            "Body/Density": 1.263065022307416, "Body/Semi-axes": "0.7971070419289934, 0.8802457786278548, 1.1907009558635182",
+            "Material/Law": "mooney-rivlin", "Material/Mooney fraction": 0.3, "Material/Shear modulus": 0.9568106468836781,
+            "Material/Viscosity": 0.2, "Material/Drag": 0.1, "Gravity/Constant": 0.412954370688479,
+            "Loads/Tidal matrix": "-0.5049965322868127, 0.3863833923750867, -0.1433125618032865; 0.3863833923750867, "
+                                  "0.05644665330698044, -0.12758464255631818; -0.1433125618032865, -0.12758464255631818, "
+                                  "-0.26378763780128034",
+            "Loads/Nominal traction": "-0.05608838037459953, 0.0691695718409675, -0.03423759459328461; 0.13745905862061064, "
+                                      "-0.02867592065413958, 0.0034817715231180244; 0.22185867729228126, "
+                                      "0.0782344151673946, -0.0725112350020607"})
+        table = self.table("output/scene/equilibria.csv")
+        self.assertEqual(table.column("morse_index"), [0, 1, 2, 3])
+        self.assertAlmostEqual(table.column("potential")[2], -19.260775, delta=1e-6)
+
     def test_equilibria_at_rest_scale_with_the_units(self):
         def run(length, density, stress):
             mass = density * length**3

@@ -48,6 +48,24 @@ TEST(Failure, NanInAVelocityIsAStatus) {
   }
 }
 
+/// What a force refuses has no observables either, whether or not a multiplier is asked for.
+TEST(Failure, ATurnedElementHasNoObservables) {
+  const auto check = [](const auto& ball) {
+    auto workspace = ball.make_workspace();
+    auto state = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());
+    mechanics::ContinuumObservables o;
+    const mechanics::ObservableRequest request{.multiplier = false, .nonaffine = false};
+    EXPECT_TRUE(observe(ball, state, workspace, request, o));
+    state.q[3] += 0.7;  // a node
+    continuum::Vector f = ball.make_vector();
+    ASSERT_FALSE(ball.force(0, state.q, state.v, workspace, f));
+    const auto status = observe(ball, state, workspace, request, o);
+    EXPECT_TRUE(contains(status.reason(), "det F = -")) << status.reason();
+  };
+  check(CompressibleBall(octant, 3, 0, materials::SaintVenantKirchhoff{1, 1}));
+  check(ElasticBall(octant, 3, 0, neo_hookean));
+}
+
 TEST(Failure, DegreeWithoutKernelsIsRefused) {
   EXPECT_THROW(ElasticBall(octant, 9, 0, neo_hookean), std::invalid_argument);
 }

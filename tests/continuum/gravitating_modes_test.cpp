@@ -82,6 +82,24 @@ TEST(GravitatingModes, AllAreThoseOfTheSphereWhateverItsGravity) {
   }
 }
 
+/// Rigid motions are told by their field: the noise of gravity's quadrature gives them frequencies of its own.
+TEST(GravitatingModes, HaveNoRigidMotionAmongThem) {
+  for (const BallFrequency& f : modes(3, 0, 6, 1e4)) EXPECT_GT(f.omega, 1.5) << f.degree;
+}
+
+/// One point on each face sees almost nothing of the surface: the operator is not positive, and that is said.
+TEST(GravitatingModes, AnInverseThatCannotBeHadIsSaid) {
+  const BallSpace space(BallMesh({{true, true, true}}, 0), 3);
+  const StoredEnergy stored(materials::CiarletGeymonat{1, 0}, 0);
+  const auto kernels = make_cell_kernels(space, stored);
+  const RestProblem problem(space, *kernels, stored, true, SurfaceGravityForces(1e6, space, 1));
+  std::vector<BallFrequency> frequencies;
+  ModesReport report;
+  const auto status = ball_modes(problem, 4, frequencies, report);
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.reason().find("self-gravity"), std::string::npos) << status.reason();
+}
+
 /// The stabilisation stiffens what the pressure space leaves of a change of volume, and costs no order.
 TEST(GravitatingModes, StabilisationLeavesTheRateOfConvergence) {
   for (const int k : {2, 3}) {

@@ -141,7 +141,7 @@ TEST(Modes, DependOnTheLawByItsShearModulusOnly) {
     if (law.name == "none") continue;
     const Octant octant(4, 0, 2, std::string(law.name).c_str(), {.lame_lambda = 1.7, .mooney_fraction = 0.4});
     const double modulus = law.name == "saint-venant-kirchhoff (as printed)" ? 2 : 1;
-    EXPECT_NEAR(octant.problem.elasticity.shear_modulus(), modulus, 1e-14) << law.name;
+    EXPECT_NEAR(octant.problem.elasticity.moduli.shear, modulus, 1e-14) << law.name;
     const BallFrequency* f = find(octant.frequencies, S, 2, 0);
     ASSERT_NE(f, nullptr) << law.name;
     EXPECT_NEAR(f->omega / std::sqrt(modulus), 2.665622189236, 1e-5) << law.name;  // what divergence is left in cells

@@ -37,7 +37,7 @@ ContinuumObservables distinct_observables() {
   o.volume_ratio = 91;
   o.multiplier = 92;
   o.semi_axes << 95, 94, 93;
-  o.least_over_points = [](auto value) { return value(diagonal(3, 2, 0.5)); };
+  o.min_stretch = 0.5, o.max_stretch = 3;
   o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
   return o;
 }
@@ -110,7 +110,7 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
 TEST(Trajectory, StretchesAreSingularValues) {
   ContinuumObservables o;
   o.F = diagonal(3, 1.0 / 3, 2);
-  o.least_over_points = [](auto value) { return std::min(value(diagonal(3, 1.0 / 3, 2)), value(diagonal(5, 0.2, 1))); };
+  o.min_stretch = 0.2, o.max_stretch = 5;
   std::vector<double> row;
   const scene::Quantities stretches{false, false, false, false, false, false, false, false, true};
   const Continuum trajectory(stretches);

@@ -10,6 +10,7 @@
 #include "materials/eigen_tensor.h"
 #include "materials/law_checks.h"
 #include "materials/law_table.h"
+#include "materials/rest_moduli.h"
 
 namespace pseudorigid::materials {
 namespace {
@@ -204,6 +205,34 @@ TEST(LawTable, NamesWhatItDoesNotKnow) {
     FAIL() << "a law called rubber";
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("rubber"), std::string::npos);
+  }
+}
+
+/// λ of waves: what the law is given, and what its other terms have beside a function of J, 2bμ of Mooney–Rivlin's and
+/// 2μ/J_m of Gent's. Saint Venant–Kirchhoff's as printed is under the pressure 2μ at rest, with 2μ and 4λ in their
+/// place; where no constraint carries the pressure, waves of pressure feel it.
+double lame_of_waves(std::string_view name, bool incompressible) {
+  const double given = incompressible ? 0 : lambda;
+  if (name == "neo-hookean") return given;
+  if (name == "mooney-rivlin") return given + 2 * b * mu;
+  if (name == "gent") return given + 2 * mu / J_m;
+  if (name == "ciarlet-geymonat (as printed)") return 2 * lambda;
+  if (name == "saint-venant-kirchhoff (as printed)") return 4 * lambda - (incompressible ? 0 : 2 * mu);
+  return lambda;
+}
+
+TEST(RestModuli, AreThoseOfWaves) {
+  for (const NamedLaw& law : law_table) {
+    if (law.name == "none") continue;
+    for (const bool incompressible : {true, false}) {
+      SCOPED_TRACE(std::string(law.name) + (incompressible ? ", incompressible" : ""));
+      const AnyLaw made = Case{law, incompressible}.law();
+      const bool is_stressed = law.name == "saint-venant-kirchhoff (as printed)";
+      const RestModuli moduli = moduli_at_rest(made, incompressible);
+      EXPECT_NEAR(moduli.shear, is_stressed ? 2 * mu : mu, 1e-14);
+      EXPECT_NEAR(moduli.lame, lame_of_waves(law.name, incompressible), 1e-13);
+      EXPECT_NEAR(pressure_at_rest(made), is_stressed ? 2 * mu : 0, 1e-14);
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "polynomial/observe.h"
 #include "polynomial/samples.h"
 
 namespace pseudorigid::testing {
@@ -116,6 +117,19 @@ TEST(SectorConstraint, IsThatOfTheWholeBall) {
     ball.add_reaction_rate(Q, V, Lambda, F);
     EXPECT_LT((in_whole_ball(sector, ball, f) - F).norm(), 1e-12 * F.norm());
   }
+}
+
+/// Asked for, they are numbers of the state that was observed, and stay so when it is gone.
+TEST(Stretches, AreThoseOfTheStateObserved) {
+  const IncompressibleBody body({.degree = 3});
+  mechanics::ContinuumObservables o;
+  {
+    const polynomial::BodyState state{0, body.affine(Vector3d(1.25, 1, 0.8).asDiagonal()), body.make_vector()};
+    auto workspace = body.make_workspace();
+    ASSERT_TRUE(polynomial::observe(body, state, workspace, {.multiplier = false, .stretches = true}, o));
+  }
+  EXPECT_NEAR(o.max_stretch, 1.25, 1e-14);
+  EXPECT_NEAR(o.min_stretch, 0.8, 1e-14);
 }
 
 }  // namespace

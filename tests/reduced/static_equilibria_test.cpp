@@ -169,6 +169,52 @@ TEST(StaticEquilibria, OfASmallTractionAreFourRotations) {
   EXPECT_EQ(indices, (std::vector{0, 1, 2, 3})) << "the Morse inequalities of SO(3) need one of each";
 }
 
+/// Dead tractions and tides without symmetry: V rises at large stretches, and three of the four equilibria violate
+/// Morse's count. A fluid in a tide that does not hold it falls outwards, and nothing can be said.
+TEST(StaticEquilibria, OneThatIsMissingIsNoticed) {
+  const Matrix3d P = generic_traction();
+  const StaticLandscape landscape = neo_hookean_ball({.quadratic = generic_quadratic(), .nominal_traction = P});
+  const CriticalPoints found = equilibria(landscape, false, true, P);
+  ASSERT_GE(found.points.size(), 4u);
+  EXPECT_TRUE(landscape.rises_at(3));
+  EXPECT_FALSE(reduced::misses_equilibria(landscape, found.points));
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    auto points = found.points;
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_TRUE(reduced::misses_equilibria(landscape, points)) << i;
+  }
+  const StaticLandscape fluid(Potential(materials::Fluid{}, ball, {.quadratic = diagonal(-1, 0.5, 0.7)}), ball, {},
+                              true);
+  EXPECT_FALSE(fluid.rises_at(3));
+  EXPECT_FALSE(reduced::misses_equilibria(fluid, {}));
+}
+
+/// One that a body may be turned to without a change of V is degenerate.
+TEST(StaticEquilibria, OfASymmetricBodyAreNotCounted) {
+  const CriticalPoints found = equilibria(neo_hookean_ball({}));
+  ASSERT_EQ(found.points.size(), 1u);
+  EXPECT_GT(found.points[0].nullity, 0);
+  EXPECT_FALSE(reduced::misses_equilibria(neo_hookean_ball({}), found.points));
+}
+
+/// The search goes on while it is told that points are missing, and says so at its end.
+TEST(StaticEquilibria, AreLookedForWhileOneIsMissing) {
+  const Matrix3d P = generic_traction();
+  const StaticLandscape landscape = neo_hookean_ball({.nominal_traction = P});
+  auto search = reduced::static_search(true, P, 5);
+  search.misses_points = [&](const auto& points) { return reduced::misses_equilibria(landscape, points); };
+  search.n_starts_at_most = 1000;
+  CriticalPoints found;
+  ASSERT_TRUE(mechanics::find_critical_points(landscape, search, found));
+  EXPECT_FALSE(found.misses_points);
+  EXPECT_LT(found.n_starts, 1000);
+  search.misses_points = [](const auto&) { return true; };
+  search.n_starts_at_most = 17;
+  ASSERT_TRUE(mechanics::find_critical_points(landscape, search, found));
+  EXPECT_TRUE(found.misses_points);
+  EXPECT_EQ(found.n_starts, 17);
+}
+
 /// In a tide the neo-Hookean ball has (Vol + m̄T)QQᵀ = λ: one shape, turned within in any way.
 TEST(StaticEquilibria, OfATideAreOneShape) {
   const Matrix3d T = diagonal(-1.1, 0.4, 0.9);

@@ -1,5 +1,7 @@
 #include "app/continuum/run_modes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <numbers>
@@ -21,19 +23,14 @@ using Clock = std::chrono::steady_clock;
 
 /// γ = ρgr/μ, g = (4/3)πGρr.
 double gravity_of(const continuum::RestProblem& problem) {
-  return problem.gravity ? 4 * std::numbers::pi / 3 * problem.gravity->constant() / problem.elasticity.shear_modulus()
-                         : 0;
+  return problem.gravity ? 4 * std::numbers::pi / 3 * problem.gravity->constant() / problem.elasticity.moduli.shear : 0;
 }
 
-void write_table(const std::vector<BallFrequency>& frequencies, const continuum::RestProblem& problem,
-                 const RunContext& context, ModelOutcome& outcome) {
+std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies) {
   std::vector<ModeFrequency> rows;
   for (const BallFrequency& f : frequencies)
     rows.push_back({f.omega, f.least, f.largest, f.kind == ModeKind::spheroidal, f.degree, f.overtone, f.multiplicity});
-  const auto& elasticity = problem.elasticity;
-  write_mode_table(rows,
-                   {elasticity.shear_modulus(), elasticity.lame_lambda(), problem.incompressible, gravity_of(problem)},
-                   context, "modes", outcome);
+  return rows;
 }
 
 /// One shape for each frequency, on the ball at rest, its largest displacement one radius.
@@ -84,12 +81,21 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["unknowns"] = 3.0 * space.n_nodes();
   counters["eigenpairs"] = report.n_eigenpairs;
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
-  if (!status) {
+  const std::vector<ModeFrequency> rows = rows_of(frequencies);
+  outcome.message = !status ? status.reason() : instability(rows, context.units);
+  // A coarse mesh breaks the symmetry of the sphere, but not to a tenth where it resolves the mode.
+  constexpr double most = 0.1;
+  constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
+  if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())
+    outcome.message = fmt::format("{}: the mesh is too coarse for it; {}", copies, remedy);
+  if (!outcome.message.empty()) {
     outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
-    outcome.message = status.reason();
     return outcome;
   }
-  write_table(frequencies, problem, context, outcome);
+  write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_of(problem)}, context, "modes",
+                   outcome);
+  if (const std::string copies = differing_copies(rows); !copies.empty())
+    context.log->warn("{}, which is an error of the mesh; {}", copies, remedy);
   if (context.needs.graphics) write_shapes(frequencies, space, context);
   context.log->info("modes: {} frequencies, {:.3g} s", frequencies.size(), timers["run"]);
   return outcome;

@@ -6,27 +6,10 @@
 
 #include "app/polynomial/body_setup.h"
 #include "app/run/mode_table.h"
-#include "materials/eigen_tensor.h"
+#include "materials/rest_moduli.h"
 #include "polynomial/rest_modes.h"
 
 namespace pseudorigid::app {
-namespace {
-
-/// Lamé's moduli at rest, from DP(Id) of a shear and of a stretch; of an incompressible body only μ means anything.
-struct Moduli {
-  double shear, lame;
-};
-Moduli moduli_at_rest(const materials::AnyLaw& law) {
-  const materials::Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}, shear{{{0, 1, 0}, {1, 0, 0}, {0, 0, 0}}},
-      stretch{{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  return std::visit(
-      [&](const auto& known) -> Moduli {
-        return {known.tangent(Id, shear)(0, 1) / 2, known.tangent(Id, stretch)(1, 1)};
-      },
-      law);
-}
-
-}  // namespace
 
 ModelOutcome run_polynomial_modes(const RunContext& context) {
   const scene::Scene& scene = context.scene;
@@ -39,19 +22,22 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
   auto& [counters, timers] = outcome.statistics;
   timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   counters["degree"] = setup.degree;
-  if (!status) {
-    outcome.end = mechanics::Outcome::failed;
-    outcome.message = status.reason();
-    return outcome;
-  }
   std::vector<ModeFrequency> rows;
   for (const auto& f : found)
     rows.push_back({f.omega, f.least, f.largest, f.spheroidal, f.degree, f.overtone, 2 * f.degree + 1});
-  const auto [mu, lambda] = moduli_at_rest(setup.law);
-  const double gamma = 4 * std::numbers::pi / 3 * loads::constant_forcing(setup.loads).gravity_constant / mu;
+  // The space of polynomials is invariant under turns: its copies differ by round-off, whatever the degree.
+  outcome.message = !status ? status.reason() : instability(rows, context.units);
+  if (outcome.message.empty()) outcome.message = differing_copies(rows);
+  if (!outcome.message.empty()) {
+    outcome.end = mechanics::Outcome::failed;
+    return outcome;
+  }
+  const materials::RestModuli moduli = materials::moduli_at_rest(setup.law, scene.body.incompressible);
+  const double gravity_constant = loads::constant_forcing(setup.loads).gravity_constant;
+  const double gamma = 4 * std::numbers::pi / 3 * gravity_constant / moduli.shear;
   const bool is_alone = context.needs.models.size() == 1;
-  write_mode_table(rows, {mu, lambda, scene.body.incompressible, gamma}, context,
-                   is_alone ? "modes" : "modes-polynomial", outcome);
+  write_mode_table(rows, {moduli, scene.body.incompressible, gamma}, context, is_alone ? "modes" : "modes-polynomial",
+                   outcome);
   context.log->info("polynomial: degree {}, {} frequencies, {:.3g} s", setup.degree, found.size(), timers["run"]);
   return outcome;
 }

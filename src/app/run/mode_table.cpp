@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,7 +14,7 @@ namespace {
 
 /// The frequency of the sphere.
 double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
-  const double mu = ball.shear_modulus, lambda = ball.lame_lambda;
+  const auto [mu, lambda] = ball.moduli;
   return std::sqrt(mu) * (ball.incompressible
                               ? analysis::sphere_frequency(f.spheroidal, f.degree, f.overtone, ball.gamma)
                               : analysis::compressible_sphere_frequency(f.spheroidal, f.degree, f.overtone,
@@ -24,7 +25,7 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
 /// H, and where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
-  const double mu = ball.shear_modulus, lambda = ball.lame_lambda;
+  const auto [mu, lambda] = ball.moduli;
   if (f.degree == 2) return std::sqrt((10 + 0.8 * ball.gamma) * mu);
   return f.degree == 0 ? std::sqrt(5 * (3 * lambda + 2 * mu)) : 0;
 }
@@ -35,6 +36,19 @@ std::string name_of(const ModeFrequency& f) {
 }
 
 }  // namespace
+
+std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread) {
+  for (const ModeFrequency& f : frequencies)
+    if (f.spread() > spread) return fmt::format("the copies of {} differ by {:.1e}", name_of(f), f.spread());
+  return {};
+}
+
+std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units) {
+  const auto fastest = std::ranges::min_element(frequencies, {}, &ModeFrequency::least);
+  if (fastest == frequencies.end() || fastest->least >= 0) return {};
+  return fmt::format("the ball is unstable at rest: a motion of kind {} grows at the rate {:.6g}", name_of(*fastest),
+                     -fastest->least / units.time);
+}
 
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
@@ -47,7 +61,7 @@ void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallA
                          "spread", "exact sphere", "difference", "pseudo-rigid"));
   int index = 0;
   for (const ModeFrequency& f : frequencies) {
-    const double time = context.units.time, spread = (f.largest - f.least) / f.omega;
+    const double time = context.units.time, spread = f.spread();
     const double exact = exact_frequency(f, ball), reduced = reduced_frequency(f, ball);
     csv.append(std::vector<double>{static_cast<double>(++index), f.omega / time, f.spheroidal ? spheroidal : toroidal,
                                    static_cast<double>(f.degree), static_cast<double>(f.overtone),

@@ -47,7 +47,14 @@ struct RunContext {
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
   mechanics::ObservableRequest request() const {
     const scene::Quantities& q = needs.quantities;
-    return {q.energies, q.momenta, q.multiplier, q.axes, q.nonaffine, q.pressure, q.bipolar};
+    return {.energies = q.energies,
+            .momenta = q.momenta,
+            .multiplier = q.multiplier,
+            .axes = q.axes,
+            .nonaffine = q.nonaffine,
+            .pressure = q.pressure,
+            .bipolar = q.bipolar,
+            .stretches = q.stretches};
   }
 };
 

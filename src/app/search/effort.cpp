@@ -7,10 +7,9 @@
 #include <fstream>
 #include <limits>
 #include <string>
-#include <utility>
 
 #include "app/run/scene_to_model.h"
-#include "materials/eigen_tensor.h"
+#include "materials/rest_moduli.h"
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
 #include "scene/models.h"
@@ -39,19 +38,6 @@ double n_nodes_of_images(int n_octants, double n) {
 /// Measured as resident memory over that of a process that has only linked its libraries: with k = 2 … 8, r = 0 … 3.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // PETSc's and deal.II's own numbers
-
-/// λ and μ of small motions, whatever c ln J is added to W: b(H) = H:DP(Id)[H] + p tr H², P(Id) = p Id, is
-/// λ (tr H)² + 2μ tr H² for symmetric H.
-std::pair<double, double> lame_moduli(const materials::AnyLaw& law) {
-  const materials::Tensor<double> Id = materials::to_tensor(Eigen::Matrix3d::Identity());
-  const auto b = [&](const Eigen::Matrix3d& H) {
-    const materials::Tensor<double> h = materials::to_tensor(H);
-    return std::visit(
-        [&](const auto& l) { return materials::dot(h, l.tangent(Id, h)) + l.stress(Id)(0, 0) * (H * H).trace(); }, law);
-  };
-  const double mu = b(Eigen::Vector3d(1, -1, 0).asDiagonal()) / 4;
-  return {(b(Eigen::Matrix3d::Identity()) - 6 * mu) / 9, mu};
-}
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
@@ -131,7 +117,7 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
 }  // namespace
 
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
-  const auto [lambda, mu] = lame_moduli(internal_law(scene));
+  const auto [mu, lambda] = materials::moduli_at_rest(internal_law(scene), scene.body.incompressible);
   const double of_mesh = 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
   const double kappa = scene::volumetric_stiffness(scene) / units_of(scene).stress();
   const double rattle = of_mesh / std::sqrt(mu + 0.296 * (lambda + kappa)) * units_of(scene).time;

@@ -35,6 +35,7 @@ struct Curve {
 struct End {
   int to = 0;  ///< index of the critical point, 0: none
   double distance = HUGE_VAL, time = 0;
+  Status step{};  ///< of the last step: why it goes on no further
 };
 
 std::vector<std::string> names_of(const std::vector<scene::Column>& columns, std::vector<std::string> names) {
@@ -79,7 +80,7 @@ class ManifoldRun {
     }
     rows_.flush();
     ends_.flush();
-    return {};
+    return stopped_;
   }
 
   int n_curves() const { return n_curves_; }
@@ -87,6 +88,7 @@ class ManifoldRun {
  private:
   Status follow_all(int from, bool stable, const std::vector<PhaseVector>& starts) {
     std::vector<int> n_ends(points_.size() + 1, 0);
+    int n_stopped = 0;
     for (const PhaseVector& start : starts) {
       if (context_.interrupted()) return Status::failure("interrupted");
       const Curve curve{++n_curves_, from, stable};
@@ -95,6 +97,14 @@ class ManifoldRun {
       const Status status =
           std::visit([&](const auto& form) { return follow(form, at_rest, curve, start, end); }, at_rest.form());
       if (!status) return status;
+      if (!end.step) {
+        ++n_stopped;
+        if (stopped_)
+          stopped_ =
+              Status::failure(fmt::format("curve {}, which leaves point {}, stops at t = {:.6g}: {}", curve.number,
+                                          from, end.time * context_.units.time, end.step.reason()));
+        continue;
+      }
       ++n_ends[static_cast<std::size_t>(end.to)];
       const double values[] = {double(curve.number), double(from), double(stable),
                                double(end.to),       end.distance, end.time * context_.units.time};
@@ -105,6 +115,7 @@ class ManifoldRun {
       if (n_ends[to] > 0)
         text += fmt::format("{}{} {} point {}", text.empty() ? "" : ", ", n_ends[to], stable ? "from" : "to", to);
     if (n_ends[0] > 0) text += fmt::format("{}{} to no point", text.empty() ? "" : ", ", n_ends[0]);
+    if (n_stopped > 0) text += fmt::format("{}{} cannot be followed", text.empty() ? "" : ", ", n_stopped);
     add_result(outcome_, context_,
                fmt::format("  point {}, {} manifold: {} motions, {}", from, stable ? "stable" : "unstable",
                            starts.size(), text));
@@ -130,7 +141,12 @@ class ManifoldRun {
     if (Status status = append(curve, state, at_rest, system_workspace); !status) return status;
     bool has_left = false;
     for (long k = 1; state.t != t_end;) {
-      if (!Method::step(field, t_end, state, w)) break;  // backwards a motion may grow without bounds
+      if (context_.interrupted()) return Status::failure("interrupted");
+      if (Status status = Method::step(field, t_end, state, w); !status) {
+        end.time = state.t;
+        if (!curve.stable) end.step = std::move(status);  // backwards a motion may grow without bounds
+        break;
+      }
       for (; std::abs(interval * static_cast<double>(k)) <= std::abs(state.t); ++k) {
         if (Status status = Method::interpolate(field, interval * static_cast<double>(k), between, w); !status)
           return status;
@@ -192,6 +208,7 @@ class ManifoldRun {
   io::CsvWriter rows_, ends_;
   ModelOutcome& outcome_;  ///< gets the results
   int n_curves_ = 0;
+  Status stopped_;  ///< the first motion that cannot be followed
 };
 
 }  // namespace

@@ -82,6 +82,8 @@ class BallBody {
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
+  /// Fails where `least`, of J and the reserve of the law over the points of this rank, is not positive. Collective.
+  mechanics::Status judge(double least, const Vector& x) const;
   /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.
   void fill_irregular(Vector& x) const;
   /// Σ_n m_n a_n b_nᵀ over the whole ball.
@@ -93,8 +95,6 @@ class BallBody {
   /// Adds loads and gravity to the force of the stress; fails where `least`, which its kernel returned, is not
   /// positive.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const;
-  /// `least`: of J and the reserve of the law over the points of this rank. Collective.
-  mechanics::Status judge(double least, const Vector& x) const;
 
  private:
   double account_entry(const Vector& v, unsigned int component) const;

@@ -8,6 +8,7 @@
 ///
 /// so the constraint's operators read one scalar of geometry a point beside its position.
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,8 @@ class DegreeKernels final : public LocalKernels {
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
+  DegreeKernels(const DegreeKernels&) = delete;  // its parts refer to one another
+  DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
       : law_(std::move(law)), planes_(cells), tangents_(planes_) {
     law_->reserve_points(planes_.n_batches() * n * plane);
@@ -291,18 +294,21 @@ class DegreeKernels final : public LocalKernels {
   /// For the layers of X, x and v in the buffers.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
-    L elastic(0.0), volumetric(0.0), volume(0.0), F_sum[9], pulled_back[9];
+    L elastic(0.0), volumetric(0.0), volume(0.0), least(HUGE_VAL), F_sum[9], pulled_back[9], reserve[plane];
     for (int k = 0; k < 9; ++k) F_sum[k] = pulled_back[k] = L(0.0);
     for (int q3 = 0; q3 < n; ++q3) {
       planes_.plane_gradient(buffers_.x, q3, buffers_.H);
       planes_.deformation_gradients(q3, buffers_.H);
       planes_.plane_gradient(buffers_.v, q3, buffers_.dv);  // leaves v itself in the values
       law_->energy(buffers_.H[0], buffers_.weights, plane, elastic, volumetric);
+      law_->reserve(buffers_.H[0], plane, reserve);
       for (int q = 0; q < plane; ++q) {
         const L* position = batches_.pressure_points(b)[q3 * plane + q].position;
         const L weight = buffers_.weights[q];
         const Tensor F = Planes::load(buffers_.H, q);
-        volume += weight * materials::determinant(F);
+        const L J = materials::determinant(F);
+        volume += weight * J;
+        least = min(least, min(J, reserve[q]));
         for (int j = 0; j < 3; ++j) {
           const auto& v = buffers_.values;
           const L w_j = weight * (F(0, j) * v[0][q] + F(1, j) * v[1][q] + F(2, j) * v[2][q]);
@@ -316,6 +322,7 @@ class DegreeKernels final : public LocalKernels {
     sums.elastic += elastic.sum(batch.n_active);
     sums.volumetric += volumetric.sum(batch.n_active);
     sums.volume += volume.sum(batch.n_active);
+    sums.least = lesser(least.least(batch.n_active), sums.least);
     for (int k = 0; k < 9; ++k) {
       sums.F[k / 3][k % 3] += F_sum[k].sum(batch.n_active);
       sums.X_pulled_back[k / 3][k % 3] += pulled_back[k].sum(batch.n_active);

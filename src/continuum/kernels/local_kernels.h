@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "continuum/kernels/point_law.h"
+#include "continuum/kernels/stored_energy.h"
 #include "continuum/mesh/reference_cell.h"
 #include "continuum/parallel/least_place.h"
 
@@ -26,11 +26,12 @@ struct LocalCells {
 /// Integrals over the computed sector that observables are made of.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
-  double elastic = 0;      ///< ∫W dX
-  double volumetric = 0;   ///< ∫U dX
-  double volume = 0;       ///< ∫J dX
-  Matrix F{};              ///< ∫F dX
-  Matrix X_pulled_back{};  ///< ∫ρ X ⊗ (Fᵀẋ) dX
+  double elastic = 0;                                      ///< ∫W dX
+  double volumetric = 0;                                   ///< ∫U dX
+  double volume = 0;                                       ///< ∫J dX
+  Matrix F{};                                              ///< ∫F dX
+  Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
+  double least = std::numeric_limits<double>::infinity();  ///< of J and of the law's reserve
 };
 
 /// Calls `use(cell, values)` for each cell.

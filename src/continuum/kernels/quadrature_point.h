@@ -12,8 +12,9 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// Of a body with so few cells that wider vectors would hold copies: the octant has four.
-inline constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
+/// Of a body with so few cells that wider vectors would hold copies: the octant has four. Not inline: another value in
+/// files that are compiled for other instructions.
+constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
 /// For ∫λ_h F⁻ᵀ:∇φ and its relatives.
 template <int n_lanes>

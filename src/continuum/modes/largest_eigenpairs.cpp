@@ -11,6 +11,12 @@
 namespace pseudorigid::continuum {
 namespace {
 
+/// PETSc knows no status: after a failure products are 0, and the iteration is over at its next look.
+struct Product {
+  const SymmetricOperator& apply;
+  mechanics::Status status{};
+};
+
 PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
   void* context;
   PetscCall(MatShellGetContext(matrix, &context));
@@ -20,7 +26,10 @@ PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
   PetscCall(VecGetLocalSize(in, &n));
   PetscCall(VecGetArrayRead(in, &x));
   PetscCall(VecGetArray(out, &y));
-  (*static_cast<const SymmetricOperator*>(context))({x, static_cast<std::size_t>(n)}, {y, static_cast<std::size_t>(n)});
+  auto& [apply, status] = *static_cast<Product*>(context);
+  const std::span<double> product{y, static_cast<std::size_t>(n)};
+  if (status) status = apply({x, static_cast<std::size_t>(n)}, product);
+  if (!status) std::ranges::fill(product, 0.0);
   PetscCall(VecRestoreArrayRead(in, &x));
   PetscCall(VecRestoreArray(out, &y));
   return 0;
@@ -40,9 +49,17 @@ struct Run {
   }
 };
 
-PetscErrorCode set_up(Run& run, const SymmetricOperator& apply, PetscInt n, PetscInt n_wanted, double tolerance,
+/// The iteration is left as soon as a product has failed.
+PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
+                    EPSConvergedReason* reason, void* context) {
+  PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));
+  if (!static_cast<const Product*>(context)->status) *reason = EPS_CONVERGED_USER;
+  return 0;
+}
+
+PetscErrorCode set_up(Run& run, Product& product, PetscInt n, PetscInt n_wanted, double tolerance,
                       const std::vector<EigenPair>& known) {
-  PetscCall(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, const_cast<SymmetricOperator*>(&apply), &run.matrix));
+  PetscCall(MatCreateShell(PETSC_COMM_SELF, n, n, n, n, &product, &run.matrix));
   PetscCall(MatShellSetOperation(run.matrix, MATOP_MULT, reinterpret_cast<void (*)()>(multiply)));
   PetscCall(EPSCreate(PETSC_COMM_SELF, &run.solver));
   PetscCall(EPSSetOperators(run.solver, run.matrix, nullptr));
@@ -51,6 +68,7 @@ PetscErrorCode set_up(Run& run, const SymmetricOperator& apply, PetscInt n, Pets
   const PetscInt room = n - static_cast<PetscInt>(known.size());
   PetscCall(EPSSetDimensions(run.solver, n_wanted, std::min(room, 2 * n_wanted + 8), PETSC_DEFAULT));
   PetscCall(EPSSetTolerances(run.solver, tolerance, 200));
+  PetscCall(EPSSetStoppingTestFunction(run.solver, look, &product, nullptr));
   for (const EigenPair& pair : known) {
     Vec& v = run.known.emplace_back(nullptr);
     PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
@@ -90,10 +108,12 @@ mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std:
   const auto n = static_cast<PetscInt>(size);
   const PetscInt wanted = std::min<PetscInt>(n_wanted, n - static_cast<PetscInt>(known.size()));
   if (wanted <= 0) return {};
+  Product product{apply};
   Run run;
   std::vector<EigenPair> found;
-  const bool fine = set_up(run, apply, n, wanted, tolerance, known) == 0 && EPSSolve(run.solver) == 0 &&
+  const bool fine = set_up(run, product, n, wanted, tolerance, known) == 0 && EPSSolve(run.solver) == 0 &&
                     take(run.solver, n, found) == 0;
+  if (!product.status) return product.status;
   if (!fine) return mechanics::Status::failure("SLEPc reports an error");
   if (static_cast<PetscInt>(found.size()) < wanted)
     return mechanics::Status::failure("the iteration for the eigenvectors does not converge");

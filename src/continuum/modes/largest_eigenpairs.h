@@ -12,7 +12,8 @@
 
 namespace pseudorigid::continuum {
 
-using SymmetricOperator = std::function<void(std::span<const double>, std::span<double>)>;
+/// Its first failure ends the iteration.
+using SymmetricOperator = std::function<mechanics::Status(std::span<const double>, std::span<double>)>;
 
 struct EigenPair {
   double value;

@@ -5,17 +5,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <map>
 
 #include "continuum/modes/largest_eigenpairs.h"
+#include "mechanics/equilibria/mode_groups.h"
 
 namespace pseudorigid::continuum {
 namespace {
 
 /// Relative residual of eigenvectors; frequencies are better by squares.
 constexpr double eigenvector_tolerance = 1e-7;
-/// ω² of a rigid motion is round-off in units of the shift, far below that of any mode.
-constexpr double rigid = 1e-6;
 constexpr double round_off = 1e-9;
 
 /// Sectors to solve, and how many sectors have the same spectrum as each.
@@ -53,7 +51,7 @@ std::vector<SectorClass> sector_classes(const BallSpace& space) {
 }
 
 struct SectorMode {
-  double omega;
+  double omega_squared;
   ModeClass kind;
   Parity parity;
   int n_copies;  ///< in this sector and those with the same spectrum
@@ -76,7 +74,7 @@ class SectorSpectrum {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {
       ++report.n_applications;
-      sector_.apply(y, z);
+      return sector_.apply(y, z);
     };
     if (auto s = append_largest_eigenpairs(apply, sector_.n_unknowns(), n, eigenvector_tolerance, pairs_); !s) return s;
     if (pairs_.size() == n_before) {
@@ -86,10 +84,11 @@ class SectorSpectrum {
     double largest = 0;
     for (std::size_t i = n_before; i < pairs_.size(); ++i) {
       largest = std::max(largest, pairs_[i].value);
-      auto [omega_squared, u] = sector_.mode_of(pairs_[i].vector);
-      if (omega_squared < rigid * problem_.shift) continue;
-      const ModeClass kind = harmonics_.classify(u);
-      modes.push_back({std::sqrt(omega_squared), kind, sector_.parity(), n_copies_, std::move(u)});
+      ParitySector::Mode mode;
+      if (auto s = sector_.mode_of(pairs_[i].vector, mode); !s) return s;
+      if (is_rigid(mode.u)) continue;
+      const ModeClass kind = harmonics_.classify(mode.u);
+      modes.push_back({mode.omega_squared, kind, sector_.parity(), n_copies_, std::move(mode.u)});
     }
     report.n_eigenpairs += static_cast<int>(pairs_.size() - n_before);
     complete_below_ = std::sqrt(std::max(0.0, 1 / largest - problem_.shift)) * (1 - round_off);
@@ -100,6 +99,29 @@ class SectorSpectrum {
   bool asked() const { return !pairs_.empty(); }
 
  private:
+  /// A sector has at most one rigid motion: a shift along the axis of its negative sign, or a turn about that of its
+  /// positive one. Modes are orthogonal to it, so that the share of it is nearly 1 or nearly 0, whatever ω² is.
+  bool is_rigid(const Vector& u) const {
+    const auto& sign = sector_.parity().sign;
+    const auto n_negative = std::ranges::count(sign, -1);
+    if (n_negative != 1 && n_negative != 2) return false;
+    const auto axis = static_cast<unsigned int>(std::ranges::find(sign, n_negative == 1 ? -1 : 1) - sign.begin());
+    const Vector &X = problem_.space.reference_positions(), &mass = problem_.space.mass();
+    double with_motion = 0, of_motion = 0, whole = 0;
+    for (unsigned int i = 0; i < 3 * problem_.space.n_nodes(); ++i) {
+      const unsigned int node = i - i % 3, c = i % 3;
+      double motion = c == axis ? 1 : 0;
+      if (n_negative == 2)  // ê×X
+        motion = c == (axis + 1) % 3   ? -X.local_element(node + (axis + 2) % 3)
+                 : c == (axis + 2) % 3 ? X.local_element(node + (axis + 1) % 3)
+                                       : 0;
+      with_motion += mass.local_element(i) * motion * u.local_element(i);
+      of_motion += mass.local_element(i) * motion * motion;
+      whole += mass.local_element(i) * u.local_element(i) * u.local_element(i);
+    }
+    return with_motion * with_motion > 0.5 * of_motion * whole;
+  }
+
   const RestProblem& problem_;
   ParitySector sector_;
   SurfaceHarmonics harmonics_;
@@ -108,52 +130,32 @@ class SectorSpectrum {
   double complete_below_ = 0;
 };
 
-/// The copies of one frequency, perhaps not all of them.
-struct Copies {
-  int overtone;
-  std::vector<const SectorMode*> modes;
-  bool complete() const { return modes.size() == static_cast<std::size_t>(2 * modes[0]->kind.degree + 1); }
-  double least() const { return modes.front()->omega; }
-};
+double root(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
 
 /// All frequencies with a copy below the bound, by their lowest copy.
-std::vector<Copies> sort_modes(const std::vector<SectorMode>& modes, double bound) {
-  std::map<std::pair<ModeKind, int>, std::vector<const SectorMode*>> classes;
-  for (const SectorMode& mode : modes)
-    if (mode.omega < bound) {
-      auto& members = classes[{mode.kind.kind, mode.kind.degree}];
-      members.insert(members.end(), mode.n_copies, &mode);
-    }
-  std::vector<Copies> result;
-  for (auto& [key, members] : classes) {
-    std::ranges::sort(members, {}, [](const SectorMode* mode) { return mode->omega; });
-    const std::size_t multiplicity = 2 * static_cast<std::size_t>(key.second) + 1;
-    for (std::size_t first = 0; first < members.size(); first += multiplicity) {
-      const std::size_t last = std::min(first + multiplicity, members.size());
-      result.push_back({static_cast<int>(first / multiplicity),
-                        {members.begin() + static_cast<long>(first), members.begin() + static_cast<long>(last)}});
-    }
+std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& modes, double bound) {
+  std::vector<mechanics::ClassifiedMode> known;
+  for (const SectorMode& mode : modes) {
+    const bool counts = root(mode.omega_squared) < bound;
+    known.push_back(
+        {mode.omega_squared, mode.kind.kind == ModeKind::spheroidal, mode.kind.degree, counts ? mode.n_copies : 0});
   }
-  std::ranges::sort(result, {}, &Copies::least);
-  return result;
+  return mechanics::group_modes(known);
 }
 
-BallFrequency frequency_of(const Copies& copies) {
-  const SectorMode& shown = *copies.modes.front();
-  BallFrequency f{.omega = 0,
-                  .least = shown.omega,
-                  .largest = copies.modes.back()->omega,
+BallFrequency frequency_of(const std::vector<SectorMode>& modes, const mechanics::ModeGroup& group) {
+  const SectorMode& shown = modes[group.modes.front()];
+  BallFrequency f{.omega = group.omega,
+                  .least = group.least,
+                  .largest = group.largest,
                   .kind = shown.kind.kind,
-                  .degree = shown.kind.degree,
-                  .overtone = copies.overtone,
-                  .multiplicity = static_cast<int>(copies.modes.size()),
+                  .degree = group.degree,
+                  .overtone = group.overtone,
+                  .multiplicity = static_cast<int>(group.modes.size()),
                   .share = 1,
                   .parity = shown.parity,
                   .shape = shown.u};
-  for (const SectorMode* mode : copies.modes) {
-    f.omega += mode->omega / f.multiplicity;
-    f.share = std::min(f.share, mode->kind.share);
-  }
+  for (const std::size_t mode : group.modes) f.share = std::min(f.share, modes[mode].kind.share);
   double largest = 0;
   for (unsigned int i = 0; i < f.shape.locally_owned_size(); i += 3)
     largest = std::max(
@@ -182,11 +184,11 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
   while (true) {
     SectorSpectrum& last = *std::ranges::min_element(sectors, {}, &SectorSpectrum::complete_below);
     if (std::isinf(last.complete_below())) break;
-    const std::vector<Copies> sorted = sort_modes(modes, last.complete_below());
+    const auto sorted = sort_modes(modes, last.complete_below());
     const auto n = static_cast<std::size_t>(n_frequencies);
     if (sorted.size() >= n &&
-        std::all_of(sorted.begin(), sorted.begin() + n_frequencies, std::mem_fn(&Copies::complete))) {
-      for (std::size_t i = 0; i < n; ++i) frequencies.push_back(frequency_of(sorted[i]));
+        std::all_of(sorted.begin(), sorted.begin() + n_frequencies, std::mem_fn(&mechanics::ModeGroup::complete))) {
+      for (std::size_t i = 0; i < n; ++i) frequencies.push_back(frequency_of(modes, sorted[i]));
       std::ranges::sort(frequencies, {}, &BallFrequency::omega);
       return {};
     }

@@ -3,7 +3,8 @@
 ///
 /// A mode of kind and degree n of the sphere comes 2n+1 times, spread over the sectors; on a mesh the copies differ by
 /// the mesh's error. They are told apart by kind and degree of their surface (surface_harmonics.h), and the lowest 2n+1
-/// of one class are its fundamental, the next its first overtone. Rigid motions, ω = 0, are left out.
+/// of one class are its fundamental, the next its first overtone (mechanics/equilibria/mode_groups.h). Rigid motions
+/// are left out.
 ///
 /// A sector's list is complete up to the largest eigenvalue that the last run of the iteration found in the complement
 /// of all that was known before: sectors are asked for more until all wanted frequencies lie below what is complete.
@@ -19,7 +20,7 @@
 
 namespace pseudorigid::continuum {
 
-/// One frequency with its 2n+1 modes. Internal units.
+/// One frequency with its 2n+1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate of growth.
 struct BallFrequency {
   double omega;           ///< mean of the copies
   double least, largest;  ///< of the copies; they differ by what the mesh does to the symmetry of the sphere

@@ -47,10 +47,10 @@ Parity parity_of_sector(int number) {
 RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
                          bool is_incompressible, std::optional<SurfaceGravityForces> self_gravity)
     : space(ball_space),
-      elasticity(stored),
+      elasticity(stored, is_incompressible),
       incompressible(is_incompressible),
-      shift(elasticity.shear_modulus()),
-      penalty(is_incompressible ? 1e4 * elasticity.shear_modulus() : 0),
+      shift(elasticity.moduli.shear),
+      penalty(is_incompressible ? 1e4 * elasticity.moduli.shear : 0),
       n_cells_at_node(ball_space.n_nodes(), 0),
       gravity(std::move(self_gravity)) {
   if (incompressible)
@@ -266,15 +266,24 @@ Eigen::VectorXd ParitySector::apply_gravity(const Eigen::VectorXd& u) const {
   return result;
 }
 
-Eigen::VectorXd ParitySector::solve(const Eigen::VectorXd& f, int n_corrections) const {
-  if (!problem_.gravity) return solve_elastic(f, n_corrections);
-  Eigen::VectorXd u = Eigen::VectorXd::Zero(f.size()), r = f, z = solve_elastic(r, n_corrections), p = z;
+mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const {
+  if (!problem_.gravity) {
+    u = solve_elastic(f, n_corrections);
+    return {};
+  }
+  u = Eigen::VectorXd::Zero(f.size());
+  Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
   Eigen::VectorXd B_p = r;  // but for reactions, which do no work on p and z
   double rz = r.dot(z);
   const double enough = tolerance_with_gravity * tolerance_with_gravity * rz;
-  for (int iteration = 0; iteration < n_iterations_with_gravity && rz > enough; ++iteration) {
+  for (int iteration = 0; !(rz <= enough); ++iteration) {
     const Eigen::VectorXd A_p = B_p + apply_gravity(p);
-    const double step = rz / p.dot(A_p);
+    const double curvature = p.dot(A_p);
+    if (iteration == n_iterations_with_gravity || !(curvature > 0) || !std::isfinite(rz))
+      return mechanics::Status::failure(
+          "the stiffness with self-gravity cannot be inverted: the quadrature of gravity is too coarse beside this "
+          "elasticity, or the ball at rest is unstable");
+    const double step = rz / curvature;
     u += step * p;
     r -= step * A_p;
     z = solve_elastic(r, n_corrections);
@@ -283,19 +292,23 @@ Eigen::VectorXd ParitySector::solve(const Eigen::VectorXd& f, int n_corrections)
     B_p = r + beta * B_p;
     rz = next;
   }
-  return u;
+  return {};
 }
 
-void ParitySector::apply(std::span<const double> y, std::span<double> z) const {
+mechanics::Status ParitySector::apply(std::span<const double> y, std::span<double> z) const {
   const auto n = static_cast<Eigen::Index>(n_unknowns_);
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), n);
   Eigen::Map<Eigen::VectorXd> out(z.data(), n);
-  out = root_mass_.cwiseProduct(solve(root_mass_.cwiseProduct(in), n_corrections_of_operator));
+  Eigen::VectorXd u;
+  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_operator, u); !status) return status;
+  out = root_mass_.cwiseProduct(u);
+  return {};
 }
 
-ParitySector::Mode ParitySector::mode_of(std::span<const double> y) const {
+mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) const {
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), static_cast<Eigen::Index>(n_unknowns_));
-  const Eigen::VectorXd u = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode);
+  Eigen::VectorXd u;
+  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode, u); !status) return status;
   double stiffness = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Cell& cell = cells_[c];
@@ -308,10 +321,10 @@ ParitySector::Mode ParitySector::mode_of(std::span<const double> y) const {
     if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
   }
   if (problem_.gravity) stiffness += u.dot(apply_gravity(u));
-  Mode mode{stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
+  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
   for (std::size_t i = 0; i < n_unknowns_; ++i)
     mode.u.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
-  return mode;
+  return {};
 }
 
 }  // namespace pseudorigid::continuum

@@ -85,15 +85,15 @@ class ParitySector {
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
 
-  /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s).
-  void apply(std::span<const double> y, std::span<double> z) const;
+  /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails where T cannot be applied.
+  mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
   /// ω² and the field of an approximate eigenvector y, after a step of inverse iteration: ω² = uᵀKu / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;
   };
-  Mode mode_of(std::span<const double> y) const;
+  mechanics::Status mode_of(std::span<const double> y, Mode& mode) const;
 
  private:
   struct Cell;
@@ -105,7 +105,7 @@ class ParitySector {
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
   /// T f by n_corrections of the divergence, without self-gravity and with it.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
-  Eigen::VectorXd solve(const Eigen::VectorXd& f, int n_corrections) const;
+  mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const;
   /// K_g u less the force of the springs.
   Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const;
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Dense>
 
-#include "materials/eigen_tensor.h"
-
 namespace pseudorigid::continuum {
 namespace {
 
@@ -18,28 +16,19 @@ constexpr int pair_first[] = {0, 0, 0, 1, 1, 2}, pair_second[] = {0, 1, 2, 1, 2,
 
 }  // namespace
 
-RestElasticity::RestElasticity(const StoredEnergy& stored) {
-  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
-  std::visit(
-      [&](const auto& l) {
-        stress = materials::to_matrix(l.stress(materials::to_tensor(identity))).trace() / 3;
-        for (int k = 0; k < 3; ++k)
-          for (int L = 0; L < 3; ++L) {
-            Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
-            H(k, L) = 1;
-            const Eigen::Matrix3d DP =
-                materials::to_matrix(l.tangent(materials::to_tensor(identity), materials::to_tensor(H))) +
-                stress * H.transpose();
-            for (int i = 0; i < 3; ++i)
-              for (int J = 0; J < 3; ++J) entries[27 * i + 9 * J + 3 * k + L] = DP(i, J);
-          }
-      },
-      stored.law);
-  for (int i = 0; i < 3; ++i)
-    for (int k = 0; k < 3; ++k) entries[27 * i + 9 * i + 3 * k + k] += stored.volumetric_stiffness;
+RestElasticity::RestElasticity(const StoredEnergy& stored, bool incompressible)
+    : moduli(materials::moduli_at_rest(stored.law, incompressible)) {
+  const double kappa = stored.volumetric_stiffness;
+  moduli.lame += kappa;
+  for (int k = 0; k < 3; ++k)
+    for (int L = 0; L < 3; ++L) {
+      materials::Tensor<double> H{};
+      H(k, L) = 1;
+      const materials::Tensor<double> C = materials::tangent_at_rest(stored.law, incompressible, H);
+      for (int i = 0; i < 3; ++i)
+        for (int J = 0; J < 3; ++J) entries[27 * i + 9 * J + 3 * k + L] = C(i, J) + (i == J && k == L ? kappa : 0);
+    }
 }
-
-double RestElasticity::shear_modulus() const { return (*this)(0, 1, 0, 1); }
 
 RestStiffness::RestStiffness(const BallSpace& space, const RestElasticity& elasticity)
     : space_(space), elasticity_(elasticity), n_(space.reference_cell().n) {

@@ -1,8 +1,8 @@
 #pragma once
-/// The stiffness of the ball about its rest x = X, cell by cell. A law that is stressed at rest, P(Id) = λ₀ Id, is held
-/// there by the multiplier λ₀, and the second variation of ∫(W − λ₀ ln J) dX is that of
+/// The stiffness of the ball about its rest x = X, cell by cell. The second variation of the stored energy, and of the
+/// constraint where a multiplier carries a stress at rest (materials/rest_moduli.h), is that of
 ///
-///   C_iJkL = ∂P_iJ/∂F_kL (Id) + λ₀ δ_iL δ_Jk + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
+///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///
 /// the last term that of the volumetric stabilisation (kernels/stored_energy.h).
 ///
@@ -16,20 +16,17 @@
 
 #include "continuum/kernels/stored_energy.h"
 #include "continuum/mesh/ball_space.h"
+#include "materials/rest_moduli.h"
 
 namespace pseudorigid::continuum {
 
 struct RestElasticity {
-  explicit RestElasticity(const StoredEnergy& stored);
+  RestElasticity(const StoredEnergy& stored, bool incompressible);
 
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
-  /// The modulus of shear, C : ε = 2μ ε for a symmetric ε without trace.
-  double shear_modulus() const;
-  /// First Lamé modulus, of the law and the stabilisation.
-  double lame_lambda() const { return (*this)(0, 0, 1, 1); }
 
   std::array<double, 81> entries;
-  double stress;  ///< λ₀
+  materials::RestModuli moduli;  ///< of the law and the stabilisation
 };
 
 class RestStiffness {

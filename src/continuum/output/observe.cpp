@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "continuum/parallel/ranks.h"
+#include "mechanics/core/observe_stretches.h"
 #include "mechanics/core/principal_axes.h"
 
 namespace pseudorigid::continuum {
@@ -51,8 +52,8 @@ double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& l
 }
 
 /// All but the multiplier.
-void observe_motion(const BallBody& ball, const BallState& state, const mechanics::ObservableRequest& request,
-                    mechanics::ContinuumObservables& o) {
+mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
+                                 const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();
   o.center = ball.mean(state.q);
   o.velocity = ball.mean(state.v);
@@ -61,6 +62,7 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
   o.Qdot = ball.mass_moment(v);
 
   const CellIntegrals sums = ball.integrals(x, v);
+  if (auto status = ball.judge(sums.least, x); !status) return status;
   const Eigen::Matrix3d F_integral = ball.whole_ball(to_eigen(sums.F));
   o.F = F_integral / ball.volume();
   o.volume_ratio = n_images * sums.volume / ball.volume();
@@ -78,22 +80,21 @@ void observe_motion(const BallBody& ball, const BallState& state, const mechanic
     o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
   }
-  o.least_over_points = [&ball, &state](double (*value)(const Eigen::Matrix3d& F)) {
-    return ball.least(state.q, value).value;
-  };
+  if (request.stretches) mechanics::observe_stretches([&](auto value) { return ball.least(state.q, value).value; }, o);
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
     o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
     o.nonaffine_displacement = std::sqrt(ratio(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
     o.min_jacobian = ball.least_jacobian(x).value;
   }
+  return {};
 }
 
 }  // namespace
 
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
-  observe_motion(ball, state, request, o);
+  if (auto status = observe_motion(ball, state, request, o); !status) return status;
   if (!request.multiplier) return {};
   Vector lambda = ball.make_multiplier();
   if (auto status = mechanics::multiplier_of_motion(ball, state, workspace, lambda); !status) return status;
@@ -103,8 +104,7 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace&,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
-  observe_motion(ball, state, request, o);
-  return {};
+  return observe_motion(ball, state, request, o);
 }
 
 }  // namespace pseudorigid::continuum

@@ -2,6 +2,9 @@
 /// Gathers vectors of every rank on the first one, and back. It uses MPI directly, because the packing of deal.II
 /// brings Boost's serialization and compression into every file that gathers.
 
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <vector>
 
@@ -27,27 +30,44 @@ class MpiType {
   MPI_Datatype type_;
 };
 
-/// Where the entries of each rank begin, and where the last ones end.
-inline std::vector<int> offsets_of(const std::vector<int>& sizes) {
-  std::vector<int> offsets{0};
-  for (const int size : sizes) offsets.push_back(offsets.back() + size);
-  return offsets;
+/// Counts of entries as MPI takes them, and where those of each rank begin; the last offset is where all end. Throws
+/// std::length_error where a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
+/// sizes.
+struct Counts {
+  explicit Counts(const std::vector<long>& n_entries) {
+    long end = 0;
+    for (const long n : n_entries) {
+      end += n;
+      if (end > std::numeric_limits<int>::max())
+        throw std::length_error("vectors of all ranks have more entries together than MPI can count");
+      sizes.push_back(static_cast<int>(n));
+      offsets.push_back(static_cast<int>(end));
+    }
+  }
+  std::vector<int> sizes, offsets{0};
+};
+
+/// Of the vectors of all ranks. Collective.
+template <class T>
+Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
+  const long n = static_cast<long>(values.size());
+  std::vector<long> n_entries(n_ranks(communicator));
+  MPI_Allgather(&n, 1, MPI_LONG, n_entries.data(), 1, MPI_LONG, communicator);
+  return Counts(n_entries);
 }
 
 /// One vector of each rank, in their order. Collective; empty on the other ranks.
 template <class T>
 std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& values) {
-  const unsigned int n = n_ranks(communicator);
-  if (n == 1) return {values};
-  const int size = static_cast<int>(values.size());
-  std::vector<int> sizes(this_rank(communicator) == 0 ? n : 0);
-  MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator);
-  const std::vector<int> offsets = offsets_of(sizes);
-  std::vector<T> all(offsets.back());
+  if (n_ranks(communicator) == 1) return {values};
+  const auto [sizes, offsets] = counts_of_ranks(communicator, values);
+  const bool is_first = this_rank(communicator) == 0;
+  std::vector<T> all(is_first ? offsets.back() : 0);
   const MpiType<T> type;
-  MPI_Gatherv(values.data(), size, type, all.data(), sizes.data(), offsets.data(), type, 0, communicator);
+  MPI_Gatherv(values.data(), static_cast<int>(values.size()), type, all.data(), sizes.data(), offsets.data(), type, 0,
+              communicator);
   std::vector<std::vector<T>> of_ranks;
-  for (std::size_t rank = 0; rank < sizes.size(); ++rank)
+  for (std::size_t rank = 0; is_first && rank < sizes.size(); ++rank)
     of_ranks.emplace_back(all.begin() + offsets[rank], all.begin() + offsets[rank + 1]);
   return of_ranks;
 }
@@ -55,15 +75,12 @@ std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& 
 /// The vectors of all ranks in their order, one after the other, on each of them. Collective.
 template <class T>
 std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values) {
-  const unsigned int n = n_ranks(communicator);
-  if (n == 1) return values;
-  const int size = static_cast<int>(values.size());
-  std::vector<int> sizes(n);
-  MPI_Allgather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, communicator);
-  const std::vector<int> offsets = offsets_of(sizes);
+  if (n_ranks(communicator) == 1) return values;
+  const auto [sizes, offsets] = counts_of_ranks(communicator, values);
   std::vector<T> all(offsets.back());
   const MpiType<T> type;
-  MPI_Allgatherv(values.data(), size, type, all.data(), sizes.data(), offsets.data(), type, communicator);
+  MPI_Allgatherv(values.data(), static_cast<int>(values.size()), type, all.data(), sizes.data(), offsets.data(), type,
+                 communicator);
   return all;
 }
 
@@ -71,30 +88,33 @@ std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values
 template <class T>
 std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return {};
-  const int size = static_cast<int>(values.size());
-  int before = 0;
-  MPI_Exscan(&size, &before, 1, MPI_INT, MPI_SUM, communicator);
+  const auto size = static_cast<std::ptrdiff_t>(values.size());
+  long n_own = size, before = 0;
+  MPI_Exscan(&n_own, &before, 1, MPI_LONG, MPI_SUM, communicator);
   if (this_rank(communicator) == 0) before = 0;  // what MPI_Exscan leaves there is undefined
   std::vector<T> all = gather_on_all(communicator, values);
   all.erase(all.begin() + before, all.begin() + before + size);
   return all;
 }
 
-/// The reverse of gather: to each rank its vector. What the other ranks give is not looked at. Collective.
+/// The reverse of gather: to each rank its vector. Those that other ranks than the first give are not looked at.
+/// Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);
-  std::vector<int> sizes;
+  std::vector<long> n_entries(n_ranks(communicator));
   std::vector<T> all;
-  for (const std::vector<T>& values : of_ranks) {
-    sizes.push_back(static_cast<int>(values.size()));
-    all.insert(all.end(), values.begin(), values.end());
-  }
-  int size = 0;
-  MPI_Scatter(sizes.data(), 1, MPI_INT, &size, 1, MPI_INT, 0, communicator);
+  if (this_rank(communicator) == 0)
+    for (std::size_t rank = 0; rank < of_ranks.size(); ++rank) {
+      n_entries[rank] = static_cast<long>(of_ranks[rank].size());
+      all.insert(all.end(), of_ranks[rank].begin(), of_ranks[rank].end());
+    }
+  MPI_Bcast(n_entries.data(), static_cast<int>(n_entries.size()), MPI_LONG, 0, communicator);
+  const auto [sizes, offsets] = Counts(n_entries);
+  const int size = sizes[this_rank(communicator)];
   std::vector<T> own(size);
   const MpiType<T> type;
-  MPI_Scatterv(all.data(), sizes.data(), offsets_of(sizes).data(), type, own.data(), size, type, 0, communicator);
+  MPI_Scatterv(all.data(), sizes.data(), offsets.data(), type, own.data(), size, type, 0, communicator);
   return own;
 }
 

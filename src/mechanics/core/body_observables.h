@@ -7,14 +7,13 @@
 /// All in the program's internal units (length r, mass ρr³, time r/c).
 
 #include <Eigen/Core>
-#include <functional>
 
 namespace pseudorigid::mechanics {
 
 /// What somebody will look at; the rest is not evaluated.
 struct ObservableRequest {
   bool energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
-  bool pressure = false, bipolar = false;
+  bool pressure = false, bipolar = false, stretches = false;
 };
 
 /// The axial vector ε_ijk A_jk.
@@ -59,9 +58,7 @@ struct ContinuumObservables : BodyObservables {
   double nonaffine_displacement = 0;                ///< e_x = |x − Q_M X| / |x|, ρ-weighted L²
   double volumetric = 0;                            ///< part of `elastic` that the volumetric stabilisation stores
   double min_jacobian = 1;                          ///< least det F over the quadrature points
-  /// The least value of a function of F over the quadrature points of all ranks, at the state observed; to be asked
-  /// before the state changes. Collective.
-  std::function<double(double (*)(const Eigen::Matrix3d& F))> least_over_points{};
+  double min_stretch = 1, max_stretch = 1;          ///< least and largest principal stretch there
 };
 
 }  // namespace pseudorigid::mechanics

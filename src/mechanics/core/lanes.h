@@ -1,6 +1,9 @@
 #pragma once
 /// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
 /// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
+///
+/// What stands here depends on the instructions that a file is compiled for. So it is in a namespace of theirs: two
+/// files that are compiled for different ones have different vectors, functions and numbers of lanes, and share none.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -10,21 +13,27 @@
 #include <cstring>
 #include <limits>
 
+#if defined(__AVX512F__)
+#define PSEUDORIGID_NATIVE_LANES 8
+#define PSEUDORIGID_LANES_OF lanes_of_avx512
+#elif defined(__AVX__)
+#define PSEUDORIGID_NATIVE_LANES 4
+#define PSEUDORIGID_LANES_OF lanes_of_avx
+#else
+#define PSEUDORIGID_NATIVE_LANES 2
+#define PSEUDORIGID_LANES_OF lanes_of_two
+#endif
+
 namespace pseudorigid::mechanics {
+inline namespace PSEUDORIGID_LANES_OF {
 
 /// Lanes of the widest vector that this translation unit may use.
-#if defined(__AVX512F__)
-inline constexpr int native_lanes = 8;
-#elif defined(__AVX__)
-inline constexpr int native_lanes = 4;
-#else
-inline constexpr int native_lanes = 2;
-#endif
+inline constexpr int native_lanes = PSEUDORIGID_NATIVE_LANES;
 
 /// The lesser of two numbers, a NaN being the least of all.
 inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
 
-namespace detail {
+namespace lanes_detail {
 template <int n_lanes>
 struct VectorTypes;  // spelled out, since the compiler ignores a vector size that depends on a template parameter
 template <>
@@ -64,14 +73,14 @@ template <int n, class Piece>
   else
     return join(collect<n / 2>(piece, first), collect<n / 2>(piece, first + n / 2));
 }
-}  // namespace detail
+}  // namespace lanes_detail
 
 template <int n_lanes>
 struct Lanes {
-  using Native = typename detail::VectorTypes<n_lanes>::Real;
-  using NativeInt = typename detail::VectorTypes<n_lanes>::Integer;
-  using NativeBits = typename detail::VectorTypes<n_lanes>::Bits;
-  using Native2 = typename detail::VectorTypes<2>::Real;
+  using Native = typename lanes_detail::VectorTypes<n_lanes>::Real;
+  using NativeInt = typename lanes_detail::VectorTypes<n_lanes>::Integer;
+  using NativeBits = typename lanes_detail::VectorTypes<n_lanes>::Bits;
+  using Native2 = typename lanes_detail::VectorTypes<2>::Real;
   Native v;
 
   Lanes() = default;
@@ -81,7 +90,7 @@ struct Lanes {
   /// Lane l holds value(l). Built in registers: lanes set one by one would go through memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
-    return detail::collect<n_lanes>(value);
+    return lanes_detail::collect<n_lanes>(value);
   }
 
   double operator[](int lane) const { return v[lane]; }
@@ -144,7 +153,8 @@ struct Lanes {
       std::memcpy(&xy, base + offsets[lane], sizeof xy);
       return xy;
     };
-    const Native low = detail::collect<n_lanes / 2>(pair), high = detail::collect<n_lanes / 2>(pair, n_lanes / 2);
+    const Native low = lanes_detail::collect<n_lanes / 2>(pair),
+                 high = lanes_detail::collect<n_lanes / 2>(pair, n_lanes / 2);
     if constexpr (n_lanes == 2) {
       x = __builtin_shufflevector(low, high, 0, 2);
       y = __builtin_shufflevector(low, high, 1, 3);
@@ -201,4 +211,8 @@ struct Lanes {
   }
 };
 
+}  // namespace PSEUDORIGID_LANES_OF
 }  // namespace pseudorigid::mechanics
+
+#undef PSEUDORIGID_NATIVE_LANES
+#undef PSEUDORIGID_LANES_OF

@@ -24,7 +24,19 @@ class CriticalPointFinder {
       return Status::failure("the centre of the search has " + std::to_string(search_.center.size()) +
                              " coordinates in place of " + std::to_string(landscape_.n_coordinates()));
     found = {};
-    for (found.n_starts = 0; found.n_starts < search_.n_starts; ++found.n_starts) {
+    if (Status status = try_starts(search_.n_starts, found); !status) return status;
+    const auto misses_points = [&] { return search_.misses_points && search_.misses_points(found.points); };
+    while ((found.misses_points = misses_points()) && found.n_starts < search_.n_starts_at_most)
+      if (Status status = try_starts(std::min(search_.n_starts, search_.n_starts_at_most - found.n_starts), found);
+          !status)
+        return status;
+    std::sort(found.points.begin(), found.points.end(), before);
+    return {};
+  }
+
+ private:
+  Status try_starts(int n_more, CriticalPoints& found) {
+    for (const int end = found.n_starts + n_more; found.n_starts < end; ++found.n_starts) {
       Vector q = found.n_starts == 0 ? search_.center : random_start(), lambda;
       if (!newton(q, lambda)) continue;  // this start leads nowhere
       ++found.n_converged;
@@ -36,11 +48,9 @@ class CriticalPointFinder {
                                      [&](const CriticalPoint& other) { return same(p, other); });
       if (!known) found.points.push_back(std::move(p));
     }
-    std::sort(found.points.begin(), found.points.end(), before);
     return {};
   }
 
- private:
   static constexpr int max_iterations = 200, max_halvings = 20;
   static constexpr double converged = 1e-12;  // |r|, relative to the gradients met on the way
   static constexpr double same_place = 1e-6;  // Newton's limits agree far better, but for degenerate points

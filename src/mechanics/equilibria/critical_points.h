@@ -24,6 +24,10 @@ struct CriticalPointSearch {
   std::function<Eigen::VectorXd(const std::function<double()>& uniform)> start{};
   int n_starts = 200;
   std::uint64_t seed = 1;
+  /// Asked after n_starts and from time to time: whether points are known to be missing (morse_count.h). The search
+  /// then goes on, up to `n_starts_at_most`.
+  std::function<bool(const std::vector<CriticalPoint>& points)> misses_points{};
+  int n_starts_at_most = 0;
   /// Linear damping beside the system's own: q → C(q) of the force −C v. Empty: none.
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& q)> added_damping{};
 };
@@ -31,6 +35,7 @@ struct CriticalPointSearch {
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  // by rising V
   int n_starts = 0, n_converged = 0;
+  bool misses_points = false;  ///< as the search was told to its end
 };
 
 /// Fails if a point that was found cannot be described; that starts lead nowhere is told by n_converged.

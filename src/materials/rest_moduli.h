@@ -1,0 +1,42 @@
+#pragma once
+/// Small motions about rest, F = Id. The law may be stressed there, P(Id) = p Id: the constraint of an incompressible
+/// body carries that pressure, and the second variation of W − p ln J is
+///
+///   C(H) = DP(Id)[H] + p Hᵀ      (incompressible),      C(H) = DP(Id)[H]      (compressible: at rest only if p = 0).
+///
+/// Waves tell the moduli: a shear e₁⊗e₂ has the stiffness μ, a stretch e₁⊗e₁ has λ + 2μ.
+
+#include <variant>
+
+#include "materials/law_table.h"
+
+namespace pseudorigid::materials {
+
+/// p of P(Id) = p Id.
+inline double pressure_at_rest(const AnyLaw& law) {
+  constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);
+}
+
+/// C(H).
+inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, const Tensor<double>& H) {
+  constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  Tensor<double> C = std::visit([&](const auto& known) { return known.tangent(Id, H); }, law);
+  if (!incompressible) return C;
+  const double p = pressure_at_rest(law);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) C(i, j) += p * H(j, i);
+  return C;
+}
+
+/// Lamé's moduli at rest. Of an incompressible body only μ has a meaning: λ shifts the multiplier.
+struct RestModuli {
+  double shear, lame;
+};
+inline RestModuli moduli_at_rest(const AnyLaw& law, bool incompressible) {
+  constexpr Tensor<double> shear{{{0, 1, 0}, {0, 0, 0}, {0, 0, 0}}}, stretch{{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
+  const double mu = tangent_at_rest(law, incompressible, shear)(0, 1);
+  return {mu, tangent_at_rest(law, incompressible, stretch)(0, 0) - 2 * mu};
+}
+
+}  // namespace pseudorigid::materials

@@ -1,0 +1,17 @@
+#pragma once
+/// Morse's count. Let V rise outwards at the boundary of a compact part D of a manifold of dimension n, and have there
+/// nondegenerate critical points only, c_k of index k. With the Betti numbers b_k of D (coefficients in Z/2),
+///
+///   Σ c_k t^k − Σ b_k t^k = (1 + t) Σ r_k t^k,   r_k ≥ 0      (Milnor, Morse Theory, 5)
+///
+/// so that r_k = Σ_{j ≤ k} (−1)^{k−j}(c_j − b_j) ≥ 0 and r_n = 0. A list of points that violates this is not complete.
+
+#include <span>
+#include <vector>
+
+namespace pseudorigid::mechanics {
+
+/// Whether points with these indices can be all. `betti` has n + 1 numbers or fewer, those left out being 0.
+bool obeys_morse(const std::vector<int>& indices, int dimension, std::span<const int> betti);
+
+}  // namespace pseudorigid::mechanics

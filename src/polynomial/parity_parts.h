@@ -1,0 +1,53 @@
+#pragma once
+/// A motion of the whole ball is even or odd under each reflection of a coordinate plane. Bit i of its parity is set
+/// where it is odd under the reflection of axis i: u_j then has the parity of the motion with bit j changed, and the
+/// constraints that of the motion. The stiffness at a state with the symmetry of an octant takes motions of each of the
+/// eight parities into themselves.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "polynomial/polynomial_space.h"
+
+namespace pseudorigid::polynomial {
+
+inline constexpr int n_parities = 8;
+
+/// Places of the coefficients of each parity.
+inline std::array<std::vector<int>, n_parities> unknowns_by_parity(const PolynomialSpace& space) {
+  std::array<std::vector<int>, n_parities> places;
+  for (const Block& block : space.blocks())
+    for (int a = 0; a < block.n(); ++a) places[block.parity ^ 1U << block.component].push_back(block.offset + a);
+  return places;
+}
+inline std::array<std::vector<int>, n_parities> pressures_by_parity(const PolynomialSpace& space) {
+  std::array<std::vector<int>, n_parities> places;
+  for (const Block& block : space.pressure_blocks())
+    for (int b = 0; b < block.n(); ++b) places[block.parity].push_back(block.offset + b);
+  return places;
+}
+
+/// K u = −`force_rate(u)`, symmetrised. Motions of different parity are put into one call, and their images taken apart
+/// again.
+template <class ForceRate>
+Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
+  const auto places = unknowns_by_parity(space);
+  std::size_t n_calls = 0;
+  for (const auto& of_parity : places) n_calls = std::max(n_calls, of_parity.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(space.n_unknowns(), space.n_unknowns());
+  for (std::size_t call = 0; call < n_calls; ++call) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_unknowns());
+    for (const auto& of_parity : places)
+      if (call < of_parity.size()) u[of_parity[call]] = 1;
+    const Eigen::VectorXd image = force_rate(u);
+    for (const auto& of_parity : places)
+      if (call < of_parity.size())
+        for (const int i : of_parity) K(i, of_parity[call]) = -image[i];
+  }
+  return 0.5 * (K + K.transpose());
+}
+
+}  // namespace pseudorigid::polynomial
