@@ -8,6 +8,7 @@
 #   long           10^7 steps of the reduced model, 10^5 of the continuum, releases over 100 periods
 #   mutants        10,000 damaged parameter files, checkpoints and meshes each
 #   interruptions  Ctrl-C, SIGTERM, SIGKILL, full disks, and how the runs go on
+#   tolerances     short scenes with few samples: is the error below Time/Tolerance (--number N, default 1000)
 #   map            the map of stability
 #   sanitizers     the tests and damaged files above in a build with the address, leak and undefined behaviour
 #                  sanitizers, sweeps in one with the thread sanitizer

@@ -15,7 +15,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TITLES = {"scenes": "Random scenes", "ramps": "Ramps, near-inversion, coincident axes, steps about the limit",
           "units": "Other units", "long": "Long times", "mutants": "Damaged files", "interruptions": "Interruptions",
-          "map": "Map of stability"}
+          "tolerances": "Tolerances", "map": "Map of stability"}
 
 
 def number(value):
@@ -72,7 +72,19 @@ def of_units(results):
             *table(("scene", "other units", "largest difference"), [(name, len(d), max(d)) for name, d in worst.items()])]
 
 
-DETAILS = {"scenes": of_reasons, "ramps": of_reasons, "long": of_long, "units": of_units}
+def of_tolerances(results):
+    held = collections.defaultdict(list)
+    for record in results["records"]:
+        if record["of_estimate"] != "":
+            held[record["kind"]].append(record)
+    return ["The largest error of Q over the samples, as a part of Time/Tolerance and of the estimate that the run prints:", "",
+            *table(("model", "scenes", "of the tolerance", "of the estimate"),
+                   [(kind, len(records), *(max(r[part] for r in records) for part in ("of_tolerance", "of_estimate")))
+                    for kind, records in sorted(held.items())])]
+
+
+DETAILS = {"scenes": of_reasons, "ramps": of_reasons, "long": of_long, "units": of_units,
+           "tolerances": of_tolerances}
 
 
 def main():

@@ -16,7 +16,7 @@ class SystemBreaksOff(SystemTest):
         result = self.run_program("run", "scene.prm", "--quiet")
         self.assert_exit(result, STOPPED)
         (error,) = [line for line in result.stderr.splitlines() if not line.startswith("warning: ")]
-        match = re.match(r"error: (\w+) stopped at t = ([0-9.e+-]+): (.*); the state at t = ([0-9.e+-]+) is saved", error)
+        match = re.match(r"error: (\w+) stopped at t = ([0-9.e+-]+): (.*); the state at t = ([0-9.e+-]+)(?:, the last sample,)? is saved", error)
         self.assertIsNotNone(match, error)
         file, stopped_at, reason, saved_at = match.groups()
         self.assertAlmostEqual(float(stopped_at), end, delta=0.02 * end)

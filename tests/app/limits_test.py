@@ -1,4 +1,5 @@
 """What numbers, memory, stability and laws do not admit: refused before a run with the numbers, or met by a stop."""
+import re
 import unittest
 
 from program_test import DONE, STOPPED, WRONG_INPUT
@@ -58,6 +59,25 @@ class Limits(RefusedInputTest):
         # Samples make the steps shorter; a method that the program chooses takes the step as a bound alone.
         for entries in ("Output/Samples=20", "Time/Method=auto"):
             self.assertNotIn("stability limit", self.run_done("check", "scene.prm", "--set", entries).stdout)
+
+    VISCOUS = {**CONTINUUM, "Material/Viscosity": 1, "Time/End": 0.2, "Output/Samples": 2}
+
+    def test_check_knows_the_bound_of_viscosity(self):
+        """Steps are those of the run within a factor of 2; elasticity alone would admit steps 80 times longer."""
+        self.scene(self.VISCOUS)
+        text = self.run_done("check", "scene.prm").stdout
+        self.run_done("run", "scene.prm")
+        steps = self.json("output/scene/manifest.json")["models"]["continuum"]["counters"]["steps"]
+        told = float(re.search(r"takes steps up to .*?; roughly (\S+) steps", text)[1])
+        self.assertTrue(0.5 < told / steps < 2, f"{steps}: {text}")
+
+    def test_a_step_beyond_the_bound_of_viscosity_is_told(self):
+        for models, step in (("continuum", 0.0025), ("reduced", 0.1)):
+            self.scene({**self.VISCOUS, "Models": models, "Time/Step": step, "Time/End": 2 * step})
+            self.assertIn("Time/Step: ", self.run_done("check", "scene.prm").stdout)
+            self.assertEqual(self.run_program("run", "scene.prm").returncode, STOPPED)
+            self.assertNotIn("Time/Step: ", self.run_done("check", "scene.prm", "--set", f"Time/Step={step / 2}").stdout)
+            self.run_done("run", "scene.prm", "--set", f"Time/Step={step / 2}")
 
     def test_the_effort_is_that_of_the_run(self):
         for symmetry in ("octant", "xy", "z", "none"):

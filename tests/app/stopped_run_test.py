@@ -29,7 +29,7 @@ class StoppedRun(StoppedRunTest):
     def check_stopped_by_inversion(self, result):
         self.assert_exit(result, STOPPED)
         self.assertRegex(result.stderr, r"error: continuum stopped at t = [0-9.e-]+: an element is turned inside out: "
-                                        r"det F = -[0-9.e-]+ at X/r = \([^)]*\); the state at t = [0-9.e-]+ is saved, "
+                                        r"det F = -[0-9.e-]+ at X/r = \([^)]*\); the state at t = [0-9.e-]+, the last sample, is saved, "
                                         r"least det F = [0-9.e-]+ at X/r = \([^)]*\)")
         self.assertIn("--resume", result.stderr)
         self.assertTrue((self.scratch / "output/scene/checkpoint-continuum.bin").exists())
@@ -69,7 +69,7 @@ class StoppedRun(StoppedRunTest):
         self.scene(self.VIOLENT)
         stopped = self.run_program("run", "scene.prm", "--quiet", timeout=15)
         self.assert_exit(stopped, STOPPED)
-        self.assertRegex(stopped.stderr, r"error: continuum stopped at t = [0-9.e-]+: .*; the state at t = [0-9.e-]+ is saved, least det F")
+        self.assertRegex(stopped.stderr, r"error: continuum stopped at t = [0-9.e-]+: .*; the state at t = [0-9.e-]+, the last sample, is saved, least det F")
         self.assertEqual((self.scratch / "output/scene/log.txt").read_text().count("since it fails at t"), 3)
 
     def test_comparison_of_what_both_models_reached(self):

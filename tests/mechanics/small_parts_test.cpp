@@ -74,5 +74,32 @@ TEST(StepSearch, GivesUpWhereTheMotionEnds) {
   EXPECT_LT(choice.n_force, 400);
 }
 
+/// The steps of the method that starts a multistep method say nothing of it: a window as short as these is made longer.
+TEST(StepSearch, PilotsOfMultistepMethodsHoldStepsOfTheirOwn) {
+  constexpr double end = 60;
+  const SpringNetwork oscillator = harmonic_oscillator();
+  const mechanics::State<SpringNetwork> start{0, Eigen::VectorXd::Ones(1), Eigen::VectorXd::Zero(1)};
+  const auto check = [&]<class Method>(Method) {
+    for (const double tolerance : {0.1, 3e-2, 1e-2, 1e-3}) {
+      const mechanics::StepRequest request{.end = end,
+                                           .window = 3 * Method::stability_limit,
+                                           .tolerance = tolerance,
+                                           .rattle_limit = mechanics::rattle_step_limit(1, 0),
+                                           .method = mechanics::id_of<Method>};
+      const auto choice = mechanics::choose_step(oscillator, start, request, [](const auto& state) { return state.q; });
+      ASSERT_TRUE(choice.status) << choice.status.reason();
+      const long n_steps = mechanics::SampleTimes{end, 1}.steps_per_interval(choice.step);
+      const auto r = run<Method>(oscillator, start, end, 1, n_steps);
+      ASSERT_TRUE(r.finished());
+      const double error = std::abs(r.states.back().q[0] - std::cos(end));
+      EXPECT_LE(error, tolerance) << choice.why;
+      EXPECT_LE(error, 2 * choice.error) << choice.why;
+    }
+  };
+  check(mechanics::Symmetric4());
+  check(mechanics::Symmetric8());
+  check(mechanics::Symmetric12());
+}
+
 }  // namespace
 }  // namespace pseudorigid::testing

@@ -164,6 +164,30 @@ TEST(StepSize, OfABodyAtRestIsTheStabilityLimit) {
   EXPECT_NEAR(choice.step, request.rattle_limit, 0.1 * request.rattle_limit);
 }
 
+/// Steps of an adaptive method are as long as it likes there, and would magnify kicks of round-off by themselves.
+TEST(StepSize, ABodyAtRestIsNotCalledUnstable) {
+  for (const double time : {10.0, 3.3e8}) {
+    auto request = request_for(stretched(1), 1e-6);
+    request.end = time;
+    request.window = std::min(20.0, time);
+    request.method = id_of<mechanics::DormandPrince8>;
+    const auto choice = choose(stretched(1), request);
+    EXPECT_FALSE(choice.round_off_rules_from) << choice.why;
+    EXPECT_FALSE(choice.at_round_off) << choice.why;
+    EXPECT_LT(choice.error, 1e-9) << choice.why;
+  }
+}
+
+/// Round-off of regular motions grows slowly, and is no instability of theirs.
+TEST(StepSize, ALongRegularMotionIsNotCalledUnstable) {
+  auto request = request_for(small_motion(), 1e-6);
+  request.end = 1e6;
+  request.window = 20;
+  request.method = id_of<mechanics::DormandPrince8>;
+  const auto choice = choose(small_motion(), request);
+  EXPECT_FALSE(choice.round_off_rules_from) << choice.why;
+}
+
 /// SL(3) has eight directions. Iterations beyond them once met a state (t = 84 of this motion) where round-off grew to
 /// a frequency of 2e7, and the step fell to a millionth.
 TEST(StepSize, FrequencyStaysThatOfTheBodyAlongALongMotion) {

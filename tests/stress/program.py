@@ -26,7 +26,7 @@ SECONDS_TO_OBEY = 30 * PATIENCE
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_btl_vader_single_copy_mechanism": "none", "OMPI_MCA_rmaps_base_oversubscribe": "1",
        "OMPI_MCA_mpi_yield_when_idle": "1"}
-STOPPED_AT = re.compile(r"stopped at t = ([-+0-9.e]+): (.*?)(?:; the state at t = ([-+0-9.e]+) is saved"
+STOPPED_AT = re.compile(r"stopped at t = ([-+0-9.e]+): (.*?)(?:; the state at t = ([-+0-9.e]+)(?:, the last sample,)? is saved"
                         r"(, least det F = [0-9.e+-]+ at X/r = \(.*?\))?)?(?: \(--resume|$)", re.M)
 
 

@@ -143,13 +143,14 @@ class ReducedModel {
   }
 
   void note_motion(const Eigen::Matrix3d& Q) {
+    ++n_noted_;
     motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
   /// A motion about rest that is hardly larger than the errors of Q has energies without a right digit.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
-    if (!knows_motion_ || size_ == 0) return;
+    if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
     const auto estimate = statistics.counters.find("estimated_time_error");
     const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
@@ -202,6 +203,7 @@ class ReducedModel {
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
   bool knows_motion_ = true;      ///< false where a resumed run has rows without Q
+  long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
   std::optional<io::BallBlocks> ball_;       ///< of pictures, from the first one on

@@ -40,22 +40,26 @@ struct RunPosition {
 };
 
 /// `frozen_scene`: what a resumed run must have in common with this one, but for what commands/resume.h admits;
-/// `stepping`: what decides on method and step, which are chosen anew where it has changed.
+/// `stepping`: what decides on method and step, which are chosen anew where it has changed. Where the step is given a
+/// later end changes neither. `choice`: what decides on the method alone.
 struct RunIdentity {
-  std::string frozen_scene, stepping;
+  std::string frozen_scene, stepping, choice;
 };
 
 /// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
 inline RunIdentity run_identity(const scene::Scene& scene) {
-  scene::Scene frozen = scene, stepping;
-  stepping.time = scene.time;
+  scene::Scene frozen = scene, stepping, choice;
+  stepping.time = choice.time = scene.time;
+  choice.time.step.reset();
+  choice.time.end = scene::Scene::Time{}.end;
+  if (scene.time.step) stepping.time.end = choice.time.end;
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.continuum.mesh = mesh_identity(scene);
   frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow where a literal is assigned
   frozen.sweep_threads.reset();
   frozen.title.clear();
-  return {scene::to_prm(frozen), scene::to_prm(stepping)};
+  return {scene::to_prm(frozen), scene::to_prm(stepping), scene::to_prm(choice)};
 }
 
 /// All that a run needs to go on, taken at one instant; cheap enough to be taken at every sample.
@@ -90,6 +94,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   io::Checkpoint c;
   c.set("scene", identity.frozen_scene);
   c.set("stepping", identity.stepping);
+  c.set("choice", identity.choice);
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
   c.set("steps in interval", position.steps_in_interval);

@@ -127,7 +127,7 @@ class ModelRun {
   struct NextStepping {
     mechanics::MethodId method;
     double step, local_tolerance;
-    std::string entries;  ///< of the scene, as in RunIdentity
+    RunIdentity identity;
   };
 
   /// Goes on to a sample with the method of the position.
@@ -195,7 +195,7 @@ class ModelRun {
     std::swap(position_.step, next_stepping_->step);
     std::swap(position_.local_tolerance, next_stepping_->local_tolerance);
     position_.looks = {.next = position_.cursor.sample};
-    std::swap(identity_.stepping, next_stepping_->entries);
+    identity_ = next_stepping_->identity;
     good_.position = position_;
     good_.state = state_;
     good_.memory.clear();
@@ -255,17 +255,24 @@ class ModelRun {
     const bool complete = position_.cursor.sample == times_.n_samples;
     const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
     if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
+    // A given step that makes the run's own shorter needs no search.
+    const bool keeps_method =
+        has_step && stepping_.shortens(position_) && file.get_string("choice") == identity_.choice;
     // New steps begin at a sample. A run that failed stands at one; one that stands within an interval finishes it with
     // the old ones first.
     const RunPosition old = position_;
-    if (Status status = stepping_.choose(state_, position_, statistics_); !status) return status;
+    if (keeps_method)
+      stepping_.shorten(position_);
+    else if (Status status = stepping_.choose(state_, position_, statistics_); !status)
+      return status;
     if (old.steps_in_interval == 0 && state_.t == times_[old.cursor.sample]) {
       // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
       if (position_.method != old.method) good_.memory.clear();
       return {};
     }
-    next_stepping_ = {position_.method, position_.step, position_.local_tolerance,
-                      std::exchange(identity_.stepping, file.get_string("stepping"))};
+    next_stepping_ = {position_.method, position_.step, position_.local_tolerance, identity_};
+    identity_.stepping = file.get_string("stepping");
+    identity_.choice = file.get_string("choice");
     position_ = old;
     return {};
   }
@@ -302,7 +309,8 @@ class ModelRun {
   }
 
   std::string saved_state() const {
-    std::string text = "the state at t = " + physical_time(good_.state.t) + " is saved";
+    std::string text = "the state at t = " + physical_time(good_.state.t) +
+                       (stepping_.is_adaptive(position_.method) ? "" : ", the last sample,") + " is saved";
     if constexpr (requires { model_.place_of_least_jacobian(good_.state); })
       text += ", " + model_.place_of_least_jacobian(good_.state);
     return text;

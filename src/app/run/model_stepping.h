@@ -1,6 +1,8 @@
 #pragma once
 /// Method and step of one model's run: those of the scene, or those that its tolerance asks for.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +12,7 @@
 
 #include "app/run/model_checkpoint.h"
 #include "app/run/run_context.h"
+#include "app/run/search_notice.h"
 #include "io/signals.h"
 #include "mechanics/steps/largest_frequency.h"
 #include "mechanics/steps/step_size.h"
@@ -54,39 +57,24 @@ class ModelStepping {
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
     const std::optional<double> error_so_far = std::exchange(position.time_error, std::nullopt);
     if (known_) return take_over(*known_, state, position);
-    const std::optional<mechanics::MethodId> method = mechanics::find_method(context_.scene.time.method);  // or auto
     const double bound = step_bound();
-    if (method && std::isfinite(bound) && !is_adaptive(*method)) {
+    if (const auto method = asked_method(); method && std::isfinite(bound) && !is_adaptive(*method)) {
       position.method = *method;
       position.step = bound;
       return {};
     }
-    mechanics::StepRequest request{.end = end_ - state.t,
-                                   .window = model_.pilot_window(end_ - state.t),
-                                   .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
-                                   .step_bound = std::min(bound, end_ - state.t),
-                                   .interval = interval_,
-                                   .spare_pilots = mechanics::has_costly_force<System>,
-                                   .method = method,
-                                   .give_up = [this] { return context_.interrupted(); }};
-    if constexpr (mechanics::ConstrainedSystem<System>) {
-      double limit = 0;
-      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
-      request.rattle_limit = std::min(limit, request.end);
-    }
-    State from_zero = state;
-    if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
-    const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
-                                               [&](const State& s) { return model_.configuration(s); });
-    // Nothing is begun with a step that an interrupted search has not found.
-    if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
-    if (!choice.status)
-      fall_back(choice, request, position);
-    else
-      take(choice, error_so_far, position, statistics);
-    plan_look(request.rattle_limit / reserve, position);
-    return {};
+    return search(state, error_so_far, position, statistics);
   }
+
+  std::optional<mechanics::MethodId> asked_method() const {  // nothing: auto
+    return mechanics::find_method(context_.scene.time.method);
+  }
+
+  /// Whether the step that the scene gives only makes that of the position shorter.
+  bool shortens(const RunPosition& position) const {
+    return std::isfinite(step_bound()) && step_bound() <= position.step * (1 + 1e-12);
+  }
+  void shorten(RunPosition& position) const { position.step = std::min(position.step, step_bound()); }
 
   /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
   void reconsider(const State& state, RunPosition& position) const {
@@ -133,6 +121,39 @@ class ModelStepping {
     return context_.scene.time.step ? context_.internal_time(*context_.scene.time.step) : HUGE_VAL;
   }
 
+  Status search(const State& state, const std::optional<double>& error_so_far, RunPosition& position,
+                io::Manifest::Model& statistics) const {
+    mechanics::StepRequest request{.end = end_ - state.t,
+                                   .window = model_.pilot_window(end_ - state.t),
+                                   .tolerance = Model::pilot_reserve * context_.scene.time.tolerance,
+                                   .step_bound = std::min(step_bound(), end_ - state.t),
+                                   .interval = interval_,
+                                   .spare_pilots = mechanics::has_costly_force<System>,
+                                   .method = asked_method()};
+    if constexpr (mechanics::ConstrainedSystem<System>) {
+      double limit = 0;
+      if (Status status = rattle_limit(state, reserve, limit); !status) return status;
+      request.rattle_limit = std::min(limit, request.end);
+    }
+    SearchNotice notice(context_, model_.name, about_search(request), Model::steps_between_looks);
+    request.give_up = [&] {
+      notice.step();
+      return context_.interrupted();
+    };
+    State from_zero = state;
+    if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
+    const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
+                                               [&](const State& s) { return model_.configuration(s); });
+    // Nothing is begun with a step that an interrupted search has not found.
+    if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
+    if (!choice.status)
+      fall_back(choice, request, position);
+    else
+      take(choice, error_so_far, position, statistics);
+    plan_look(request.rattle_limit / reserve, position);
+    return {};
+  }
+
   Status rattle_limit(const State& state, double safety, double& limit) const {
     auto workspace = model_.system().make_workspace();
     const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos, accuracy);
@@ -143,6 +164,16 @@ class ModelStepping {
     limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
                      mechanics::damped_step_limit(damping.gamma, safety));
     return {};
+  }
+
+  std::string about_search(const mechanics::StepRequest& request) const {
+    const double time = context_.units.time;
+    std::string text = fmt::format("looks for method and step by pilot runs, until {:.4g} of {:.4g}",
+                                   mechanics::detail::pilot_window(request) * time, request.end * time);
+    if (request.rattle_limit > 0)
+      text += fmt::format("; rattle is stable up to a step of {:.2g}, which the run takes {:.2g} times",
+                          request.rattle_limit * time, std::ceil(request.end / request.rattle_limit));
+    return text;
   }
 
   /// RATTLE's limit, for a method of fixed steps.

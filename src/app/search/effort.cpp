@@ -89,10 +89,17 @@ double available_memory() {
   return available;
 }
 
+/// Of RATTLE for λ = 0, μ = 1.
+double step_of_mesh(const scene::Discretization& d) {
+  return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
+}
+
 /// What steps of the continuum take, measured on cores at 2 to 4 GHz for k = 3 … 6, r = 0 … 1: within a factor of 3.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Of the stability limit at rest, the part that a step found from a tolerance usually has.
 constexpr double usual_part_of_limit = 0.6;
+/// Likewise of the limit that viscosity sets.
+constexpr double chosen_part_of_damped_step = 0.31;
 /// Pilot runs, and the companion run that estimates the discretisation error, take this much of the run beside it.
 constexpr double pilots = 0.5, companion = 0.35;
 
@@ -102,23 +109,42 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
+/// η in internal units.
+double viscosity(const scene::Scene& scene) { return loads::constant_forcing(internal_loads(scene)).viscosity; }
+
+/// Viscosity damps the strains of the ball at rest at the rate 10η. The step is chosen with some reserve
+/// (mechanics/steps/step_size.h). Measured for η = 1 … 100, RATTLE's iteration converges at 0.06/η and not at 0.08/η.
+constexpr double reduced_chosen_step = 0.04, reduced_largest_step = 0.07;  // times 1/η
+
 /// Of the pseudo-rigid body, the poorest of the models: evaluations of the force by a method of order 8, measured as 73
-/// per unit of time at a tolerance of 1e-6, and of steps that are given.
+/// per unit of time at a tolerance of 1e-6, of steps that viscosity bounds, and of those that are given.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const bool runs = !needs.models.empty() && needs.models.front() == &scene.catalogue->models.front();
   if (!runs || scene.analysis != scene::Analysis::motion) return;
   constexpr double seconds_of_force = 1e-7;
-  double n = 73 * std::pow(scene.time.tolerance / 1e-6, -1.0 / 8) * scene.time.end / units_of(scene).time;
+  const double end = scene.time.end / units_of(scene).time, eta = viscosity(scene);
+  double n = 73 * std::pow(scene.time.tolerance / 1e-6, -1.0 / 8) * end;
   if (scene.time.step) n = std::max(n, scene.time.end / *scene.time.step);
+  n = std::max(n, end * eta / reduced_chosen_step);
   needs.needed.push_back(fmt::format("effort of the {} model: roughly {:.1g} evaluations of the force, {:.1g} s",
                                      needs.models.front()->name, n, n * seconds_of_force));
+  const double limit = reduced_largest_step / eta * units_of(scene).time;
+  if (scene.time.method == mechanics::Rattle::name && scene.time.step.value_or(0) > limit)
+    needs.warnings.push_back(
+        fmt::format("Time/Step: with this viscosity RATTLE's iteration converges up to steps of about {:.3g}; the {} "
+                    "model will stop at once with a step of {:.3g}",
+                    limit, needs.models.front()->name, *scene.time.step));
 }
 
 }  // namespace
 
+double damped_step(const scene::Scene& scene, const scene::Discretization& d) {
+  return 0.32 * std::pow(step_of_mesh(d), 2) / viscosity(scene) * units_of(scene).time;
+}
+
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
   const auto [mu, lambda] = materials::moduli_at_rest(internal_law(scene), scene.body.incompressible);
-  const double of_mesh = 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
+  const double of_mesh = step_of_mesh(d);
   const double kappa = scene::volumetric_stiffness(scene) / units_of(scene).stress();
   const double rattle = of_mesh / std::sqrt(mu + 0.296 * (lambda + kappa)) * units_of(scene).time;
   const auto method = mechanics::find_method(scene.time.method);
@@ -139,11 +165,15 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
   if (scene.analysis != scene::Analysis::motion) return needs;
   const auto method = mechanics::find_method(scene.time.method);
-  const double limit = stable_step(scene, *fixed);
+  const double elastic = stable_step(scene, *fixed), damped = damped_step(scene, *fixed);
+  const double limit = std::min(elastic, damped);
   const auto name = mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>));
-  needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);
+  needs.needed.back() += damped < elastic
+                             ? fmt::format("; with this viscosity, {} takes steps up to about {:.3g}", name, damped)
+                             : fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, elastic);
   if (!method || !scene.time.step) {
-    const double n_steps = std::ceil(scene.time.end / (usual_part_of_limit * limit));
+    const double usual = std::min(usual_part_of_limit * elastic, chosen_part_of_damped_step * damped);
+    const double n_steps = std::ceil(scene.time.end / usual);
     needs.needed.back() += fmt::format("; roughly {:.1g} steps and {:.1g} s on one core", n_steps,
                                        seconds_of_continuum(scene, needs, n_steps));
     return needs;
@@ -157,8 +187,10 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   if (step > limit)
     needs.warnings.push_back(
         fmt::format("Time/Step: steps of {:.3g} are above the stability limit of the continuum, about {:.3g} for small "
-                    "motions at rest; expect a stop after a few steps, with an element turned inside out",
-                    step, limit));
+                    "motions at rest; expect a stop after a few steps, {}",
+                    step, limit,
+                    damped < elastic ? "since the iteration on the viscous force does not converge"
+                                     : "with an element turned inside out"));
   return needs;
 }
 

@@ -115,6 +115,14 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
+/// A control of the step sees nothing of kicks that are far below its tolerance. On a body that rests steps would grow
+/// beyond stability, and the method itself would magnify them. Of a stiff system this costs a bounded number of steps.
+inline double longest_kicked_step(const StepRequest& request) {
+  constexpr double most_steps = 4096;
+  if (request.rattle_limit == 0) return HUGE_VAL;  // not known
+  return std::max(request.rattle_limit, pilot_window(request) / most_steps);
+}
+
 /// They refer to what they are given.
 template <class Method, class S, class QOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
@@ -142,8 +150,11 @@ AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& ini
                               });
   };
   return {id, [pilot](double local_tolerance) { return pilot(Method{}, local_tolerance, [](auto&) {}); },
-          [pilot](double local_tolerance, double part) {
-            return pilot(Kicked<Method>{}, local_tolerance, [&](auto& workspace) { workspace.part = part; });
+          [pilot, &request](double local_tolerance, double part) {
+            return pilot(Kicked<Method>{}, local_tolerance, [&](auto& workspace) {
+              workspace.part = part;
+              workspace.h_max = std::min(workspace.h_max, longest_kicked_step(request));
+            });
           }};
 }
 

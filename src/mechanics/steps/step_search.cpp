@@ -25,6 +25,9 @@ struct Grid {
   }
 };
 
+/// Of one force a step and an order above RATTLE's.
+bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
+
 /// Steps h and h/2 that fail at nearly the same time, many steps from the start: it is the motion that ends there, and
 /// no step helps. (Steps beyond stability fail within the first few.)
 bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
@@ -39,6 +42,7 @@ Trial StepSearch::try_method(const FixedStepMethod& method, double n_forces_to_b
     trial.reason = "the stable step is so small that the run would take more than 1e11 of them";
     return trial;
   }
+  window_ = window_of(method);
   if (request_.spare_pilots && method.order > 2 && glance(method, trial)) return trial;
   const Grid grid(window_, trial.limit);
   const long n_force_at_start = n_force_;
@@ -65,6 +69,12 @@ Trial StepSearch::try_method(const FixedStepMethod& method, double n_forces_to_b
   return trial;
 }
 
+double StepSearch::window_of(const FixedStepMethod& method) const {
+  constexpr double n_steps_per_order = 4;
+  const double least = is_multistep(method) ? n_steps_per_order * method.order * limit(method) : 0;
+  return std::min(request_.end, std::max(pilot_window(request_), least));
+}
+
 /// Forces of the run if the difference d at h falls as the order promises. Above the asymptotic regime errors saturate
 /// and this is too small, so a method that it rules out is ruled out.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
@@ -78,10 +88,7 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
-    // A multistep method has begun with about as many small steps of another method as its order is, which say nothing
-    // of its own.
-    const bool is_multistep = method.n_stages == 1;
-    const double window = std::max(part * window_, is_multistep ? 2 * method.order * trial.limit : 0);
+    const double window = std::max(part * window_, is_multistep(method) ? 2 * method.order * trial.limit : 0);
     const double doubt = std::pow(window_ / window, 1.5);
     if (window > window_ || doubt * error > allowed_error()) return false;
     const Grid grid(window, trial.limit);

@@ -12,6 +12,9 @@
 /// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
 /// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
 ///
+/// A multistep method of order p begins with p − 1 steps of another method, which say nothing of its own: its window
+/// holds 4p of its steps, or the whole run.
+///
 /// Where it is asked for, a glance comes first, the same with a part w' of the window: w/8, and if that leaves it a
 /// chance w/2. Errors have hardly begun to grow in it, so its estimate is multiplied by (w/w')^(3/2): 23 and 2.8. In
 /// releases, spins, tides and figures of equilibrium of the ball it was 0.07 to 9 times too small at w/8, and 0.4 to
@@ -55,6 +58,7 @@ class StepSearch {
   double run_forces(const FixedStepMethod& method, double h) const {
     return std::ceil(request_.end / h) * method.n_stages;
   }
+  double window_of(const FixedStepMethod& method) const;
   double predicted_forces(const FixedStepMethod& method, double h, double d) const;
   bool glance(const FixedStepMethod& method, Trial& trial);
   PilotRun pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps);
@@ -64,7 +68,7 @@ class StepSearch {
 
   const StepRequest& request_;
   bool compensated_;
-  double window_;
+  double window_;  ///< of the method that is tried
   long n_force_ = 0;
 };
 

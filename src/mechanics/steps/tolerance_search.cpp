@@ -1,20 +1,25 @@
 #include "mechanics/steps/tolerance_search.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
 namespace pseudorigid::mechanics::detail {
 namespace {
 
+double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
+
 /// How far two runs that are kicked by round-off, each against the other, leave a pilot.
 struct RoundOff {
   double difference = 0;
+  bool magnified = false;               ///< it is no walk of kicks, but grows with the motion
   std::optional<double> beyond_from{};  ///< the first sample at which it is more than a bound
 };
 
 RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
                       double bound, long& n_force) {
+  constexpr double much = 1000;
   RoundOff found;
   for (const double part : {1.0, -1.0}) {
     const PilotRun twin = method.kicked_pilot(tau, part);
@@ -25,8 +30,20 @@ RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, 
       const double t = pilot_window(request) * static_cast<double>(k) / max_pilot_samples;
       if (d > bound && !(found.beyond_from && *found.beyond_from <= t)) found.beyond_from = t;
     }
+    const double walk =
+        round_off_walk(false, pilot.speed, pilot_window(request), static_cast<double>(twin.n_force), 1) *
+        std::max(1.0, size_of(pilot));
+    found.magnified |= found.difference > much * walk;
   }
   return found;
+}
+
+/// Whether neither positions nor velocities leave those at the start by more than round-off.
+bool rests(const PilotRun& pilot) {
+  const double round_off = 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, size_of(pilot));
+  return pilot.speed <= round_off && std::ranges::all_of(pilot.q, [&](const Eigen::VectorXd& q) {
+           return max_norm<Eigen::VectorXd>(q - pilot.q.front()) <= round_off;
+         });
 }
 
 }  // namespace
@@ -44,17 +61,20 @@ Trial search_tolerance(const StepRequest& request, bool compensated, const Adapt
     if (!trial.reason.empty()) return trial;
     const double n_forces_of_run = static_cast<double>(coarse.n_force) * times;
     const double walk = round_off_walk(compensated, coarse.speed, request.end, n_forces_of_run, 1);
-    const double e = largest_difference(coarse, fine) * times * times;
+    const bool still = rests(coarse) && rests(fine);
+    const double e = largest_difference(coarse, fine) * (still ? 1 : times * times);
     if (e <= target || e <= walk || tau <= least_tolerance) {
       trial.verdict = Trial::Verdict::accepted;
       trial.local_tolerance = e > target ? tau / finer : tau;
       RoundOff round_off;
       if (!request.spare_pilots)
         round_off = round_off_of(request, method, tau, coarse, request.tolerance / (times * times), n_force);
-      trial.error = e + std::max(walk, round_off.difference * times * times);
-      trial.at_round_off = std::max(e, walk) > target;
-      trial.round_off_rules_from = round_off.beyond_from;
-      trial.n_forces_of_run = n_forces_of_run;
+      const bool at_rest = still && !round_off.magnified;
+      const double growth = at_rest ? 1 : std::pow(times, round_off.magnified ? 2 : 1.5);
+      trial.error = e + std::max(walk, round_off.difference * growth);
+      trial.at_round_off = std::max(e, walk) > target || (!round_off.magnified && trial.error > request.tolerance);
+      if (round_off.magnified) trial.round_off_rules_from = round_off.beyond_from;
+      trial.n_forces_of_run = at_rest ? static_cast<double>(coarse.n_force) : n_forces_of_run;
       return trial;
     }
     tau = std::max(least_tolerance, tau * std::min(0.25, 0.5 * target / e));
