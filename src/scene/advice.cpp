@@ -68,7 +68,7 @@ std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, con
   for (const auto& settings : remedies) {
     if (!accepts(with_settings(scene, settings))) continue;
     const bool same_entry = last != nullptr && settings.size() == 1 && settings.front().path == last->path;
-    text += last == nullptr ? "; set " : " or ";
+    text += last == nullptr ? "; set " : same_entry ? " or " : ", or set ";
     text += same_entry ? settings.front().value : in_words(settings, refusal);
     last = &settings.front();
   }

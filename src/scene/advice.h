@@ -17,8 +17,8 @@ using Accepts = std::function<bool(Scene)>;
 /// The scene with other values of these entries.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// "a sweep is offered for the models a, b; set Models = a"; "...; set Method = rattle or explicit-8": the sentence of
-/// the refusal with what helps.
+/// "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8": the sentence of the
+/// refusal with what helps.
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

@@ -223,7 +223,7 @@ class Validator {
     const double of_ball = scene_.body.density * std::pow(scene_.body.radius, 5) * a[0] * a[1] * a[2];
     if (!(unit <= largest_condition * of_ball && unit >= of_ball / largest_condition))
       refuse("Body/Inertia",
-             fmt::format("expected a largest entry between {} and {}, of density, Radius and Semi-axes, got {}",
+             fmt::format("expected a largest entry between {} and {}, for this density, radius and semi-axes, got {}",
                          print_lower_bound(of_ball / largest_condition), print_upper_bound(largest_condition * of_ball),
                          print_matrix(E0)));
     if (loads::present(scene_.loads.get<loads::SelfGravity>()))

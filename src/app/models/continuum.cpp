@@ -94,7 +94,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
     if (!broken) continue;
     return Refusal{"Continuum/Symmetry",
                    fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
-                               "not 0; leave that plane out",
+                               "not 0",
                                scene::axis_names[i], *broken),
                    {{{"Continuum/Symmetry", "auto"}}}};
   }
