@@ -1,8 +1,10 @@
 #include "entries/entry_kinds.h"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <span>
 
 #include "entries/wording.h"
@@ -68,6 +70,29 @@ std::string print_number(double value) {
   std::array<char, 32> text;
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end};
+}
+
+namespace {
+
+/// Three digits, rounded away from what is not allowed.
+std::string three_digits(double value, double (*towards)(double)) {
+  if (!std::isnormal(value)) return print_number(value);
+  const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
+  const double rounded = std::isnormal(unit) ? towards(value / unit) * unit : value;
+  std::array<char, 32> text;
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), rounded, std::chars_format::general, 3);
+  return {text.data(), end};
+}
+
+}  // namespace
+
+std::string print_upper_bound(double value) {
+  return three_digits(value, [](double x) { return std::floor(x); });
+}
+
+std::string print_lower_bound(double value) {
+  return three_digits(value, [](double x) { return std::ceil(x); });
 }
 
 std::string print_row(std::span<const double> numbers) {
@@ -139,7 +164,7 @@ Problem AutoOrIntegers::read(std::string_view text, std::vector<int>& value) con
     for (const std::string_view part : parts_of(text, ',')) {
       int one = 0;
       if (Problem problem = number.read(part, one)) return problem;
-      if (!numbers.empty() && one <= numbers.back()) return "the numbers must rise, and " + got(text);
+      if (!numbers.empty() && one <= numbers.back()) return got(text);
       numbers.push_back(one);
     }
     if (numbers.empty()) return got(text);
@@ -167,6 +192,47 @@ Problem Boolean::read(std::string_view text, bool& value) const {
 
 Problem Text::read(std::string_view text, std::string& value) const {
   if (text.empty() && !may_be_empty) return got(text);
+  value = text;
+  return std::nullopt;
+}
+
+namespace {
+
+/// What a shell would put in place of the beginning of a text: "~" or "$NAME" and its value, "" if it has none.
+struct ShellWord {
+  std::string word, value;
+};
+
+std::optional<ShellWord> shell_word(std::string_view text) {
+  const auto value_of = [](const std::string& name) {
+    const char* value = std::getenv(name.c_str());
+    return std::string(value ? value : "");
+  };
+  if (text.starts_with('~')) {
+    const std::string word(text.substr(0, text.find('/')));
+    return ShellWord{word, word == "~" ? value_of("HOME") : ""};
+  }
+  if (!text.starts_with('$')) return {};
+  const bool braces = text.starts_with("${");
+  const auto is_of_name = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+  const std::string_view rest = text.substr(braces ? 2 : 1);
+  const bool begins = !rest.empty() && !std::isdigit(static_cast<unsigned char>(rest.front()));
+  const std::string name(rest.begin(), begins ? std::find_if_not(rest.begin(), rest.end(), is_of_name) : rest.begin());
+  if (name.empty()) return text.starts_with("$(") ? std::optional(ShellWord{"$(", ""}) : std::nullopt;
+  return ShellWord{braces ? "${" + name + "}" : "$" + name, value_of(name)};
+}
+
+}  // namespace
+
+Problem Directory::read(std::string_view text, std::string& value) const {
+  if (text.empty()) return got(text);
+  for (std::size_t at = 0; at < text.size(); at = std::max(at + 1, text.find('$', at + 1)))
+    if (const auto found = shell_word(text.substr(at)); found && (at == 0 || text[at] == '$')) {
+      const std::string problem = got(text) + ", in which " + quote(found->word) + " is not replaced";
+      if (found->value.empty()) return problem;
+      std::string meant(text);
+      return problem + "; write " + quote(meant.replace(at, found->word.size(), found->value));
+    }
   value = text;
   return std::nullopt;
 }

@@ -37,6 +37,10 @@ std::optional<double> finite_number(std::string_view text);
 /// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
 std::string print_number(double value);
 
+/// A bound that was computed, for people: three digits, and a number that satisfies it.
+std::string print_upper_bound(double value);
+std::string print_lower_bound(double value);
+
 /// "1, 0.5, 2".
 std::string print_row(std::span<const double> numbers);
 
@@ -120,6 +124,15 @@ struct Text {
   Problem read(std::string_view text, std::string& value) const;
   std::string print(const std::string& value) const { return value; }
   std::string expected() const { return may_be_empty ? "any text" : "a text that is not empty"; }
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+/// The name of a directory, which is taken as it is: what a shell would have replaced is refused.
+struct Directory {
+  static constexpr std::string_view type = Text::type;
+  Problem read(std::string_view text, std::string& value) const;
+  std::string print(const std::string& value) const { return value; }
+  std::string expected() const { return "the name of a directory"; }
   std::vector<std::string_view> words() const { return {}; }
 };
 

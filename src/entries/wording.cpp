@@ -19,6 +19,61 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
+/// A character that comes from web pages and word processors in place of one that is typed.
+struct Lookalike {
+  std::string_view bytes, name, typed;
+};
+
+constexpr Lookalike lookalikes[] = {
+    {"\u2212", "the minus sign U+2212", "-"},
+    {"\u2010", "the hyphen U+2010", "-"},
+    {"\u2011", "the no-break hyphen U+2011", "-"},
+    {"\u2012", "the figure dash U+2012", "-"},
+    {"\u2013", "the en dash U+2013", "-"},
+    {"\u2014", "the em dash U+2014", "-"},
+    {"\u00AD", "the soft hyphen U+00AD", ""},
+    {"\u00A0", "the no-break space U+00A0", " "},
+    {"\u2002", "the en space U+2002", " "},
+    {"\u2003", "the em space U+2003", " "},
+    {"\u2007", "the figure space U+2007", " "},
+    {"\u2009", "the thin space U+2009", " "},
+    {"\u202F", "the narrow no-break space U+202F", " "},
+    {"\u200B", "the zero-width space U+200B", ""},
+    {"\uFEFF", "the byte order mark U+FEFF", ""},
+    {"\u00D7", "the multiplication sign U+00D7", "*"},
+    {"\u00B7", "the middle dot U+00B7", "*"},
+    {"\u22C5", "the dot operator U+22C5", "*"},
+    {"\u2215", "the division slash U+2215", "/"},
+    {"\u2018", "the quotation mark U+2018", ""},
+    {"\u2019", "the quotation mark U+2019", ""},
+    {"\u201C", "the quotation mark U+201C", ""},
+    {"\u201D", "the quotation mark U+201D", ""},
+    {"\uFF0C", "the full-width comma U+FF0C", ","},
+    {"\uFF1B", "the full-width semicolon U+FF1B", ";"},
+    {"\uFF1D", "the full-width equals sign U+FF1D", "="},
+};
+
+/// ` (with the minus sign U+2212 in place of "-")`, of the first such character; nothing if there is none.
+std::string note_of_lookalike(std::string_view text) {
+  const Lookalike* first = nullptr;
+  std::size_t place = text.npos;
+  for (const Lookalike& one : lookalikes)
+    if (const std::size_t at = text.find(one.bytes); at < place) place = at, first = &one;
+  if (first == nullptr) return {};
+  const std::string typed = first->typed.empty()  ? "nothing"
+                            : first->typed == " " ? "a blank"
+                                                  : "\"" + std::string(first->typed) + "\"";
+  return std::string(" (with ").append(first->name).append(" in place of ").append(typed).append(")");
+}
+
+std::string without_lookalikes(std::string_view text) {
+  std::string result(text);
+  for (const Lookalike& one : lookalikes)
+    for (auto at = result.find(one.bytes); at != result.npos; at = result.find(one.bytes, at + one.typed.size()))
+      result.replace(at, one.bytes.size(), one.typed);
+  return result;
+}
+
 }  // namespace
 
 std::string quote(std::string_view text) {
@@ -27,7 +82,7 @@ std::string quote(std::string_view text) {
   while (shortened && length > 0 && continues_utf8(text[length])) --length;
   std::string result = "\"";
   for (const char c : text.substr(0, length)) result += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
-  return result + (shortened ? "…\"" : "\"");
+  return result + (shortened ? "…\"" : "\"") + note_of_lookalike(text);
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -68,7 +123,8 @@ std::optional<std::string_view> nearest(std::string_view word, const std::vector
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
-  const auto candidate = nearest(word, candidates);
+  const std::string typed = without_lookalikes(word);
+  const auto candidate = nearest(trimmed(typed), candidates);
   return candidate ? "; did you mean " + quote(*candidate) + "?" : std::string();
 }
 

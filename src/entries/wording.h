@@ -8,7 +8,8 @@
 
 namespace pseudorigid::scene {
 
-/// `text` between quotation marks, shortened to a readable length, without control characters.
+/// `text` between quotation marks, shortened to a readable length, without control characters. A character that looks
+/// like one of ASCII is named behind it, as it cannot be seen.
 std::string quote(std::string_view text);
 
 /// Blanks and other white space removed from both ends.

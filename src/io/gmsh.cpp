@@ -10,9 +10,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
+#include "entries/entry_kinds.h"
 #include "entries/wording.h"
 #include "scene/user_error.h"
 
@@ -36,6 +39,20 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
+/// Behind "expected hexahedra": what was got in their place, and how Gmsh makes hexahedra of it.
+std::string other_element(int type) {
+  constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
+                             straight = "save the mesh with -order 1";
+  constexpr std::pair<int, std::string_view> plain[] = {
+      {2, "a triangle"}, {4, "a tetrahedron"}, {6, "a prism"}, {7, "a pyramid"}};
+  constexpr int second_order[] = {8, 9, 10, 11, 12, 13, 14, 16, 17, 18, 19};
+  for (const auto& [number, name] : plain)
+    if (type == number) return fmt::format(", {}; {}", name, divided);
+  if (std::ranges::find(second_order, type) != std::end(second_order))
+    return fmt::format(", which is of second order; {}", straight);
+  return type > 19 ? fmt::format(", which is not of first order; {}", straight) : "";
+}
+
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream(file, std::ios::binary);
@@ -53,9 +70,18 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
+/// Without the byte order mark that some programs write.
+std::string_view without_mark(std::string_view text, const std::string& file) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw UserError(fmt::format("{}: expected plain text (ASCII or UTF-8), this file is in UTF-16", file));
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
 class GmshReader {
  public:
-  explicit GmshReader(const std::filesystem::path& file) : file_(file.string()), text_(text_of(file)), rest_(text_) {}
+  explicit GmshReader(const std::filesystem::path& file)
+      : file_(file.string()), text_(text_of(file)), rest_(without_mark(text_, file_)) {}
 
   HexahedralMesh read() {
     read_format();
@@ -68,6 +94,8 @@ class GmshReader {
         has_nodes = true, read_nodes();
       else if (section == "$Elements" && has_nodes && !has_elements)
         has_elements = true, read_elements();
+      else if (section == "$ParametricNodes")
+        refuse("expected nodes without parameters ($Nodes); save the mesh without -parametric");
       else if (section == "$Nodes" || section == "$Elements")
         refuse(fmt::format("expected one section $Nodes and after it one section $Elements, got {} here", section));
       else
@@ -85,14 +113,15 @@ class GmshReader {
     throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
   }
 
-  /// The next line without white space at its ends; false at the end of the file.
+  /// The next line without white space at its ends; false at the end of the file. It ends with LF, CR LF or CR.
   bool next_line() {
     if (rest_.empty()) return false;
-    const auto end = std::min(rest_.find('\n'), rest_.size());
+    const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
     line_ = rest_.substr(0, end);
-    rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    const auto first = std::min(line_.find_first_not_of(" \t\r"), line_.size());
-    line_ = line_.substr(first, line_.find_last_not_of(" \t\r") + 1 - first);
+    rest_.remove_prefix(end);
+    rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, rest_.size()));
+    const auto first = std::min(line_.find_first_not_of(" \t"), line_.size());
+    line_ = line_.substr(first, line_.find_last_not_of(" \t") + 1 - first);
     ++n_lines_;
     return true;
   }
@@ -101,16 +130,20 @@ class GmshReader {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
-  /// Takes the next number of the line.
+  /// Takes the next number of the line. Programs in Fortran write 1.0D+00.
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
+    const std::string_view word = line_.substr(0, line_.find_first_of(" \t"));
+    std::string number(word.substr(word.starts_with('+') && !word.starts_with("+-") ? 1 : 0));
+    if constexpr (std::is_floating_point_v<T>)
+      if (const auto at = number.find_first_of("dD"); at != number.npos) number[at] = 'e';
     T value{};
-    const auto [end, error] = std::from_chars(line_.data(), line_.data() + line_.size(), value);
-    const auto n = static_cast<std::size_t>(end - line_.data());
-    const bool whole = n == line_.size() || line_[n] == ' ' || line_[n] == '\t';
-    if (error != std::errc() || !whole) refuse(fmt::format("expected {}", what));
-    line_.remove_prefix(n);
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+    bool good = error == std::errc() && end == number.data() + number.size();
+    if constexpr (std::is_floating_point_v<T>) good = good && std::isfinite(value);
+    if (!good) refuse(fmt::format("expected {}, {}", what, scene::got(word)));
+    line_.remove_prefix(word.size());
     return value;
   }
 
@@ -123,15 +156,24 @@ class GmshReader {
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
   }
 
+  /// Comments may come before it.
   void read_format() {
-    if (!next_line() || line_ != "$MeshFormat")
-      throw UserError(fmt::format("{}:1: expected $MeshFormat, with which a file of Gmsh begins", file_));
+    constexpr const char* convert = "\"gmsh FILE -format msh22 -save\" writes it";
+    bool found = next_line();
+    while (found && line_ != "$MeshFormat" && (line_.empty() || line_ == "$Comments")) {
+      if (!line_.empty()) skip(line_);
+      found = next_line();
+    }
+    if (!found || line_ != "$MeshFormat")
+      throw UserError(fmt::format(
+          "{}:{}: expected $MeshFormat, with which a file of Gmsh begins, {}{}", file_, std::max(n_lines_, 1),
+          scene::got(line_), line_ == "$NOD" ? fmt::format("; expected version 2.2 of the format, {}", convert) : ""));
     require_line("$MeshFormat");
     const auto version = take<double>("the version of the format, 2.2");
     if (version != 2.2)
-      refuse(fmt::format("expected version 2.2 of the format, got {:.6g}; \"gmsh -format msh22 -save\" writes it",
-                         version));
-    if (take<int>("0 for ASCII") != 0) refuse("expected an ASCII file, this one is binary");
+      refuse(fmt::format("expected version 2.2 of the format, got {}; {}", scene::print_number(version), convert));
+    if (take<int>("0 for ASCII") != 0)
+      refuse(fmt::format("expected an ASCII file, this one is binary; {} if Mesh.Binary = 0", convert));
     take<int>("the size of a number");
     require_end_of_line();
     require("$EndMeshFormat");
@@ -150,10 +192,7 @@ class GmshReader {
       require_line("$Nodes");
       const auto name = take<long>("the number of a node");
       HexahedralMesh::Point X;
-      for (double& x : X) {
-        x = take<double>("three finite coordinates after the number of the node");
-        if (!std::isfinite(x)) refuse("expected three finite coordinates after the number of the node");
-      }
+      for (double& x : X) x = take<double>("three finite coordinates after the number of the node");
       require_end_of_line();
       if (!vertex_of_.try_emplace(name, static_cast<unsigned int>(i)).second)
         refuse(fmt::format("there are two nodes {}", name));
@@ -185,7 +224,8 @@ class GmshReader {
       else if (const auto n_nodes = n_nodes_of_boundary(type))
         for (std::size_t node = 0; node < *n_nodes; ++node) on_boundary_.insert(take_node());
       else
-        refuse(fmt::format("expected hexahedra of 8 nodes (type 5), got an element of type {}", type));
+        refuse(fmt::format("expected hexahedra of 8 nodes (type 5), got an element of type {}{}", type,
+                           other_element(type)));
       require_end_of_line();
     }
     require("$EndElements");
@@ -229,6 +269,7 @@ class GmshReader {
 
   void check() {
     drop_construction_nodes();
+    turn_right_handed(mesh_);
     try {
       require_one_body(mesh_);
     } catch (const UserError& error) {

@@ -6,7 +6,9 @@
 ///   $Elements    count, then: number type n_tags tags nodes    $EndElements
 ///
 /// Points, lines and quadrangles, which Gmsh adds on boundaries, and other sections are ignored. Any other type of
-/// element and anything missing is a UserError "FILE:line: …" or "FILE: …".
+/// element and anything missing is a UserError "FILE:line: …" or "FILE: …". Lines may end as they do on other systems,
+/// a byte order mark and comments may come first, and numbers may be those of Fortran. A mesh of which all cells are
+/// left-handed is turned.
 
 #include <filesystem>
 

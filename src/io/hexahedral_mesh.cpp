@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "scene/user_error.h"
@@ -22,11 +24,23 @@ constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
 struct PointOfCell {
-  Point X;
-  double jacobian;  ///< det ∂X/∂ξ
+  Point X;          ///< from the first corner of the cell, in units of its size
+  double jacobian;  ///< det ∂X/∂ξ in these units
 };
 
+/// The largest difference of coordinates from the first corner.
+double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
+  const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
+  double size = 0;
+  for (const unsigned int v : mesh.cells[cell])
+    for (int c = 0; c < 3; ++c) size = std::max(size, std::abs(mesh.vertices[v][c] - V0[c]));
+  return size;
+}
+
+/// Differences in units of the cell, so that neither the place of the body nor the unit of length costs digits.
 PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
+  const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
+  const double unit = size_of_cell(mesh, cell);
   Point X{};
   double H[3][3] = {};
   for (int i = 0; i < 8; ++i) {
@@ -37,10 +51,11 @@ PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
       dN[d] = i >> d & 1 ? 1 : -1;
     }
     for (int c = 0; c < 3; ++c) {
-      X[c] += N[0] * N[1] * N[2] * V[c];
-      H[c][0] += dN[0] * N[1] * N[2] * V[c];
-      H[c][1] += N[0] * dN[1] * N[2] * V[c];
-      H[c][2] += N[0] * N[1] * dN[2] * V[c];
+      const double x = (V[c] - V0[c]) / unit;
+      X[c] += N[0] * N[1] * N[2] * x;
+      H[c][0] += dN[0] * N[1] * N[2] * x;
+      H[c][1] += N[0] * dN[1] * N[2] * x;
+      H[c][2] += N[0] * N[1] * dN[2] * x;
     }
   }
   double jacobian = 0;
@@ -126,42 +141,95 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// No two vertices share a place, and none lies in the middle of a face or of an edge of the surface, as the hanging
-/// nodes of a cell divided beside an undivided one would.
-void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
-  double size = 0;
-  for (const Point& V : mesh.vertices)
-    for (const double x : V) size = std::max(size, std::abs(x));
-  const double grid = 1e-9 * size;
-  std::map<std::array<long long, 3>, std::size_t> at_place;
-  const auto find = [&](const Point& X) {
-    for (int shift = 0; shift < 8; ++shift) {  // the points of the grid around X
-      std::array<long long, 3> key;
-      for (int d = 0; d < 3; ++d) key[d] = static_cast<long long>(std::floor(X[d] / grid)) + (shift >> d & 1);
-      if (const auto found = at_place.find(key); found != at_place.end()) return found;
-    }
-    return at_place.end();
-  };
-  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
-    const Point& X = mesh.vertices[v];
-    if (const auto found = find(X); found != at_place.end())
-      throw UserError(fmt::format("the nodes {} and {} are at the same place; neighbours must share their nodes",
-                                  mesh.vertex_names[found->second], mesh.vertex_names[v]));
-    at_place[{std::llround(X[0] / grid), std::llround(X[1] / grid), std::llround(X[2] / grid)}] = v;
+/// How near to a point another one counts as the same: a part of the edges there, whatever the size of the body.
+constexpr double same_place = 1e-6;
+
+double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
+
+/// Of each vertex, the shortest edge that ends there.
+std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
+  std::vector<double> shortest(mesh.vertices.size(), std::numeric_limits<double>::infinity());
+  for (const auto& cell : mesh.cells)
+    for (int i = 0; i < 8; ++i)
+      for (int d = 0; d < 3; ++d) {
+        const unsigned int a = cell[i], b = cell[i ^ 1 << d];
+        shortest[a] = std::min(shortest[a], distance(mesh.vertices[a], mesh.vertices[b]));
+      }
+  return shortest;
+}
+
+/// Vertices by boxes of which each holds about one.
+class Places {
+ public:
+  explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
+    Point high = low_;
+    for (const Point& V : vertices_)
+      for (int d = 0; d < 3; ++d) low_[d] = std::min(low_[d], V[d]), high[d] = std::max(high[d], V[d]);
+    const double extent = std::max({high[0] - low_[0], high[1] - low_[1], high[2] - low_[2]});
+    box_ = extent / std::cbrt(static_cast<double>(vertices_.size()));
   }
-  const auto require_free = [&](const Point& X, std::size_t cell) {
-    if (const auto found = find(X); found != at_place.end())
+
+  void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
+
+  /// A vertex added before that is as near to X as `is_same(vertex, distance)` has it, and not beyond `reach`.
+  template <class IsSame>
+  std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
+    const Box first = box_of(X, -reach), last = box_of(X, reach);
+    for (long i = first[0]; i <= last[0]; ++i)
+      for (long j = first[1]; j <= last[1]; ++j)
+        for (long k = first[2]; k <= last[2]; ++k)
+          if (const auto box = boxes_.find({i, j, k}); box != boxes_.end())
+            for (const std::size_t vertex : box->second)
+              if (is_same(vertex, distance(X, vertices_[vertex]))) return vertex;
+    return std::nullopt;
+  }
+
+ private:
+  using Box = std::array<long, 3>;
+  Box box_of(const Point& X, double shift) const {
+    Box box;
+    for (int d = 0; d < 3; ++d) box[d] = std::lround(std::floor((X[d] - low_[d] + shift) / box_));
+    return box;
+  }
+
+  const std::vector<Point>& vertices_;
+  Point low_;
+  double box_;
+  std::map<Box, std::vector<std::size_t>> boxes_;
+};
+
+/// No two vertices share a place.
+Places require_own_places(const HexahedralMesh& mesh) {
+  const std::vector<double> shortest = shortest_edges(mesh);
+  const double reach = same_place * *std::max_element(shortest.begin(), shortest.end());
+  Places places(mesh);
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    const auto is_same = [&](std::size_t other, double apart) {
+      return apart <= same_place * std::max(shortest[v], shortest[other]);
+    };
+    if (const auto found = places.find(mesh.vertices[v], reach, is_same))
+      throw UserError(fmt::format("the nodes {} and {} are at the same place; neighbours must share their nodes",
+                                  mesh.vertex_names[*found], mesh.vertex_names[v]));
+    places.add(v);
+  }
+  return places;
+}
+
+/// No vertex lies in the middle of a face or of an edge of the surface, as the hanging nodes of a cell divided beside
+/// an undivided one would.
+void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
+  const Places places = require_own_places(mesh);
+  const auto require_free = [&](const Point& X, double edge, std::size_t cell) {
+    const auto is_same = [&](std::size_t, double apart) { return apart <= same_place * edge; };
+    if (const auto found = places.find(X, same_place * edge, is_same))
       throw UserError(
           fmt::format("node {} hangs in the middle of a face or an edge of element {}; neighbours must "
                       "share whole faces",
-                      mesh.vertex_names[found->second], mesh.cell_names[cell]));
+                      mesh.vertex_names[*found], mesh.cell_names[cell]));
   };
-  const auto middle = [&](const Face& face, int i, int j, int k, int l) {
+  const auto middle = [&](const Point& A, const Point& B) {
     Point X;
-    for (int d = 0; d < 3; ++d)
-      X[d] = (mesh.vertices[face[i]][d] + mesh.vertices[face[j]][d] + mesh.vertices[face[k]][d] +
-              mesh.vertices[face[l]][d]) /
-             4;
+    for (int d = 0; d < 3; ++d) X[d] = A[d] + (B[d] - A[d]) / 2;
     return X;
   };
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -170,12 +238,26 @@ void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of
       Face key = face;
       std::sort(key.begin(), key.end());
       if (cells_of.at(key).size() == 2) continue;
-      require_free(middle(face, 0, 1, 2, 3), cell);
-      for (int i = 0; i < 4; ++i) require_free(middle(face, i, i, (i + 1) % 4, (i + 1) % 4), cell);
+      std::array<Point, 4> V;
+      for (int i = 0; i < 4; ++i) V[i] = mesh.vertices[face[i]];
+      double shortest = std::numeric_limits<double>::infinity();
+      for (int i = 0; i < 4; ++i) {
+        const Point &A = V[i], &B = V[(i + 1) % 4];
+        require_free(middle(A, B), distance(A, B), cell);
+        shortest = std::min(shortest, distance(A, B));
+      }
+      require_free(middle(middle(V[0], V[2]), middle(V[1], V[3])), shortest, cell);
     }
 }
 
 }  // namespace
+
+void turn_right_handed(HexahedralMesh& mesh) {
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+    if (!(at(mesh, cell, {0.5, 0.5, 0.5}).jacobian < 0)) return;
+  for (auto& cell : mesh.cells)
+    for (const int i : {0, 2, 4, 6}) std::swap(cell[i], cell[i + 1]);
+}
 
 void require_one_body(const HexahedralMesh& mesh) {
   if (mesh.cells.empty()) throw UserError("there is no hexahedron in it");
@@ -187,18 +269,25 @@ void require_one_body(const HexahedralMesh& mesh) {
 }
 
 MeshSize size_of(const HexahedralMesh& mesh) {
-  MeshSize size{};
+  const Point origin = mesh.vertices.front();
+  double unit = 0;
+  for (const Point& V : mesh.vertices) unit = std::max(unit, distance(V, origin));
   const double gauss[] = {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)};  // exact: X det is cubic in each ξ_d
-  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
+  double volume = 0;
+  Point moment{};
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
+    const double size = size_of_cell(mesh, cell) / unit;
     for (int q = 0; q < 8; ++q) {
       const auto [X, jacobian] = at(mesh, cell, {gauss[q & 1], gauss[q >> 1 & 1], gauss[q >> 2 & 1]});
-      size.volume += jacobian / 8;
-      for (int c = 0; c < 3; ++c) size.center[c] += jacobian / 8 * X[c];
+      const double part = jacobian * size * size * size / 8;
+      volume += part;
+      for (int c = 0; c < 3; ++c) moment[c] += part * ((V0[c] - origin[c]) / unit + X[c] * size);
     }
-  for (double& x : size.center) x /= size.volume;
-  for (const Point& V : mesh.vertices)
-    size.radius =
-        std::max(size.radius, std::hypot(V[0] - size.center[0], V[1] - size.center[1], V[2] - size.center[2]));
+  }
+  MeshSize size{.volume = volume * unit * unit * unit, .center = origin, .radius = 0};
+  for (int c = 0; c < 3; ++c) size.center[c] += moment[c] / volume * unit;
+  for (const Point& V : mesh.vertices) size.radius = std::max(size.radius, distance(V, size.center));
   return size;
 }
 

@@ -19,7 +19,11 @@ struct HexahedralMesh {
   std::vector<long> vertex_names, cell_names;  ///< their numbers in the file, for messages
 };
 
-/// Throws UserError, one sentence that names the cells or vertices concerned.
+/// Numbers the vertices of every cell the other way round if all cells are left-handed.
+void turn_right_handed(HexahedralMesh& mesh);
+
+/// Throws UserError, one sentence that names the cells or vertices concerned. Neither the unit of length nor the place
+/// of the body counts.
 void require_one_body(const HexahedralMesh& mesh);
 
 /// Volume, centre of mass for a constant density, and the largest distance of a vertex from it.

@@ -17,8 +17,7 @@ struct Tide {
                      "trap."});
   }
 
-  static constexpr std::string_view no_equilibria =
-      "relative equilibria are offered without an external potential; equilibria at rest: Equilibrium/Family = static";
+  static constexpr std::string_view no_equilibria = "relative equilibria are offered without an external potential";
   static constexpr std::string_view skipped = "external potential: Loads/Tidal matrix is 0";
   std::string needed(const BodyFacts&) const { return "quadratic external potential"; }
 

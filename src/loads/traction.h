@@ -18,8 +18,7 @@ struct Traction {
               "body moves. Its energy is -P : F per undeformed volume."});
   }
 
-  static constexpr std::string_view no_equilibria =
-      "relative equilibria are offered without a traction; equilibria at rest: Equilibrium/Family = static";
+  static constexpr std::string_view no_equilibria = "relative equilibria are offered without a traction";
   static constexpr std::string_view skipped = "traction: Loads/Nominal traction is 0";
   std::string needed(const BodyFacts&) const { return "dead traction on the surface"; }
 

@@ -1,7 +1,5 @@
 #include "scene/analyses_of_ball.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -38,14 +36,17 @@ std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) 
 std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   if (scene.body.inertia || scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes",
-                   "relative equilibria are offered for a ball; set Semi-axes = 1, 1, 1 and Inertia = auto"};
-  if (auto refusal = refuses_load(scene, []<class Load>(const Load&) { return !Load::no_equilibria.empty(); }))
+                   "relative equilibria are offered for a ball",
+                   {{{"Body/Semi-axes", "1, 1, 1"}, {"Body/Inertia", "auto"}}}};
+  if (auto refusal = refuses_load(scene, []<class Load>(const Load&) { return !Load::no_equilibria.empty(); })) {
+    if (scene.analysis == Analysis::equilibrium) refusal->remedies = {{{"Equilibrium/Family", "static"}}};
     return refusal;
-  if (is_fluid(scene) && !loads::present(scene.loads.get<loads::SelfGravity>()))
-    return Refusal{"Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0"};
+  }
   if (is_fluid(scene) && !scene.body.incompressible)
     return Refusal{"Material/Law",
-                   "none has no relative equilibrium where Incompressible = false: nothing resists gravity"};
+                   "none has no relative equilibrium if Incompressible = false: nothing resists gravity"};
+  if (is_fluid(scene) && !loads::present(scene.loads.get<loads::SelfGravity>()))
+    return Refusal{"Gravity/Constant", "a fluid without gravity has no relative equilibrium; give it a constant > 0"};
   return {};
 }
 
@@ -53,9 +54,7 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
-    return Refusal{"Equilibrium/Family",
-                   fmt::format("static is offered for {}; set Models = {}", the_models(names_where(scene, finds)),
-                               joined(names_where(scene, finds)))};
+    return Refusal{"Equilibrium/Family", "static is", {}, names_where(scene, finds)};
   if (auto refusal = refuses_load(scene, []<class Load>(const Load&) { return loads::DependsOnTime<Load>; }))
     return refusal;
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
@@ -68,19 +67,20 @@ std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
 
 std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   if (!std::ranges::all_of(models_of(scene), &ModelDescription::has_equilibria))
-    return Refusal{"Analysis", offered_for(scene, "equilibrium is", &ModelDescription::has_equilibria)};
+    return Refusal{"Analysis", "equilibrium is", {}, names_where(scene, &ModelDescription::has_equilibria)};
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
 /// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
-  if (has_mesh_file(scene)) return Refusal{"Continuum/Mesh", "modes are those of the ball; set Mesh = builtin"};
-  const auto with_modes = names_where(scene, &ModelDescription::has_modes);
+  if (has_mesh_file(scene))
+    return Refusal{"Continuum/Mesh", "modes are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};
   if (std::ranges::none_of(models_of(scene), &ModelDescription::has_modes))
-    return Refusal{"Analysis",
-                   fmt::format("modes are offered for {}; set Models = {}", the_models(with_modes), with_modes.back())};
+    return Refusal{"Analysis", "modes are", {}, names_where(scene, &ModelDescription::has_modes)};
   const auto& state = scene.initial_state;
-  if (state.deformation != identity3 || state.equilibrium != Family::none)
+  if (state.equilibrium != Family::none)
+    return Refusal{"Initial state/Equilibrium", "modes are small motions about rest; leave the entry out"};
+  if (state.deformation != identity3)
     return Refusal{"Initial state/Deformation", "modes are small motions about rest, Q0 = 1; leave the entry out"};
   if (largest_entry(state.velocity) != 0)
     return Refusal{"Initial state/Velocity", "modes are small motions about rest; leave the entry out"};
@@ -97,7 +97,8 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
                    "viscosity, drag and motions of the centre"};
   if (scene.continuum.symmetry != Symmetry::automatic && scene.continuum.symmetry != Symmetry::octant)
     return Refusal{"Continuum/Symmetry",
-                   "modes are computed on one octant, with every choice of signs at its planes; set Symmetry = auto"};
+                   "modes are computed on one octant, with every choice of signs at its planes",
+                   {{{"Continuum/Symmetry", "auto"}}}};
   if (is_fluid(scene))
     return Refusal{"Material/Law",
                    "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0"};

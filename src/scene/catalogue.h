@@ -64,9 +64,17 @@ struct Column {
 struct Scene;
 struct Quantities;
 
-/// Why a scene cannot be run: the entry at fault, and a sentence about it.
+/// An entry and the text to give it.
+struct Setting {
+  std::string path, value;
+};
+
+/// Why a scene cannot be run: the entry at fault, a sentence about it, and what may help. scene/advice.h completes the
+/// sentence by those recommendations that the scene would be accepted with.
 struct Refusal {
   std::string path, sentence;
+  std::vector<std::vector<Setting>> remedies{};  ///< each would do
+  std::vector<std::string_view> models{};        ///< that do what is refused: the sentence ends before "offered for"
 };
 
 struct SystemDescription {

@@ -284,7 +284,8 @@ void visit_continuum(S& scene, Visit& visit) {
   visit(mesh, BuiltinOrMeshFile{},
         About{"Continuum/Mesh", "",
               "The mesh to start from: the builtin mesh of the ball, or a Gmsh file (format 2.2, ASCII, hexahedra "
-              "of 8 nodes), searched beside the parameter file. The file holds the whole body, with coordinates "
+              "of 8 nodes), searched beside the parameter file. "
+              "A mesh of which all cells are left-handed is turned. The file holds the whole body, with coordinates "
               "in the unit of Body/Radius; the body is moved so that its centre of mass is the origin. Semi-axes "
               "and Inertia are then those of the reduced body beside it."});
   visit(symmetry, symmetry_kind,
@@ -298,9 +299,12 @@ void visit_continuum(S& scene, Visit& visit) {
 template <SceneOrConst S, class Visit>
 void visit_output(S& scene, Visit& visit) {
   auto& [directory, samples, quantities, graphics, frames, fields, cells, report] = scene.output;
-  visit(directory, Text{.may_be_empty = false},
-        About{"Output/Directory", "", "The directory in which the results get a folder with the name of the scene."});
-  visit(samples, Integer{1, 10'000'000},
+  visit(directory, Directory{},
+        About{"Output/Directory", "",
+              "The directory in which the results get a folder with the name of the scene. It is taken as it is: ~ and "
+              "$NAME are "
+              "not replaced."});
+  visit(samples, Integer{1, largest_number_of_samples},
         About{"Output/Samples", "",
               "Number of equal intervals of time. The quantities are written at time 0 and at the end of each "
               "interval."});
@@ -340,12 +344,16 @@ void visit_output(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_sweep(S& scene, Visit& visit) {
-  visit(scene.sweep, SweepParameters{},
-        About{"Sweep/Parameters", "",
-              "Runs the scene for every combination of these values, without files for the single runs, and writes "
-              "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the "
-              "parameters as $(expression), for instance $(1/sqrt(l)). For every model but the continuum, and for "
-              "the other systems."});
+  visit(
+      scene.sweep, SweepParameters{},
+      About{
+          "Sweep/Parameters", "",
+          "Runs the scene for every combination of these values, without files for the single runs, and writes "
+          "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the "
+          "parameters as $(expression), for instance $(1/sqrt(l)). Every parameter is used by some entry, and none has "
+          "the "
+          "name of a function or a constant of expressions or of another column of sweep.csv. For every model but the "
+          "continuum, and for the other systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
   visit(scene.sweep_trajectories, Boolean{},

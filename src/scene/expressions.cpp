@@ -4,7 +4,9 @@
 #include <muParser.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,24 +26,48 @@ std::string what_is_known(std::string_view name, const ParameterValues& paramete
   return did_you_mean(name, names) + fmt::format("; the parameters of the sweep are {}", fmt::join(names, ", "));
 }
 
+/// A parser that knows the constants alone. Made once: it takes longer than an expression does.
+mu::Parser& cleared_parser() {
+  thread_local mu::Parser parser;
+  parser.ClearVar();
+  parser.ClearConst();
+  parser.DefineConst("pi", std::numbers::pi);
+  return parser;
+}
+
+[[noreturn]] void refuse(const std::string& expression, const mu::Parser::exception_type& error,
+                         const ParameterValues& parameters) {
+  const std::string token(trimmed(error.GetToken()));
+  if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
+    throw UserError(fmt::format("{} cannot be evaluated: nothing is called {}{}", quote(expression), quote(token),
+                                what_is_known(token, parameters)));
+  throw UserError(fmt::format("{} cannot be evaluated: {}", quote(expression), trimmed(error.GetMsg())));
+}
+
 double value_of(const std::string& expression, const ParameterValues& parameters) {
   double value = 0;
+  int n_values = 1;
   try {
-    thread_local mu::Parser parser;  // made once: it takes longer than an expression does
-    parser.ClearConst();
-    parser.DefineConst("pi", std::numbers::pi);
+    mu::Parser& parser = cleared_parser();
     for (const auto& [name, number] : parameters) parser.DefineConst(name, number);
     parser.SetExpr(expression);
-    value = parser.Eval();
+    value = parser.Eval(n_values)[n_values - 1];
   } catch (const mu::Parser::exception_type& error) {
-    if (error.GetCode() == mu::ecUNASSIGNABLE_TOKEN)
-      throw UserError(fmt::format("{} cannot be evaluated: nothing is called {}{}", quote(expression),
-                                  quote(trimmed(error.GetToken())),
-                                  what_is_known(trimmed(error.GetToken()), parameters)));
-    throw UserError(fmt::format("{} cannot be evaluated: {}", quote(expression), trimmed(error.GetMsg())));
+    refuse(expression, error, parameters);
   }
+  if (n_values > 1)
+    throw UserError(fmt::format("{} is a list of {} numbers and not one; a decimal point is written \".\"",
+                                quote(expression), n_values));
   if (!std::isfinite(value)) throw UserError(fmt::format("{} is not a finite number", quote(expression)));
   return value;
+}
+
+/// The whole number that a few operations with rounding have missed, or the number itself.
+std::string printed(double value, Rounding rounding) {
+  const double whole = std::round(value);
+  const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);
+  return rounding == Rounding::to_whole && is_whole && std::abs(whole) < 1e15 ? fmt::format("{:.0f}", whole)
+                                                                              : print_number(value);
 }
 
 /// Past the end of the text if the parenthesis opened before `from` is not closed.
@@ -54,20 +80,51 @@ std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   return from;
 }
 
-}  // namespace
-
-std::string evaluated(std::string_view text, const ParameterValues& parameters) {
-  std::string result;
+/// Calls use(expression) for each `$(…)` of the text; all else goes to keep(text).
+template <class Keep, class Use>
+void visit_expressions(std::string_view text, const Keep& keep, const Use& use) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t open = std::min(text.find("$(", at), text.size());
-    result += text.substr(at, open - at);
+    keep(text.substr(at, open - at));
     if (open == text.size()) break;
     const std::size_t close = closing_parenthesis(text, open + 2);
     if (close == text.size()) throw UserError(fmt::format("{} has no closing parenthesis", quote(text.substr(open))));
-    result += print_number(value_of(std::string(text.substr(open + 2, close - open - 2)), parameters));
+    use(std::string(text.substr(open + 2, close - open - 2)));
     at = close + 1;
   }
+}
+
+}  // namespace
+
+std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding) {
+  std::string result;
+  visit_expressions(
+      text, [&](std::string_view kept) { result += kept; },
+      [&](const std::string& expression) { result += printed(value_of(expression, parameters), rounding); });
   return result;
+}
+
+std::set<std::string> names_used(std::string_view text, const Sweep& parameters) {
+  std::set<std::string> names;
+  const auto note = [&](const std::string& expression) {
+    double any = 1;
+    try {
+      mu::Parser& parser = cleared_parser();
+      for (const SweepParameter& parameter : parameters) parser.DefineVar(parameter.name, &any);
+      parser.SetExpr(expression);
+      for (const auto& [name, variable] : parser.GetUsedVar()) names.insert(name);
+    } catch (const mu::Parser::exception_type& error) {
+      refuse(expression, error, {});
+    }
+  };
+  visit_expressions(
+      text, [](std::string_view) {}, note);
+  return names;
+}
+
+std::string_view meaning_in_expressions(const std::string& name) {
+  if (name == "pi" || name == "e" || name == "_pi" || name == "_e") return "a constant";
+  return cleared_parser().GetFunDef().contains(name) ? "a function" : "";
 }
 
 }  // namespace pseudorigid::scene

@@ -42,8 +42,8 @@ std::optional<Refusal> refuses_deformation(const Matrix3& q) {
   const double condition = norm(unit) * norm(cofactor(unit)) / volume;
   if (condition > largest_condition)
     return Refusal{deformation_path,
-                   fmt::format("expected a matrix with a condition number up to {}, got {} with {:.3g}",
-                               print_number(largest_condition), print_matrix(q), condition)};
+                   fmt::format("expected a matrix with a condition number up to {}, got {} with {}",
+                               print_number(largest_condition), print_matrix(q), print_lower_bound(condition))};
   return {};
 }
 
@@ -51,8 +51,8 @@ std::optional<Refusal> refuses_velocity(const Matrix3& qdot, double time_unit) {
   const double rate = largest_entry(qdot);
   if (rate * time_unit <= largest_stretch) return {};
   return Refusal{velocity_path, fmt::format("expected entries up to {} c/r = {} (c the speed of shear waves), got {}",
-                                            print_number(largest_stretch), print_number(largest_stretch / time_unit),
-                                            print_number(rate))};
+                                            print_number(largest_stretch),
+                                            print_upper_bound(largest_stretch / time_unit), print_number(rate))};
 }
 
 std::optional<Refusal> refuses_expansion(const Matrix3& q, const Matrix3& projected) {

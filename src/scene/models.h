@@ -67,12 +67,4 @@ inline std::string the_models(const std::vector<std::string_view>& names) {
   return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
 }
 
-/// "a sweep is offered for the reduced model and the other systems; set Models = reduced"
-template <class Predicate>
-std::string offered_for(const Scene& scene, const std::string& what, Predicate&& offers) {
-  const auto models = names_where(scene, offers);
-  return fmt::format("{} offered for {} and the other systems; set Models = {}", what, the_models(models),
-                     joined(models));
-}
-
 }  // namespace pseudorigid::scene

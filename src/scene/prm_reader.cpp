@@ -60,11 +60,19 @@ bool take_keyword(std::string_view& line, std::string_view small, std::string_vi
   return true;
 }
 
+/// Whether a line by itself would be a statement.
+bool is_statement(std::string_view line) {
+  std::string text(trimmed(line.substr(0, line.find('#'))));
+  std::replace(text.begin(), text.end(), '\t', ' ');
+  std::string_view rest = text;
+  if (take_keyword(rest, "set ", "SET ")) return rest.find('=') != rest.npos;
+  return text == "end" || text == "END" || take_keyword(rest, "subsection ", "SUBSECTION ") ||
+         take_keyword(rest, "include ", "INCLUDE ");
+}
+
 class PrmReader {
  public:
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
-
-  void read_file(const fs::path& file, const std::string& blame) { read_text(text_of(file, blame), file); }
 
   /// Joins continued lines and scans each; the subsections must be the same at the end as at the beginning.
   void read_text(std::string_view text, const fs::path& file) {
@@ -79,6 +87,11 @@ class PrmReader {
       const auto end = std::min(text.find('\n'), text.size());
       std::string_view piece = trimmed(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
+      if (continued && !joined.empty() && is_statement(piece)) {
+        files_.back().line = line - 1;
+        refuse(fmt::format("the backslash at the end of this line joins the next one to it, {}; remove the backslash",
+                           quote(piece)));
+      }
       continued = piece.ends_with('\\');
       if (continued) piece.remove_suffix(1);
       joined += piece;
@@ -174,7 +187,9 @@ class PrmReader {
       refuse(fmt::format("the file {} includes itself", quote(file.string())));
     if (++n_includes_ > most_includes)
       refuse(fmt::format("more than {} files are included, which must be a mistake", most_includes));
-    read_file(file, where());
+    if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored) && !fs::is_directory(file, ignored))
+      refuse(fmt::format("expected a file to include, but {} is none", quote(file.string())));
+    read_text(text_of(file, where()), file);
   }
 
   void check_balance(const std::vector<Subsection>& before) const {
@@ -196,9 +211,7 @@ class PrmReader {
 
 std::string Statement::where() const { return line > 0 ? fmt::format("{}:{}", file, line) : file; }
 
-void read_prm(const fs::path& file, const StatementHandler& handle) {
-  PrmReader(handle).read_file(file, file.string());
-}
+std::string text_of_prm(const fs::path& file) { return text_of(file, file.string()); }
 
 void read_prm_text(std::string_view text, const fs::path& name, const StatementHandler& handle) {
   PrmReader(handle).read_text(text, name);

@@ -13,7 +13,9 @@
 ///   itself is refused (deal.II would not return);
 /// - a name that contains `/` is refused, as `/` joins subsection and entry in messages and in `--set`;
 /// - a UTF-8 byte order mark at the start of a file is skipped; control characters (binary data) are refused;
-/// - a file over 1 MiB, or more than 100 included files, are refused: they are a mistake.
+/// - a file over 1 MiB, or more than 100 included files, are refused: they are a mistake;
+/// - a statement on a line that a backslash joins to the one before is refused: it would be lost, unseen;
+/// - `include` takes files alone: a pipe could not be read a second time.
 
 #include <filesystem>
 #include <functional>
@@ -36,11 +38,12 @@ struct Statement {
 
 using StatementHandler = std::function<void(const Statement&)>;
 
-/// Calls `handle` for each statement of the file and of the files that it includes, in order. A handler that throws
-/// ends the reading. Throws UserError ("file:line: …") for a file that cannot be read and for errors of syntax.
-void read_prm(const std::filesystem::path& file, const StatementHandler& handle);
+/// Everything in the file. Throws UserError for one that cannot be read.
+std::string text_of_prm(const std::filesystem::path& file);
 
-/// The same for a text in memory; `name` stands for the file in messages and as the base of `include`.
+/// Calls `handle` for each statement of the text and of the files that it includes, in order. A handler that throws
+/// ends the reading. `name` stands for the text in messages and is the base of `include`. Throws UserError
+/// ("file:line: …") for a file that cannot be read and for errors of syntax.
 void read_prm_text(std::string_view text, const std::filesystem::path& name, const StatementHandler& handle);
 
 /// A name as it is compared: trimmed, tabs as blanks, several blanks as one.

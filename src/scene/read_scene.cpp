@@ -118,15 +118,16 @@ std::string Origins::of(const std::string& path) const {
 bool Origins::is_override(const std::string& path) const { return of(path) == override_origin; }
 
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                     const Catalogue& catalogue) {
+                     const Catalogue& catalogue, std::optional<std::string> text) {
   ReadScene read{default_scene(catalogue), Origins(file.string()), scene_name(file)};
-  read_prm(file, [&](const Statement& statement) {
+  read.text = text ? std::move(*text) : text_of_prm(file);
+  read_prm_text(read.text, file, [&](const Statement& statement) {
     if (statement.value)
       set_entry(statement, read);
     else
       check_subsection(statement, read.scene);
   });
-  for (const std::string& text : overrides) set_entry(override_statement(text), read);
+  for (const std::string& setting : overrides) set_entry(override_statement(setting), read);
   read.scene = with_parameters(read.scene, values_of_run(read.scene.sweep, 0), read.origins);
   return read;
 }
@@ -139,7 +140,8 @@ Scene with_parameters(Scene scene, const ParameterValues& parameters, const Orig
     if (found == expressions.end()) return;
     Problem problem;
     try {
-      const std::string text = evaluated(found->second, parameters);
+      const bool is_whole = kind.type.find("integer") != std::string_view::npos;
+      const std::string text = evaluated(found->second, parameters, is_whole ? Rounding::to_whole : Rounding::none);
       if ((problem = kind.read(text, member)))
         throw UserError(fmt::format("expected {}, {}", kind.expected(), *problem));
     } catch (const UserError& error) {

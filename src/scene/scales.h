@@ -54,9 +54,9 @@ inline double time_scale(const Scene& scene) {
 inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
   const double longest = 1e15 * time_unit;
   if (end <= longest) return {};
-  return Refusal{"Time/End", fmt::format("expected at most {:.3g}, 1e15 of the scene's own unit of time, got {}; "
+  return Refusal{"Time/End", fmt::format("expected at most {}, 1e15 of the scene's own unit of time, got {}; "
                                          "beyond that double precision does not resolve the time",
-                                         longest, print_number(end))};
+                                         print_upper_bound(longest), print_number(end))};
 }
 
 }  // namespace pseudorigid::scene

@@ -77,6 +77,8 @@ struct Fields {
 
 struct Catalogue;
 
+inline constexpr int largest_number_of_samples = 10'000'000;
+
 /// The values of the entries `System` and `Time/Method` that stand for none of the catalogue.
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 

@@ -7,6 +7,7 @@
 
 #include "entries/entry_kinds.h"
 #include "entries/wording.h"
+#include "scene/expressions.h"
 
 namespace pseudorigid::scene {
 namespace {
@@ -27,7 +28,7 @@ Problem read_values(std::string_view text, SweepParameter& parameter) {
   int n = 0;
   if (!first || !last) return got(text);
   if (Integer{2, largest_number_of_runs}.read(trimmed(text.substr(in + 4)), n))
-    return fmt::format("the number of values in {} must be a whole number from 2 to {}", quote(text),
+    return fmt::format("{}, where the number of values is not a whole number from 2 to {}", got(text),
                        largest_number_of_runs);
   parameter.values = {*first, *last};
   parameter.n_values = n;
@@ -59,12 +60,15 @@ std::optional<std::string> SweepParameters::read(std::string_view text, Sweep& v
     const std::string_view name = trimmed(part.substr(0, std::min(colon, part.size())));
     if (colon == std::string_view::npos || !is_name(name)) return got(part);
     for (const SweepParameter& other : value)
-      if (other.name == name) return fmt::format("{} occurs twice", quote(name));
+      if (other.name == name) return fmt::format("{}, where {} occurs twice", got(text), quote(name));
     SweepParameter parameter{std::string(name), {}, {}};
+    if (const auto meaning = meaning_in_expressions(parameter.name); !meaning.empty())
+      return fmt::format("{}, where {} is {} of expressions", got(part), quote(name), meaning);
     if (auto problem = read_values(trimmed(part.substr(colon + 1)), parameter)) return problem;
     value.push_back(std::move(parameter));
   }
-  if (n_runs(value) > largest_number_of_runs) return fmt::format("these are more than {} runs", largest_number_of_runs);
+  if (n_runs(value) > largest_number_of_runs)
+    return fmt::format("{}, which are more than {} runs", got(text), largest_number_of_runs);
   return std::nullopt;
 }
 

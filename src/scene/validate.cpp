@@ -6,11 +6,13 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "entries/entry_kinds.h"
 #include "entries/matrix3.h"
 #include "entries/units.h"
+#include "scene/advice.h"
 #include "scene/analyses_of_ball.h"
 #include "scene/entries.h"
 #include "scene/initial_state.h"
@@ -25,13 +27,20 @@ namespace {
 /// E₀ goes with the squares of the semi-axes.
 constexpr double largest_axis = 1e6;
 
+/// Products of several of them still are numbers.
+constexpr double largest_unit = 1e100;
+
 /// The fastest systems take a tenth of a microsecond a step, so that this is a day. Times are told apart up to 2⁵²
 /// steps.
 constexpr double most_steps = 1e12;
 
+/// What advises looks whether it helps, and does not give advice again.
+enum class Purpose { judge, try_advice };
+
 class Validator {
  public:
-  Validator(Scene& scene, const Origins& origins) : scene_(scene), origins_(origins) {}
+  Validator(Scene& scene, const Origins& origins, Purpose purpose)
+      : scene_(scene), origins_(origins), purpose_(purpose) {}
 
   void run() {
     check_ownership();
@@ -46,8 +55,8 @@ class Validator {
  private:
   void check_ball() {
     if (scene_.analysis == Analysis::manifolds || scene_.analysis == Analysis::section)
-      refuse("Analysis", fmt::format("{} is offered for the systems beside the ball; set System",
-                                     analysis_kind.print(scene_.analysis)));
+      refuse("Analysis", fmt::format("{} is offered for systems other than the ball: {}",
+                                     analysis_kind.print(scene_.analysis), joined(systems_for(scene_.analysis))));
     if (scene_.time.end < 0) refuse("Time/End", needs_complete_system());
     check_problem();
     if (scene_.analysis == Analysis::motion)
@@ -64,7 +73,18 @@ class Validator {
   [[noreturn]] void refuse(const std::string& path, const std::string& sentence) const {
     throw UserError(fmt::format("{}: {}: {}", origins_.of(path), path, sentence));
   }
-  [[noreturn]] void refuse(const Refusal& refusal) const { refuse(refusal.path, refusal.sentence); }
+  [[noreturn]] void refuse(const Refusal& refusal) const {
+    const auto accepts = [&](Scene trial) { return is_accepted(std::move(trial), origins_); };
+    refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
+  }
+
+  /// Those with critical points, for manifolds.
+  std::vector<std::string_view> systems_for(Analysis analysis) const {
+    std::vector<std::string_view> names;
+    for (const SystemDescription& system : catalogue_of(scene_).systems)
+      if (system.has_equilibria || analysis == Analysis::section) names.push_back(system.name);
+    return names;
+  }
 
   /// An entry of another system would be without effect; its author has something else in mind.
   void check_ownership() const {
@@ -77,11 +97,14 @@ class Validator {
   void check_sweep() const {
     if (scene_.sweep.empty()) return;
     const bool is_ball = scene_.system == ball;
-    if (is_ball && is_discretized(scene_)) refuse("Models", offered_for(scene_, "a sweep is", &without_elements));
-    if (is_ball && scene_.models.size() > 1) refuse("Models", "a sweep runs one model; name one");
-    if (scene_.analysis != Analysis::motion) refuse("Analysis", "a sweep is offered for motions");
+    if (is_ball && is_discretized(scene_))
+      refuse({"Models", "a sweep, of one model, is", {}, names_where(scene_, &without_elements)});
+    if (is_ball && scene_.models.size() > 1)
+      refuse({"Models", "a sweep runs one model", {{{"Models", scene_.models.front()}}}});
+    if (scene_.analysis != Analysis::motion)
+      refuse({"Analysis", "a sweep is offered for motions", {{{"Analysis", "motion"}}}});
     if (is_ball && scene_.output.graphics != Graphics::none)
-      refuse("Output/Graphics", "a sweep writes no pictures; set Graphics = none");
+      refuse({"Output/Graphics", "a sweep writes no pictures", {{{"Output/Graphics", "none"}}}});
   }
 
   void check_system(const SystemDescription& system) {
@@ -120,25 +143,56 @@ class Validator {
   double time_unit() const { return time_scale(scene_); }
 
   void check_problem() const {
-    const double radius = scene_.body.radius, density = scene_.body.density;
     if (const auto refusal = refuses_analysis_of_ball(scene_)) refuse(*refusal);
     if (models_of(scene_).empty())
       refuse("Models", "expected at least one of " + joined(names_where(scene_, [](const auto&) { return true; })));
-    for (const NamedMethod& method : catalogue_of(scene_).methods)
-      if (method.name == scene_.time.method && is_discretized(scene_) && !method.for_discretized)
-        refuse("Time/Method", fmt::format("{}; the {} takes {}",
-                                          offered_for(scene_, std::string(method.name) + " is", &without_elements),
-                                          joined(names_where(scene_, &ModelDescription::discretized)),
-                                          joined(methods_for_discretized())));
-    // Energies of the body scale with these; r^5 occurs in its moment of inertia.
-    const double inertia = density * std::pow(radius, 5);
-    const double stiffness = scene_.material.shear_modulus * std::pow(radius, 3);
-    if (!std::isnormal(inertia) || !std::isnormal(stiffness) || !std::isnormal(time_unit()))
-      refuse(
-          "Body/Radius",
-          fmt::format("with radius {}, density {} and shear modulus {} the body's inertia, stiffness or time scale is "
-                      "not a representable number; choose units nearer to the size of the body",
-                      print_number(radius), print_number(density), print_number(scene_.material.shear_modulus)));
+    check_method();
+    check_units();
+    check_law();
+  }
+
+  void check_method() const {
+    std::vector<std::vector<Setting>> others;
+    bool is_for_discretized = true;
+    for (const NamedMethod& method : catalogue_of(scene_).methods) {
+      if (method.for_discretized) others.push_back({{"Time/Method", std::string(method.name)}});
+      if (method.name == scene_.time.method) is_for_discretized = method.for_discretized;
+    }
+    if (is_discretized(scene_) && !is_for_discretized)
+      refuse({"Time/Method", scene_.time.method + " is", others, names_where(scene_, &without_elements)});
+  }
+
+  /// Energies of the body scale with these; r^5 occurs in its moment of inertia.
+  void check_units() const {
+    const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
+    const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);
+    const auto is_sound = [](double x) { return x >= 1 / largest_unit && x <= largest_unit; };
+    if (is_sound(inertia) && is_sound(stiffness) && is_sound(time_unit())) return;
+    const auto distance = [](double x) { return std::abs(std::log10(x)); };
+    const auto [path, farthest] = std::max({std::pair("Body/Radius", 5 * distance(radius)),
+                                            {"Body/Density", distance(density)},
+                                            {"Material/Shear modulus", distance(modulus)}},
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+    refuse(path,
+           fmt::format(
+               "with radius {}, density {} and shear modulus {} the body's inertia, stiffness or time scale is not "
+               "between {:g} and {:g}; choose units nearer to the size of the body",
+               print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
+  }
+
+  /// Of the numbers that the law uses.
+  void check_law() const {
+    const auto& [law, mu, lambda, mooney, gent_limit] = scene_.material;
+    const bool is_svk = law == Law::saint_venant_kirchhoff || law == Law::saint_venant_kirchhoff_as_printed;
+    if (law != Law::none && (is_svk || !scene_.body.incompressible) && lambda > largest_condition * mu)
+      refuse({"Material/Lame lambda",
+              fmt::format("expected at most {} shear moduli, got {}: waves that change the volume are too fast then",
+                          print_number(largest_condition), print_number(lambda)),
+              {{{"Body/Incompressible", "true"}}}});
+    if (law == Law::gent && gent_limit < 1 / largest_condition)
+      refuse("Material/Gent limit",
+             fmt::format("expected at least {}, got {}: double precision does not tell I - 3 then",
+                         print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
   /// What the models themselves have to say of a scene that is sound.
@@ -148,12 +202,6 @@ class Validator {
   }
 
   static bool without_elements(const ModelDescription& model) { return !model.discretized; }
-  std::vector<std::string_view> methods_for_discretized() const {
-    std::vector<std::string_view> names;
-    for (const NamedMethod& method : catalogue_of(scene_).methods)
-      if (method.for_discretized) names.push_back(method.name);
-    return names;
-  }
 
   void check_reference_body() const {
     for (const double a : scene_.body.semi_axes)
@@ -171,8 +219,17 @@ class Validator {
     if (!definite)
       refuse("Body/Inertia",
              "expected a positive definite matrix with a condition number up to 1e12, got " + print_matrix(E0));
+    const auto& a = scene_.body.semi_axes;
+    const double of_ball = scene_.body.density * std::pow(scene_.body.radius, 5) * a[0] * a[1] * a[2];
+    if (!(unit <= largest_condition * of_ball && unit >= of_ball / largest_condition))
+      refuse("Body/Inertia",
+             fmt::format("expected a largest entry between {} and {}, for this density, radius and semi-axes, got {}",
+                         print_lower_bound(of_ball / largest_condition), print_upper_bound(largest_condition * of_ball),
+                         print_matrix(E0)));
     if (loads::present(scene_.loads.get<loads::SelfGravity>()))
-      refuse("Body/Inertia", "self-gravity is known for ellipsoids only; set Inertia = auto and give the Semi-axes");
+      refuse({"Body/Inertia",
+              "self-gravity is known for ellipsoids only, which Semi-axes describe",
+              {{{"Body/Inertia", "auto"}}}});
   }
 
   static double largest(double value) { return std::abs(value); }
@@ -187,7 +244,7 @@ class Validator {
       if (!(units.to_internal(value, unit) <= largest_stretch))
         refuse(std::string(path),
                fmt::format("expected values up to {} in the body's own units, got {}",
-                           print_number(units.to_physical(largest_stretch, unit)), print_number(value)));
+                           print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
       const bool acts = loads::present(load);  // the default frequency of a tide that is not there may be any number
@@ -223,11 +280,12 @@ class Validator {
       refuse("Time/Step", fmt::format("expected a step not longer than Time/End = {}, got {}", print_number(time.end),
                                       print_number(*time.step)));
     if (time.step && length / *time.step > most_steps)
-      refuse("Time/Step",
-             fmt::format("a run until Time/End = {} would take {:.3g} steps; expected at most {:.0g} of them, "
-                         "that is a step of at least {:.3g}, got {}",
-                         print_number(time.end), length / *time.step, most_steps, length / most_steps,
-                         print_number(*time.step)));
+      refuse(
+          "Time/Step",
+          fmt::format("a run until Time/End = {} would take {} steps; expected at most {} of them, that is a step of "
+                      "at least {}, got {}",
+                      print_number(time.end), print_lower_bound(length / *time.step), print_number(most_steps),
+                      print_lower_bound(length / most_steps), print_number(*time.step)));
   }
 
   void check_output() const {
@@ -239,13 +297,21 @@ class Validator {
 
   Scene& scene_;
   const Origins& origins_;
+  Purpose purpose_;
 };
 
 }  // namespace
 
 Scene validate(Scene scene, const Origins& origins) {
-  Validator(scene, origins).run();
+  Validator(scene, origins, Purpose::judge).run();
   return scene;
+}
+
+bool is_accepted(Scene scene, const Origins& origins) try {
+  Validator(scene, origins, Purpose::try_advice).run();
+  return true;
+} catch (const UserError&) {
+  return false;
 }
 
 }  // namespace pseudorigid::scene

@@ -10,4 +10,7 @@ namespace pseudorigid::scene {
 /// that begins with the origin of the entry and says what was expected.
 Scene validate(Scene scene, const Origins& origins = {});
 
+/// Whether validate takes it.
+bool is_accepted(Scene scene, const Origins& origins);
+
 }  // namespace pseudorigid::scene

@@ -10,7 +10,9 @@
 /// s̃ again.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
+#include <deque>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,29 +54,54 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// The motion from given initial data at any later time, each not before the last one. The steps do not depend on the
-/// times asked for, so a run that is taken up again sees the same motion.
+/// The motion from given initial data at any time after them. Its steps do not depend on the times asked for, so a run
+/// that is taken up again sees the same motion. The last steps are kept, since a section looks back for its crossings;
+/// what was before them is computed anew.
 template <class Field>
 class MotionFollower {
  public:
-  MotionFollower(Field field, const mechanics::State<Field>& start)
-      : field_(std::move(field)), ahead_(start), workspace_(field_, tolerance) {}
+  using State = mechanics::State<Field>;
 
-  mechanics::Status at(double t, mechanics::State<Field>& out) {
-    constexpr double longest_step = 10;
-    if (t == 0 && ahead_.t == 0) return out = ahead_, mechanics::Status();
-    while (ahead_.t < t)
-      if (auto status = mechanics::DormandPrince8::step(field_, ahead_.t + longest_step, ahead_, workspace_); !status)
-        return status;
-    return mechanics::DormandPrince8::interpolate(field_, t, out, workspace_);
+  MotionFollower(Field field, const State& start) : field_(std::move(field)), start_(start), ahead_(beginning()) {}
+
+  mechanics::Status at(double t, State& out) {
+    if (t == start_.t) return out = start_, mechanics::Status();
+    if (!steps_.empty() && t < steps_.front().workspace.t_start) {
+      steps_.clear();
+      ahead_ = beginning();
+    }
+    while (steps_.empty() || steps_.back().end.t < t)
+      if (auto status = step(); !status) return status;
+    const auto holds = [t](const Step& step) { return t <= step.end.t; };
+    const auto within = std::find_if(steps_.begin(), steps_.end(), holds);
+    return mechanics::DormandPrince8::interpolate(field_, t, out, within->workspace);
   }
 
  private:
   /// Local; what is left of it over some orbits is below any tolerance of a scene.
-  static constexpr double tolerance = 1e-14;
+  static constexpr double tolerance = 1e-14, longest_step = 10;
+  static constexpr std::size_t n_kept = 64;
+
+  struct Step {
+    State end;
+    mechanics::DormandPrince8Workspace<Field> workspace;
+  };
+
+  Step beginning() const { return {start_, mechanics::DormandPrince8Workspace<Field>(field_, tolerance)}; }
+
+  mechanics::Status step() {
+    auto& [state, workspace] = ahead_;
+    if (auto status = mechanics::DormandPrince8::step(field_, state.t + longest_step, state, workspace); !status)
+      return status;
+    if (steps_.size() == n_kept) steps_.pop_front();
+    steps_.push_back(ahead_);
+    return {};
+  }
+
   Field field_;
-  mechanics::State<Field> ahead_;
-  mechanics::DormandPrince8Workspace<Field> workspace_;
+  State start_;
+  Step ahead_;              ///< from which the next step begins
+  std::deque<Step> steps_;  ///< the last ones
 };
 
 struct JacobiGeodesicScene {

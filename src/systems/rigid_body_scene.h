@@ -185,14 +185,14 @@ struct RigidBodyScene {
     if (auto refusal = refuses_inertia()) return refusal;
     const Eigen::Matrix3d R = matrix(rotation);
     if (const double off = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(); !(off <= 1e-8))
-      return Refusal{"Rigid body/Rotation",
-                     fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {:.2g}", off)};
+      return refuses_rotation(R, off);
     if (R.determinant() < 0)
       return Refusal{"Rigid body/Rotation", "expected a rotation, det R = 1, got a reflection, det R = -1"};
     if (form == Form::lagrange && !LagrangeTop::has(R))
       return Refusal{"Rigid body/Rotation",
-                     "expected a rotation whose third column is not vertical where Form = lagrange: Euler angles are "
-                     "singular there; set Form = euler or constrained"};
+                     "expected a rotation whose third column is not vertical if Form = lagrange: Euler angles are "
+                     "singular there",
+                     {{{"Rigid body/Form", "euler"}}, {{"Rigid body/Form", "constrained"}}}};
     return fixed_point ? refuses_place() : refuses_free();
   }
 
@@ -313,6 +313,23 @@ struct RigidBodyScene {
     return columns;
   }
 
+  /// Of a matrix that is not far from one: its polar factor by Newton's iteration.
+  static std::string nearest_rotation_to(Eigen::Matrix3d R) {
+    for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
+    scene::Matrix3 rows;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) rows[i][j] = R(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+    return scene::print_matrix(rows);
+  }
+  static Refusal refuses_rotation(const Eigen::Matrix3d& R, double off) {
+    constexpr double near = 0.1;
+    return {"Rigid body/Rotation", fmt::format("expected a rotation, R^T R = identity to 1e-8, got R^T R off by {}",
+                                               scene::print_lower_bound(off)) +
+                                       (off < near && R.determinant() > 0
+                                            ? fmt::format("; the nearest rotation is \"{}\"", nearest_rotation_to(R))
+                                            : "")};
+  }
+
   std::optional<Refusal> refuses_points() const {
     constexpr const char* path = "Rigid body/Points";
     for (std::size_t k = 0; k < points.size(); k += n_point_columns)
@@ -331,7 +348,7 @@ struct RigidBodyScene {
     if ((A - A.transpose()).cwiseAbs().maxCoeff() > round_off * size)
       return Refusal{inertia_path, "expected a symmetric matrix, got one that is not"};
     const Eigen::Vector3d I = eigenvalues(A);
-    const std::string moments = fmt::format("{:.6g}, {:.6g}, {:.6g}", I(0), I(1), I(2));
+    const std::string moments = fmt::format("{:.15g}, {:.15g}, {:.15g}", I(0), I(1), I(2));
     if (!(I(0) > round_off * size))
       return Refusal{inertia_path, "expected positive principal moments of inertia, got " + moments};
     if (I(0) + I(1) < (1 - round_off) * I(2))
@@ -366,8 +383,8 @@ struct RigidBodyScene {
                       scene::print_row(center))};
     if (form != Form::constrained && !springs.empty())
       return Refusal{"Rigid body/Springs",
-                     fmt::format("expected none where Form = {} and Fixed point = false; the constrained form has them",
-                                 form == Form::euler ? "euler" : "lagrange")};
+                     fmt::format("expected none if Form = {} and Fixed point = false", form_kind.print(form)),
+                     {{{"Rigid body/Form", "constrained"}}}};
     return refuses_springs(vector(position));
   }
   /// The body's origin is at x.

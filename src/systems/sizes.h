@@ -1,5 +1,5 @@
 #pragma once
-/// The sizes that a scene can have. Products of a few numbers between 10⁻¹⁰⁰ and 10¹⁰⁰ still are numbers, so a scene is
+/// The sizes that a scene can have. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ still are numbers, so a scene is
 /// sound if its scales and, in these scales, its entries and its initial state lie there or are zero, and the units of
 /// its columns are finite.
 
@@ -15,7 +15,7 @@ namespace pseudorigid::systems {
 
 namespace detail {
 
-inline constexpr double largest_size = 1e100;
+inline constexpr double largest_size = 1e70;
 
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 

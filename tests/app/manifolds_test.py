@@ -87,7 +87,7 @@ class Manifolds(SystemTest):
 
     def test_refusals(self):
         for scene, fragments in (({"System": "geodesic", "Analysis": "manifolds"}, ("Analysis", "no critical points")),
-                                 ({"Analysis": "manifolds"}, ("Analysis", "beside the ball")),
+                                 ({"Analysis": "manifolds"}, ("Analysis", "other than the ball: mass points, ")),
                                  ({**UPRIGHT, "Manifolds/Starts": 0}, ("Manifolds/Starts", "1")),
                                  ({**UPRIGHT, "Time/Method": "rattle-4"}, ("Time/Method", "explicit-8"))):
             result = self.run_program("run", self.scene(scene))

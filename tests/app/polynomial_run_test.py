@@ -181,7 +181,7 @@ class PolynomialRun(ProgramTest):
 
     def test_what_is_refused(self):
         for entries, words in (({"Polynomial/Degree": 0}, "from 1 to 13"), ({"Polynomial/Degree": 14}, "from 1 to 13"),
-                               ({"Polynomial/Degree": "3, 1"}, "must rise"),
+                               ({"Polynomial/Degree": "3, 1"}, "rising whole numbers"),
                                ({"Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1"}, "Body/Inertia"),
                                ({"Body/Incompressible": "false", "Gravity/Constant": 1}, "Gravity/Constant"),
                                ({"Continuum/Mesh": "bar.msh"}, "Continuum/Mesh"),

@@ -135,11 +135,13 @@ class RankFailures(RanksTest):
     def test_resume_where_one_rank_does_not_see_the_checkpoint(self):
         self.stop_half_way(SCENE)
         program = self.command([])
-        resume = ["run", "scene.prm", "--resume", "--set", "Time/Step=0.001", "--output"]
-        (self.scratch / "elsewhere").mkdir()
-        command = [*MPIRUN, "-np", "1", *program, *resume, "out", ":", "-np", "1", *program, *resume, "elsewhere"]
+        resume = ["run", "scene.prm", "--resume", "--set", "Time/Step=0.001", "--output", "out"]
+        elsewhere = self.scratch / "elsewhere"
+        (elsewhere / "out").mkdir(parents=True)
+        shutil.copy(self.scratch / "scene.prm", elsewhere)
+        command = [*MPIRUN, "-np", "1", *program, *resume, ":", "-np", "1", "-wdir", str(elsewhere), *program, *resume]
         self.check_end(self.finish_ranks(self.start_ranks(command), WRONG_INPUT, ENOUGH), WRONG_INPUT,
-                       "'elsewhere/checkpoint-continuum.bin' cannot be used")
+                       "'out/checkpoint-continuum.bin' cannot be used")
 
     # In the midst of the motion.
 

@@ -4,11 +4,13 @@ import signal
 import subprocess
 import unittest
 
-from program_test import DONE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
-from ranks import ENVIRONMENT, RanksTest
+from program_test import DONE, PATIENCE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
+from ranks import ENVIRONMENT, MPIRUN, RanksTest
 
 # What is asked for; the constraint is met to 1e-13 on every number of ranks, and sums round differently.
 SAME = 1e-12
+# For runs of a second or two that would otherwise wait for a rank that has gone.
+ENOUGH = min(TIME_LIMIT, 40 * PATIENCE)
 
 SCENE = {
     "Models": "continuum", "Continuum/Degree": 3, "Continuum/Symmetry": "octant", "Continuum/Refinements": 1,
@@ -148,6 +150,56 @@ class Ranks(RanksTest):
         result = self.run_on(2, "run", "scene.prm")
         self.assertIn("reduced.csv", self.files("output/scene"))
         self.assertEqual(result.stderr.count("results are in"), 1)
+
+    def test_ranks_with_different_scenes_are_refused(self):
+        """Of a scene without finite elements the others were lost; with them the ranks waited for each other."""
+        reduced = {"Models": "reduced", "Time/End": 1, "Output/Samples": 10}
+        self.scene(reduced)
+        self.scene({**reduced, "Time/End": 2}, "later.prm")
+        self.scene({**SCENE, "Continuum/Degree": 2}, "continuum.prm")
+        self.scene("include scene.prm\n", "included.prm")
+        run = lambda scene, *options: ["run", scene, "--output", "out", *options]
+        stiffer = "Material/Shear modulus=2"
+        cases = (
+            (run("scene.prm"), run("later.prm"), "rank 1 was started with \"Time/End = 2\" and rank 0 with \"Time/End = 1\""),
+            (run("later.prm"), run("scene.prm"), "\"Time/End = 1\""), (run("scene.prm"), run("scene.prm", "--set", "Time/End=3"), "\"Time/End = 3\""),
+            (run("scene.prm"), run("continuum.prm"), "rank 1 was started with"), (run("continuum.prm"), run("scene.prm"), "rank 1 was"),
+            (run("continuum.prm"), run("continuum.prm", "--set", "Continuum/Degree=3"), "\"Continuum/Degree = 3\""),
+            (run("continuum.prm"), run("continuum.prm", "--set", stiffer), "\"Material/Shear modulus = 2\""),
+            (run("continuum.prm"), run("continuum.prm", "--set", "Time/End=9"), "\"Time/End = 9\""),
+            (["run", "scene.prm"], ["run", "scene.prm", "--output", "elsewhere"], "\"results in elsewhere\""),
+            (run("scene.prm"), run("nowhere.prm"), "\"nowhere.prm\""), (run("nowhere.prm"), run("scene.prm"), "\"nowhere.prm\""),
+            (run("scene.prm"), run("scene.prm", "--fast"), "unknown option \"--fast\""))
+        before = self.files()
+        for first, second, said in cases:
+            with self.subTest(first=first, second=second):
+                command = [*MPIRUN, "-np", "1", *self.command(first), ":", "-np", "1", *self.command(second)]
+                result = self.finish_ranks(self.start_ranks(command), WRONG_INPUT, ENOUGH)
+                sentences = [line for line in result.stderr.splitlines() if line.startswith("error: ")]
+                self.assertEqual(len(sentences), 1, result.stderr)
+                self.assertIn(said, sentences[0])
+                self.assertEqual(self.files(), before)
+
+    def test_ranks_in_different_environments_are_refused(self):
+        self.scene(SCENE)
+        (name, *_) = self.run_program("run", "scene.prm", env={**ENVIRONMENT, "PSEUDORIGID_INSTRUCTIONS": "abacus"}
+                                      ).stderr.strip().split(" was built for ")[1].split(", ")
+        command = [*MPIRUN, "-np", "1", *self.command(["run", "scene.prm"]), ":", "-np", "1", "-x", f"PSEUDORIGID_INSTRUCTIONS={name}",
+                   *self.command(["run", "scene.prm"])]
+        result = self.finish_ranks(self.start_ranks(command), WRONG_INPUT, ENOUGH)
+        self.assertIn(f"the instructions '{name}'", result.stderr)
+
+    def test_ranks_with_the_same_scene_in_other_words(self):
+        reduced = {"Models": "reduced", "Time/End": 1, "Output/Samples": 10}
+        self.scene(reduced, "scene.prm")
+        folder = self.scratch / "other"
+        folder.mkdir()
+        (folder / "scene.prm").write_text("# The same\ninclude ../scene.prm\n")
+        command = [*MPIRUN, "-np", "1", *self.command(["run", "scene.prm"]), ":", "-np", "1", "-wdir", str(folder),
+                   *self.command(["run", "scene.prm"])]
+        self.finish_ranks(self.start_ranks(command), DONE, ENOUGH)
+        self.assertEqual(len(self.table("output/scene/reduced.csv")), 11)
+        self.assertEqual(self.files("other"), ["scene.prm"])
 
     def test_modes(self):
         self.scene({"Analysis": "modes", "Models": "continuum", "Continuum/Degree": 3, "Modes/Number": 3})

@@ -2,8 +2,9 @@
 import math
 import unittest
 
-from program_test import overrides
-from system_test import LAGRANGE, PENDULUM, POINTS, SystemTest, TORUS
+from program_test import overrides, words
+from system_test import (ELLIPSOID, FRAME, JACOBI, JACOBI_PENDULUM, JACOBI_TORUS, LAGRANGE, PENDULUM, POINTS, ROTOR,
+                         SPHERICAL_PENDULUM, SystemTest, TOP, TORUS)
 
 SECTION = {"Analysis": "section", "Section/Column": "theta"}
 # Unit masses and lengths, g = 1: regular at this energy.
@@ -128,6 +129,37 @@ class Sections(SystemTest):
         self.assertTrue(all(t < 0 for t in backwards.column("time")))
         self.assertTrue(all(abs(u - 0.71) < 1e-12 for u in backwards.column("u")))
 
+    def test_geodesics_of_the_jacobi_metric(self):
+        """On the circle of Kepler's motion with |q| = |v| = 1 the arc is the time and y = sin t; it stopped at the first crossing."""
+        scene = {"System": "jacobi geodesic", "Jacobi geodesic/Potential": "kepler", "Jacobi geodesic/Energy": -0.5,
+                 "Jacobi geodesic/Position": "1, 0", "Jacobi geodesic/Direction": "0, 1", "Time/End": 40, "Time/Tolerance": 1e-11}
+        table = self.section(scene, {"Section/Column": "y", "Section/Value": 0.5, "Section/Direction": "both"})
+        expected = sorted(t for k in range(7) for t in (math.pi / 6 + 2 * math.pi * k, 5 * math.pi / 6 + 2 * math.pi * k) if t < 40)
+        self.assertEqual(len(table), len(expected))
+        for k, t in enumerate(expected):
+            self.assertAlmostEqual(table.column("time")[k], t, delta=1e-9)
+            self.assertAlmostEqual(table.column("jacobi_length")[k], t, delta=1e-9)
+            self.assertLess(table.column("deviation")[k], 1e-9)
+
+    def test_every_system(self):
+        """Through the value in the middle of its range the watched column goes more than once."""
+        scenes = {"double pendulum": PENDULUM, "mass points": POINTS, "rigid body": TOP, "spherical pendulum": SPHERICAL_PENDULUM,
+                  "fixed axis": ROTOR, "moving frame": FRAME, "torus": TORUS, "geodesic": ELLIPSOID}
+        columns = {"double pendulum": "phi", "mass points": "x1", "rigid body": "R11", "spherical pendulum": "x", "fixed axis": "A1",
+                   "moving frame": "relative_x", "torus": "u", "geodesic": "q1"}
+        self.assertEqual({*scenes, "jacobi geodesic", "ball"}, set(words("System")))
+        cases = [(name, scene, columns[name]) for name, scene in scenes.items()]
+        cases += [(f"jacobi {k}", scene, column) for k, (scene, column) in enumerate(
+            ((JACOBI, "x"), (JACOBI_TORUS, "q1"), (JACOBI_PENDULUM, "q2")))]
+        for name, scene, column in cases:
+            with self.subTest(name):
+                watched = self.motion(scene).column(column)
+                value = (min(watched) + max(watched)) / 2
+                table = self.section(scene, {"Section/Column": column, "Section/Value": value, "Section/Direction": "both"})
+                self.assertGreater(len(table), 0)
+                size = max(map(abs, watched))
+                self.assertTrue(all(abs(x - value) < 1e-11 * size for x in table.column(column)))
+
     def test_the_report_shows_it(self):
         folder = self.section("double_pendulum_section", {"Time/End": 20}).folder
         self.assertIn("report.html", self.files(folder))
@@ -147,7 +179,7 @@ class Sections(SystemTest):
             self.assert_one_sentence(result, *fragments)
         result = self.run_program("run", self.scene({"Analysis": "section", "Section/Column": "Q11"}))
         self.assert_exit(result, 2)
-        self.assert_one_sentence(result, "Analysis", "beside the ball")
+        self.assert_one_sentence(result, "Analysis", "other than the ball: mass points, ")
 
 
 if __name__ == "__main__":

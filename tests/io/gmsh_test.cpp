@@ -1,13 +1,17 @@
 /// Meshes from files of Gmsh: what is read, what is refused and where, and that no damaged file does harm.
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <numbers>
 #include <random>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "io/files.h"
 #include "io/gmsh.h"
@@ -75,6 +79,80 @@ TEST_F(Gmsh, ReadsLineEndsOfOtherSystems) {
   std::string text;
   for (const char c : two_cubes) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_EQ(read(text).cells, read(two_cubes).cells);
+}
+
+TEST_F(Gmsh, ReadsWhatOtherProgramsWrite) {
+  const HexahedralMesh plain = read(two_cubes);
+  std::string old;
+  for (const char c : two_cubes) old += c == '\n' ? '\r' : c;
+  const std::pair<const char*, std::string> texts[] = {
+      {"byte order mark", "\xEF\xBB\xBF" + two_cubes},
+      {"comments first", "$Comments\nby hand\n$EndComments\n\n" + two_cubes},
+      {"line ends of old machines", old},
+      {"Fortran", replaced(two_cubes, "12 2 1 1", "12 2.0D+00 1.0d0 0.1D1")},
+      {"plus", replaced(two_cubes, "12 2 1 1", "+12 +2.0 1 +1e0")},
+  };
+  for (const auto& [name, text] : texts) {
+    SCOPED_TRACE(name);
+    const HexahedralMesh mesh = read(text);
+    EXPECT_EQ(mesh.vertices, plain.vertices);
+    EXPECT_EQ(mesh.cells, plain.cells);
+  }
+}
+
+/// Every cell with its lower face above the upper one.
+TEST_F(Gmsh, TurnsAMeshThatIsInvertedAsAWhole) {
+  std::string text = replaced(two_cubes, "1 2 5 4 7 8 11 10", "7 8 11 10 1 2 5 4");
+  text = replaced(text, "2 3 6 5 8 9 12 11", "8 9 12 11 2 3 6 5");
+  EXPECT_NEAR(size_of(read(text)).volume, 2, 1e-15);
+  EXPECT_NEAR(size_of(read(text)).center[0], 1, 1e-15);
+}
+
+/// The two cubes with other lengths and in another place.
+std::string cubes_at(double length, double thickness, double x0) {
+  std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n12\n";
+  for (int i = 0; i < 12; ++i)
+    text += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", i + 1, x0 + length * (i % 3), length * (i / 3 % 2),
+                        thickness * (i / 6));
+  return text + two_cubes.substr(two_cubes.find("$EndNodes"));
+}
+
+TEST_F(Gmsh, MindsNeitherPlaceNorUnitNorThickness) {
+  for (const auto& [length, thickness, x0] :
+       {std::array{1e150, 1e150, 0.0}, {1e-150, 1e-150, 0.0}, {1.0, 1.0, 1e9}, {1.0, 1e-9, 0.0}, {1e-9, 1.0, 0.0}}) {
+    SCOPED_TRACE(fmt::format("{} {} {}", length, thickness, x0));
+    const HexahedralMesh mesh = read(cubes_at(length, thickness, x0));
+    EXPECT_EQ(mesh.cells.size(), 2u);
+    const MeshSize size = size_of(mesh);
+    EXPECT_NEAR((size.center[0] - x0) / length, 1, 1e-6);
+    EXPECT_NEAR(size.radius / std::hypot(length, length / 2, thickness / 2), 1, 1e-6);
+  }
+}
+
+TEST_F(Gmsh, SaysHowToSaveSuchAMesh) {
+  const auto first = [](const char* other) { return replaced(two_cubes, "1 5 2 0 1 1 2 5 4 7 8 11 10", other); };
+  const std::tuple<const char*, std::string, const char*> cases[] = {
+      {"edges of second order", first("1 8 2 0 1 1 2 3"),
+       ":21: expected hexahedra of 8 nodes (type 5), got an element of "
+       "type 8, which is of second order; save the mesh with -order 1"},
+      {"cells of second order", first("1 12 2 0 1 1 2 3"), "-order 1"},
+      {"cells of third order", first("1 92 2 0 1 1 2 3"), "-order 1"},
+      {"tetrahedra", first("1 4 2 0 1 1 2 5 7"), "a tetrahedron; Gmsh divides it"},
+      {"triangles", first("1 2 2 0 1 1 2 5"), "a triangle; Gmsh divides it"},
+      {"parameters", replaced(two_cubes, "$Nodes", "$ParametricNodes"), ":4: expected nodes without parameters"},
+      {"binary", replaced(two_cubes, "2.2 0 8", "2.2 1 8"), ":2: expected an ASCII file, this one is binary; \"gmsh"},
+      {"another version", replaced(two_cubes, "2.2 0 8", "4.1 0 8"), "got 4.1; \"gmsh FILE -format msh22 -save\""},
+      {"version 1", "$NOD\n1\n1 0 0 0\n$ENDNOD\n",
+       ":1: expected $MeshFormat, with which a file of Gmsh begins, got "
+       "\"$NOD\"; expected version 2.2"},
+      {"UTF-16", std::string("\xFF\xFE$\0M\0", 6), "this file is in UTF-16"},
+      {"UTF-16, the other way", std::string("\xFE\xFF\0$\0M", 6), "this file is in UTF-16"},
+      {"a word", replaced(two_cubes, "2 1 0 0", "2 1 zero 0"),
+       ":7: expected three finite coordinates after the number of "
+       "the node, got \"zero\""},
+      {"a minus sign", replaced(two_cubes, "2 1 0 0", "2 \u22121 0 0"), "the minus sign U+2212"},
+  };
+  for (const auto& [name, text, message] : cases) EXPECT_THAT(refusal(text), HasSubstr(message)) << name;
 }
 
 TEST_F(Gmsh, RefusesWhatIsNotSuchAMesh) {

@@ -88,6 +88,20 @@ def changed_formulas(page):
         yield "a $$ that has not a line of its own"
 
 
+# Minus, dashes, spaces and quotation marks that are not those of a keyboard.
+LOOKALIKES = re.compile("[\u2010-\u2015\u2212\u00a0\u2002-\u200b\u202f\u00d7\u2018\u2019\u201c\u201d]")
+TYPED = re.compile(r"\b(set|subsection|include|end)\b|--|^\$ |\w+ = |\.prm\b")
+
+
+def untypable(page):
+    """Code that a reader types into a shell or a parameter file, with characters that only look like those of ASCII."""
+    for token in MARKDOWN.parse(page):
+        if token.type in ("fence", "code_block") and token.info.split(" ")[:1] in ([], [""], ["sh"], ["console"], ["prm"], ["text"]):
+            yield from (line for line in token.content.splitlines() if LOOKALIKES.search(line) and TYPED.search(line))
+        yield from (part.content for part in token.children or ()
+                    if part.type == "code_inline" and LOOKALIKES.search(part.content) and TYPED.search(part.content))
+
+
 class Pages(unittest.TestCase):
     def assert_none(self, problems):
         for path in PAGES:
@@ -120,6 +134,17 @@ class Pages(unittest.TestCase):
     def test_lines_of_shell_fit_the_page(self):
         self.assertEqual(list(long_lines("```sh\n" + 111 * "x" + "\nshort\n```\n\n```c++\n" + 111 * "x" + "\n```\n")), [111 * "x"])
         self.assert_none(long_lines)
+
+    def test_what_is_typed_is_ascii(self):
+        for page, n in (("```prm\nset End = \u22120.2\n```\n", 1), ("`--set \u201cTime/End=1\u201d`", 1), ("`End = 1\u20132`", 1),
+                        ("`I \u2212 3`, v = \u22120.2 and `--set Time/End=-1`", 0), ("```c++\n// a \u2212 b = c\n```\n", 0)):
+            self.assertEqual(len(list(untypable(page))), n, page)
+        self.assert_none(untypable)
+        scenes = [*(SOURCE / "params").glob("*.prm"), *(SOURCE / "examples").rglob("*.prm")]
+        self.assertGreater(len(scenes), 30)
+        for path in scenes:
+            settings = "\n".join(line.split("#")[0] for line in path.read_text().splitlines())
+            self.assertIsNone(LOOKALIKES.search(settings), path.name)
 
     def test_displayed_formulas_are_left_as_they_are(self):
         for formula, n in ((r"a_{1}^{\ast} = \frac{b}{c}", 0), (r"\Omega*A - \Lambda*B", 1), (r"a \, b", 1),

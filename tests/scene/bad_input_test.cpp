@@ -156,7 +156,112 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"directory",
                  entry("Output", "Directory ="),
                  {},
-                 "scene.prm:2: Output/Directory: expected a text that is not empty, got nothing"}));
+                 "scene.prm:2: Output/Directory: expected the name of a directory, got nothing"},
+        BadInput{"home",
+                 entry("Output", "Directory = ~nobody/results"),
+                 {},
+                 "scene.prm:2: Output/Directory: expected the name of a directory, got \"~nobody/results\", in which "
+                 "\"~nobody\" is not replaced"},
+        BadInput{
+            "variable",
+            entry("Output", "Directory = a/$PSEUDORIGID_NOTHING/b"),
+            {},
+            "scene.prm:2: Output/Directory: expected the name of a directory, got \"a/$PSEUDORIGID_NOTHING/b\", in "
+            "which \"$PSEUDORIGID_NOTHING\" is not replaced"},
+        BadInput{"variable_in_braces",
+                 entry("Output", "Directory = ${X_}b"),
+                 {},
+                 "scene.prm:2: Output/Directory: expected the name of a directory, got \"${X_}b\", in which \"${X_}\""},
+        BadInput{"expression",
+                 entry("Output", "Directory = out$(1+1)"),
+                 {},
+                 "scene.prm:2: Output/Directory: expected the name of a directory, got \"out$(1+1)\", in which \"$(\""},
+        BadInput{
+            "integers",
+            entry("Polynomial", "Degree = 5, 3"),
+            {},
+            "scene.prm:2: Polynomial/Degree: expected auto, or rising whole numbers separated by ',', each a whole "
+            "number from 1 to 13, got \"5, 3\""}));
+
+/// Characters that cannot be told from those of ASCII are named.
+INSTANTIATE_TEST_SUITE_P(
+    Characters, BadInputTest,
+    ::testing::Values(
+        BadInput{"minus",
+                 entry("Time", "End = \u22120.2"),
+                 {},
+                 "scene.prm:2: Time/End: expected a finite number, got \"\u22120.2\" (with the minus sign U+2212 in "
+                 "place of \"-\")"},
+        BadInput{
+            "en_dash",
+            entry("Initial state", "Velocity = 0,\u20131,0; 0,0,0; 0,0,0"),
+            {},
+            "scene.prm:2: Initial state/Velocity: expected a 3x3 matrix of finite numbers, rows separated by \";\" "
+            "and entries by \",\", got \"\u20131\" (with the en dash U+2013 in place of \"-\") as entry (1,2)"},
+        BadInput{"before_equals",
+                 entry("Time", "End\u00A0= 1"),
+                 {},
+                 "scene.prm:2: unknown entry \"Time/End\u00A0\" (with the no-break space U+00A0 in place of a blank); "
+                 "did you mean \"Time/End\"?"},
+        BadInput{"after_equals",
+                 entry("Time", "End =\u00A01"),
+                 {},
+                 "scene.prm:2: Time/End: expected a finite number, got \"\u00A01\" (with the no-break space U+00A0"},
+        BadInput{"override",
+                 "",
+                 {"Time/End=\u22121"},
+                 "--set: Time/End: expected a finite number, got \"\u22121\" (with the minus sign U+2212"},
+        BadInput{"word",
+                 entry("Material", "Law = neo\u2011hookean"),
+                 {},
+                 at_law + "\"neo\u2011hookean\" (with the no-break hyphen U+2011 in place of \"-\"); did you mean"},
+        BadInput{"expression",
+                 entry("Time", "End = $(2\u22121)"),
+                 {},
+                 "scene.prm:2: Time/End: \"2\u22121\" (with the minus sign U+2212 in place of \"-\") cannot be"},
+        BadInput{"model",
+                 "set Models = reduced,\u00A0continuum",
+                 {},
+                 "scene.prm:1: Models: expected a comma-separated list out of reduced, polynomial, continuum, got "
+                 "\"\u00A0continuum\" (with the no-break space U+00A0"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Sweeps, BadInputTest,
+    ::testing::Values(
+        BadInput{
+            "function",
+            entry("Sweep", "Parameters = sin: 1, 2"),
+            {},
+            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
+            "value, value\" separated by \";\", got \"sin: 1, 2\", where \"sin\" is a function of expressions"},
+        BadInput{
+            "constant",
+            entry("Sweep", "Parameters = l: 1, 2; pi: 3, 4"),
+            {},
+            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
+            "value, value\" separated by \";\", got \"pi: 3, 4\", where \"pi\" is a constant of expressions"},
+        BadInput{
+            "number",
+            entry("Sweep", "Parameters = l: 1 .. 2 in 2.5"),
+            {},
+            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
+            "value, value\" separated by \";\", got \"1 .. 2 in 2.5\", where the number of values is not a whole"},
+        BadInput{
+            "too_many",
+            entry("Sweep", "Parameters = l: 1 .. 2 in 9999999; k: 1, 2"),
+            {},
+            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
+            "value, value\" separated by \";\", got \"l: 1 .. 2 in 9999999; k: 1, 2\", which are more than"},
+        BadInput{
+            "twice",
+            entry("Sweep", "Parameters = l: 1; l: 2"),
+            {},
+            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
+            "value, value\" separated by \";\", got \"l: 1; l: 2\", where \"l\" occurs twice"},
+        BadInput{"list_in_expression",
+                 entry("Time", "End = $(2,5)"),
+                 {},
+                 "scene.prm:2: Time/End: \"2,5\" is a list of 2 numbers and not one"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Matrices, BadInputTest,

@@ -23,6 +23,36 @@ TEST(Expressions, WithoutEndOrValueAreRefused) {
     EXPECT_THROW(evaluated(text, {{"a", 3.0}}), UserError) << text;
 }
 
+TEST(Expressions, AreNoLists) {
+  for (const char* text : {"$(2,5)", "$(1,5*2)", "$(a, a)", "$(1,2,3)", "$((2,5))", "$((1,5)*2)"})
+    EXPECT_THROW(evaluated(text, {{"a", 3.0}}), UserError) << text;
+  EXPECT_EQ(evaluated("$(min(2,5)), $(sum(1,2,3))", {}), "2, 6");
+}
+
+TEST(Expressions, AreRoundedToWholeNumbersWhereTheseAreAskedFor) {
+  EXPECT_EQ(evaluated("$(100*1.1)", {}), "110.00000000000001");
+  EXPECT_EQ(evaluated("$(100*1.1)", {}, Rounding::to_whole), "110");
+  EXPECT_EQ(evaluated("$(1000*1000)", {}, Rounding::to_whole), "1000000");
+  EXPECT_EQ(evaluated("$(110.000001)", {}, Rounding::to_whole), "110.000001");
+  EXPECT_EQ(evaluated("$(5/2)", {}, Rounding::to_whole), "2.5");
+  EXPECT_EQ(evaluated("$(1e300)", {}, Rounding::to_whole), "1e+300");
+}
+
+TEST(Expressions, TellWhichNamesTheyUse) {
+  const Sweep parameters{{"a", {1}, {}}, {"b", {1}, {}}, {"c", {1}, {}}, {"e5", {1}, {}}};
+  using Names = std::set<std::string>;
+  EXPECT_EQ(names_used("a, $(b+1e5), $(sin(c)*pi)", parameters), (Names{"b", "c"}));
+  EXPECT_EQ(names_used("$(a > 1 ? b : 2)", parameters), (Names{"a", "b"}));
+  EXPECT_EQ(names_used("1", parameters), Names{});
+}
+
+TEST(Expressions, KnowTheirOwnNames) {
+  for (const char* name : {"pi", "e", "_pi", "_e"}) EXPECT_EQ(meaning_in_expressions(name), "a constant") << name;
+  for (const char* name : {"sin", "sqrt", "ln", "sum", "min", "rint", "sign", "abs", "exp", "atan2"})
+    EXPECT_EQ(meaning_in_expressions(name), "a function") << name;
+  for (const char* name : {"l", "w", "spin", "Sin", "pie"}) EXPECT_EQ(meaning_in_expressions(name), "") << name;
+}
+
 TEST(Expressions, NameTheParametersThatThereAre) {
   const auto message = [](const char* text, const ParameterValues& parameters) {
     try {

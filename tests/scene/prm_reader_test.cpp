@@ -43,7 +43,9 @@ TEST(PrmReader, CollapsesBlanksInNamesButNotInValues) {
 
 TEST(PrmReader, ContinuesLines) {
   EXPECT_EQ(settings("set A = 1, \\\n    2,\\\n\t3\nset B = 4"), (List{"A=1, 2,3@1", "B=4@4"}));
-  EXPECT_EQ(settings("# comment \\\nset A = 1\nset B = x\\"), (List{"B=x@3"}));
+  EXPECT_EQ(settings("# comment \\\nmore of it\nset B = x\\"), (List{"B=x@3"}));
+  EXPECT_EQ(settings("set A = the \\\nend of it"), (List{"A=the end of it@1"}));
+  EXPECT_EQ(settings("\\\nset A = 1"), (List{"A=1@1"}));
   EXPECT_EQ(settings("set A = x\\\\\ny"), (List{"A=x\\y@1"}));
 }
 
@@ -86,13 +88,20 @@ INSTANTIATE_TEST_SUITE_P(
                       std::pair{"\x7f"
                                 "ELF\x02\x01",
                                 "f:1: expected text"},
+                      std::pair{"\nset A = C:\\out\\\nset B = 1", "f:2: the backslash at the end of this line"},
+                      std::pair{"# C:\\\n\tSET B = 1 # b", "f:1: the backslash at the end of this line"},
+                      std::pair{"subsection S\nset A = 1, \\\n 2, \\\n end", "f:3: the backslash"},
+                      std::pair{"set A = x\\\nsubsection S", "joins the next one to it, \"subsection S\""},
+                      std::pair{"include /dev/null", "f:1: expected a file to include"},
+                      std::pair{"set\u00A0A = 1", "f:1: expected \"set Name = value\""},
+                      std::pair{"set\u00A0A = 1", "the no-break space U+00A0"},
                       std::pair{"include no such file", "f:1: cannot open the parameter file \"no such file\""}));
 
 using PrmFiles = SceneFiles;
 
 std::vector<std::string> settings_of(const std::filesystem::path& file) {
   List result;
-  read_prm(file, [&](const Statement& s) {
+  read_prm_text(text_of_prm(file), file, [&](const Statement& s) {
     if (s.value) result.push_back(s.path + "=" + *s.value);
   });
   return result;

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <vector>
 
+#include "entries/entry_kinds.h"
 #include "entries/wording.h"
 #include "scene/user_error.h"
 
@@ -30,6 +31,13 @@ std::string names_a_file(const std::string& scene) {
 
 std::string names_a_directory(const std::string& directory) {
   return directory.empty() ? "expected the directory of a run, got nothing" : "";
+}
+
+std::string names_a_new_directory(const std::string& directory) {
+  std::string same;
+  const scene::Directory kind;
+  const auto problem = kind.read(directory, same);
+  return problem ? fmt::format("expected {}, {}", kind.expected(), *problem) : "";
 }
 
 scene::Format format_of(const std::string& name) {
@@ -92,7 +100,8 @@ Options parse_command_line(int argc, const char* const* argv) {
   run->add_option("SCENE", options.scene, "parameter file")->required()->check(names_a_file);
   run->add_option("--set", options.overrides, "\"Section/Entry=value\" in place of what the file says (repeatable)")
       ->allow_extra_args(false);
-  run->add_option("--output", options.output, "directory of the results, in place of <Output/Directory>/<scene name>");
+  run->add_option("--output", options.output, "directory of the results, in place of <Output/Directory>/<scene name>")
+      ->check(names_a_new_directory);
   run->add_flag("--resume", options.resume, "go on from the last checkpoint");
   auto* quiet_flag = run->add_flag("--quiet", quiet, "print warnings and errors only");
   run->add_flag("--verbose", verbose, "print all that goes into the log")->excludes(quiet_flag);

@@ -1,15 +1,15 @@
 #include "app/commands/program.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <exception>
-#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/commands/command_line.h"
+#include "app/commands/continuum_executable.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
@@ -19,10 +19,12 @@
 #include "app/ranks/failure.h"
 #include "app/ranks/launch.h"
 #include "app/ranks/on_all_ranks.h"
+#include "app/ranks/same_on_all_ranks.h"
 #include "app/run/mesh_file.h"
 #include "app/search/effort.h"
 #include "io/build_info.h"
 #include "io/standard_streams.h"
+#include "mechanics/core/kernel_builds.h"
 #include "scene/models.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
@@ -31,16 +33,6 @@
 
 namespace pseudorigid::app {
 namespace {
-
-/// Becomes pseudorigid-continuum, which stands beside this executable, with the same arguments.
-[[noreturn]] void become_continuum_executable(char** argv) {
-  const std::filesystem::path program =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "pseudorigid-continuum";
-  std::fflush(nullptr);
-  execv(program.c_str(), argv);
-  throw UserError("the scene needs the continuum model, but " + program.string() + " cannot be started (" +
-                  std::strerror(errno) + "); build the preset release, or set Models = reduced");
-}
 
 /// The scene as it was read and as it can be run; of a sweep, the first run, after the ends of its ranges have been
 /// checked.
@@ -58,7 +50,7 @@ void go_on(scene::Scene& scene, const Options& options) {
 }
 
 Input read_and_validate(const Options& options, const Executable& executable, int n_ranks) {
-  Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue), {}};
+  Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue, scene_text_handed_over()), {}};
   input.read = input.raw;
   scene::Scene scene = input.raw.scene;
   if (options.resume) go_on(scene, options);
@@ -88,18 +80,38 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
+/// All that decides what a process does: the scene with what it includes and the options change, the options, the file
+/// of the mesh and the environment.
+std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
+  const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
+  std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),
+                                 fmt::format("--resume {}", options.resume ? "given" : "not given"),
+                                 fmt::format("the instructions '{}'", mechanics::wanted_instructions()),
+                                 fmt::format("the mesh {}", mesh_identity(read.scene))};
+  for (const scene::UsedValue& used : scene::used_values(read.scene))
+    if (used.path != "Continuum/Mesh")  // its place need not be the same on all machines
+      lines.push_back(fmt::format("{} = {}", used.path, used.value));
+  return lines;
+}
+
 int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
   const Ranks& ranks = *executable.ranks;
-  if (executable.runs_discretized) require_mpi_of(launch, ranks);
   Input input;
   on_all_ranks(ranks, [&] {
     executable.instructions();
     input = read_and_validate(options, executable, n_ranks_known(executable, launch));
   });
-  const scene::ReadScene& read = input.read;
-  if (!scene::is_discretized(read.scene))
-    return launch.rank > 0 ? exit_done : run_scene(input.raw, read, options, {argv, argv + argc}, executable);
-  if (!executable.runs_discretized) become_continuum_executable(argv);
+  scene::ReadScene& read = input.read;
+  require_same_on_all_ranks(ranks, identity_of(options, read));
+  if (!scene::is_discretized(read.scene)) {
+    if (launch.rank > 0) return exit_done;
+    if (launch.n_ranks != 1 && !executable.runs_discretized)
+      read.warnings.push_back(
+          "one of the processes that were started together runs the scene; those of the others "
+          "have not been compared with it, which needs pseudorigid-continuum");
+    return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+  }
+  if (!executable.runs_discretized) become_continuum_executable(argv, input.raw);
   if (launch.rank > 0) return assist_scene(read, options, executable);
   // However the run ends, the other ranks are told.
   struct Dismissal {
@@ -142,8 +154,14 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
 
 int run_program(int argc, char** argv, const Executable& executable) {
   const Launch launch;
+  const bool is_run = argc > 1 && std::string_view(argv[1]) == "run";
+  // Whether all were given the same scene is seen with MPI alone.
+  if (is_run && launch.n_ranks != 1 && !executable.runs_discretized) try_to_become_continuum_executable(argv);
   try {
-    return dispatch(parse_command_line(argc, argv), argc, argv, executable, launch);
+    if (is_run && executable.runs_discretized) require_mpi_of(launch, *executable.ranks);
+    Options options;
+    on_all_ranks(*executable.ranks, [&] { options = parse_command_line(argc, argv); });
+    return dispatch(options, argc, argv, executable, launch);
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *executable.ranks;

@@ -30,17 +30,18 @@ constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_
 
 using Entries = std::map<std::string, std::string>;
 
-/// Of the scene that a checkpoint is of.
-Entries entries_of(const std::string& prm) {
+/// `origin` is the file that the text is from.
+Entries entries_of(const std::string& prm, const std::filesystem::path& origin) {
   Entries entries;
-  scene::read_prm_text(prm, "checkpoint", [&](const scene::Statement& statement) {
+  scene::read_prm_text(prm, origin, [&](const scene::Statement& statement) {
     if (statement.value) entries[statement.path] = *statement.value;
   });
   return entries;
 }
 
+/// Of the scene that a checkpoint is of.
 Entries entries_of(const std::filesystem::path& checkpoint) {
-  return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"));
+  return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"), checkpoint);
 }
 
 std::optional<double> number(const Entries& entries, const char* path) {
@@ -88,7 +89,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;
   // Checkpoints count time from the start, whichever way it runs; used.prm knows which.
-  const auto used = number(entries_of(io::read_file(directory.used_prm())), end_of_time);
+  const auto used = number(entries_of(io::read_file(directory.used_prm()), directory.used_prm()), end_of_time);
   if (used && (*used < 0) != (scene.time.end < 0))
     throw UserError(
         fmt::format("Time/End = {} is on the other side of the start than the end of the run, {}; a "
@@ -98,6 +99,13 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   if (length < *end)
     throw UserError(fmt::format("Time/End = {} is before the end of the run, {}; a resumed run ends there or later",
                                 scene::print_number(scene.time.end), scene::print_number(*end)));
+  if (n_intervals > scene::largest_number_of_samples)
+    throw UserError(
+        fmt::format("Time/End = {} makes {:.17g} samples at the interval between them, {}, which a resumed run keeps; "
+                    "at most {} can be written, until {}",
+                    scene::print_number(scene.time.end), n_intervals, scene::print_number(interval),
+                    scene::largest_number_of_samples,
+                    scene::print_number(std::copysign(scene::largest_number_of_samples * interval, scene.time.end))));
   if (std::abs(length / interval - n_intervals) > 1e-9 * n_intervals)
     throw UserError(
         fmt::format("Time/End = {} is not a multiple of the interval between samples, {}, which a resumed run keeps; "
@@ -110,7 +118,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {
   for (const auto& path : checkpoints(directory, scene)) {
     const std::string apart =
-        changes_between(entries_of(run_identity(scene).frozen_scene), entries_of(path), !scene.sweep.empty());
+        changes_between(entries_of(run_identity(scene).frozen_scene, "scene"), entries_of(path), !scene.sweep.empty());
     if (!apart.empty())
       throw UserError(fmt::format(
           "the checkpoint in {} is of another scene: {}; only Time/Step, Time/Method, Time/Tolerance, Time/Constraint "

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <thread>
@@ -17,6 +19,8 @@
 #include "app/run/scene_to_model.h"
 #include "entries/entry_kinds.h"
 #include "io/signals.h"
+#include "scene/expressions.h"
+#include "scene/needs.h"
 #include "scene/scales.h"
 #include "scene/user_error.h"
 
@@ -50,6 +54,14 @@ std::set<int> corners(const scene::Sweep& sweep) {
   return runs;
 }
 
+/// Of the ball.
+std::set<std::string> names_conserved(bool is_free, bool incompressible) {
+  std::set<std::string> names{"energy"};  // what loads and dissipation give and take is a part of it
+  if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
+  if (incompressible) names.insert("volume_ratio");
+  return names;
+}
+
 /// Names of the ball's columns that no run of the sweep changes but by its error, judged by the ends of the parameters'
 /// ranges: a value and a drift say all of them.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
@@ -60,10 +72,59 @@ std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
     is_free = is_free && scene::is_free(scene);
     incompressible = incompressible && scene.body.incompressible;
   }
-  std::set<std::string> names{"energy"};  // what loads and dissipation give and take is a part of it
-  if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
-  if (incompressible) names.insert("volume_ratio");
+  return names_conserved(is_free, incompressible);
+}
+
+constexpr std::array<const char*, 5> columns_of_any{"finished", "time", "steps", "forces", "estimated_time_error"};
+constexpr std::array<const char*, 2> columns_of_frequencies{"frequency", "amplitude"};
+
+bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
+
+/// The columns of sweep.csv.
+std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
+                                          const std::set<std::string>& conserved) {
+  const std::vector<std::string> of_model = columns_of_run(scene, needs);
+  std::vector<std::string> names{"run"};
+  for (const auto& parameter : scene.sweep) names.push_back(parameter.name);
+  names.insert(names.end(), columns_of_any.begin(), columns_of_any.end());
+  if (has_frequencies(needs)) names.insert(names.end(), columns_of_frequencies.begin(), columns_of_frequencies.end());
+  for (std::size_t i = 1; i < of_model.size(); ++i)
+    if (conserved.contains(of_model[i]))
+      names.insert(names.end(), {of_model[i], of_model[i] + "_drift"});
+    else
+      for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
   return names;
+}
+
+[[noreturn]] void refuse_parameter(const scene::ReadScene& raw, const std::string& sentence) {
+  constexpr const char* entry = "Sweep/Parameters";
+  throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
+}
+
+/// A parameter is a column of sweep.csv, where no other may have its name.
+void require_own_names(const scene::ReadScene& raw) {
+  scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
+  const scene::Sweep parameters = std::exchange(scene.sweep, {});
+  const scene::Needs needs = scene::needs(scene);
+  std::vector<std::string> taken(columns_of_frequencies.begin(), columns_of_frequencies.end());
+  for (const auto& conserved :
+       {std::set<std::string>{}, needs.system ? std::set<std::string>{} : names_conserved(true, true)})
+    std::ranges::copy(columns_of_sweep(scene, needs, conserved), std::back_inserter(taken));
+  for (const auto& parameter : parameters)
+    if (std::ranges::find(taken, parameter.name) != taken.end())
+      refuse_parameter(
+          raw, fmt::format("expected other names than those of the columns of sweep.csv, got \"{}\"", parameter.name));
+}
+
+/// A parameter that is in no expression would give equal runs.
+void require_used(const scene::ReadScene& raw) {
+  std::set<std::string> used;
+  for (const auto& [path, text] : raw.scene.expressions) used.merge(scene::names_used(text, raw.scene.sweep));
+  for (const auto& parameter : raw.scene.sweep)
+    if (!used.contains(parameter.name))
+      refuse_parameter(raw, fmt::format("expected parameters that an entry uses, as in $({}), got \"{}\", which none "
+                                        "does",
+                                        parameter.name, parameter.name));
 }
 
 /// What one run has to say.
@@ -108,20 +169,7 @@ class SweepRun {
     return results;
   }
 
-  /// The columns of sweep.csv.
-  std::vector<std::string> columns() const {
-    const std::vector<std::string> of_model = columns_of_run(context_.scene, context_.needs);
-    std::vector<std::string> names{"run"};
-    for (const auto& parameter : raw_.scene.sweep) names.push_back(parameter.name);
-    names.insert(names.end(), {"finished", "time", "steps", "forces", "estimated_time_error"});
-    if (has_frequencies()) names.insert(names.end(), {"frequency", "amplitude"});
-    for (std::size_t i = 1; i < of_model.size(); ++i)
-      if (conserved_.contains(of_model[i]))
-        names.insert(names.end(), {of_model[i], of_model[i] + "_drift"});
-      else
-        for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
-    return names;
-  }
+  std::vector<std::string> columns() const { return columns_of_sweep(context_.scene, context_.needs, conserved_); }
 
   std::vector<double> row(int k, const RunResult& result) const {
     std::vector<double> row{k + 1.0};
@@ -136,7 +184,7 @@ class SweepRun {
       const auto found = counters.find(name);
       row.push_back(found != counters.end() ? found->second : 0);
     }
-    if (has_frequencies()) add_frequency(table, row);
+    if (has_frequencies(context_.needs)) add_frequency(table, row);
     for (std::size_t c = 1; c < table.columns.size(); ++c) {
       double least = n > 0 ? table.row(0)[c] : 0, most = least;
       for (std::size_t i = 1; i < n; ++i) {
@@ -161,8 +209,6 @@ class SweepRun {
         .log = silent_,
         .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
   }
-
-  bool has_frequencies() const { return !context_.needs.system && context_.needs.quantities.state; }
 
   void add_frequency(const io::Table& table, std::vector<double>& row) const {
     analysis::ModelSummary model;
@@ -277,6 +323,8 @@ void check_sweep(const scene::ReadScene& raw) {
     } catch (const UserError& error) {
       throw UserError(fmt::format("{} (in {})", error.what(), describe_run(raw.scene.sweep, k)));
     }
+  require_used(raw);
+  require_own_names(raw);
 }
 
 ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,

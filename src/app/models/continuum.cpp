@@ -57,7 +57,7 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1"};
   if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::none)
-    return Refusal{"Continuum/Symmetry", "a mesh from a file is the whole body; set Symmetry = auto"};
+    return Refusal{"Continuum/Symmetry", "a mesh from a file is the whole body", {{{"Continuum/Symmetry", "auto"}}}};
   return {};
 }
 
@@ -68,9 +68,10 @@ bool is_held_together(const Scene& scene) {
 
 /// What other models have and finite elements have not.
 std::optional<Refusal> refuses_body(const Scene& scene) {
-  const auto others = scene::joined(scene::names_where(scene, [](const auto& model) { return !model.discretized; }));
   const auto offered_for_others = [&](const char* path, const char* what) {
-    return Refusal{path, fmt::format("{} is offered for the {} model; set Models = {}", what, others, others)};
+    return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
+                     return !model.discretized;
+                   })};
   };
   if (scene::is_fluid(scene) && !scene.body.incompressible)
     return offered_for_others("Material/Law", "none, where nothing resists a change of volume,");
@@ -98,8 +99,9 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
     if (!broken) continue;
     return Refusal{"Continuum/Symmetry",
                    fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
-                               "not 0; set Symmetry = auto or leave that plane out",
-                               scene::axis_names[i], *broken)};
+                               "not 0",
+                               scene::axis_names[i], *broken),
+                   {{{"Continuum/Symmetry", "auto"}}}};
   }
   return {};
 }

@@ -61,19 +61,16 @@ std::vector<scene::ModelRun> runs(const Scene& scene) {
 
 /// What other models have and polynomial bodies have not.
 std::optional<Refusal> refuses_body(const Scene& scene) {
-  const auto& others =
-      scene::joined(scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; }));
+  const auto others = scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; });
   if (scene.body.inertia)
     return Refusal{"Body/Inertia",
-                   "a polynomial body is a ball or an ellipsoid with the inertia of its Semi-axes; set Inertia = auto"};
+                   "a polynomial body is a ball or an ellipsoid with the inertia of its Semi-axes",
+                   {{{"Body/Inertia", "auto"}}}};
   if (scene::has_mesh_file(scene))
-    return Refusal{
-        "Continuum/Mesh",
-        fmt::format("a polynomial body is a ball or an ellipsoid; leave polynomial out of Models = {}", others)};
+    return Refusal{"Continuum/Mesh", "a polynomial body is a ball or an ellipsoid; a mesh from a file is", {}, others};
   if (!scene.body.incompressible && loads::present(scene.loads.get<loads::SelfGravity>()))
-    return Refusal{"Gravity/Constant",
-                   "self-gravity of a compressible body, whose density is not uniform, is offered for the reduced "
-                   "model; set Models = reduced"};
+    return Refusal{
+        "Gravity/Constant", "self-gravity of a compressible body, whose density is not uniform, is", {}, others};
   return {};
 }
 

@@ -15,6 +15,7 @@
 #include "io/csv.h"
 #include "reduced/equilibrium_families.h"
 #include "scene/choices.h"
+#include "scene/models.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -167,10 +168,13 @@ class EquilibriaRun {
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene) {
   if (scene.analysis != scene::Analysis::equilibrium) return {};
   if (!is_offered(scene.equilibria.family))
-    return scene::Refusal{"Equilibrium/Family",
-                          fmt::format("the figures of {} have circulation within, which is offered for the reduced "
-                                      "model; polynomial bodies take maclaurin, spheroids, spinning and jacobi",
-                                      scene::family_kind.print(scene.equilibria.family))};
+    return scene::Refusal{
+        "Equilibrium/Family",
+        fmt::format("polynomial bodies take maclaurin, spheroids, spinning and jacobi; {}, whose figures have "
+                    "circulation within, is",
+                    scene::family_kind.print(scene.equilibria.family)),
+        {},
+        scene::names_where(scene, [](const auto& model) { return model.name != "polynomial"; })};
   if (scene.polynomial.degrees.empty())
     return scene::Refusal{"Polynomial/Degree",
                           "equilibria are those of named degrees: expected whole numbers from 1 to 13, as 1, 3, 5"};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "entries/entry_kinds.h"
 #include "io/checkpoint.h"
 #include "io/files.h"
 #include "io/gmsh.h"
@@ -25,9 +26,10 @@ CenteredMesh read_mesh_file(const scene::Scene& scene) {
   const io::MeshSize size = io::size_of(body.mesh);
   if (!(size.radius >= least_radius * unit && size.radius <= largest_radius * unit))
     throw UserError(
-        fmt::format("{}: its nodes reach {:.4g} from the centre of mass, expected {} to {} of Body/Radius = {:.6g}; "
+        fmt::format("{}: its nodes reach {} from the centre of mass, expected {} to {} of Body/Radius = {}; "
                     "coordinates are in the same unit of length",
-                    scene.continuum.mesh, size.radius, least_radius, largest_radius, unit));
+                    scene.continuum.mesh, scene::print_number(size.radius), least_radius, largest_radius,
+                    scene::print_number(unit)));
   body.center = size.center;
   body.is_moved = std::hypot(size.center[0], size.center[1], size.center[2]) > 1e-12 * size.radius;
   for (auto& X : body.mesh.vertices)

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
@@ -11,6 +13,13 @@
 #include "scene/scene.h"
 
 namespace pseudorigid::app {
+
+/// The entry, and every method as a remedy.
+inline scene::Refusal refusal_of_method(std::string sentence) {
+  scene::Refusal refusal{"Time/Method", std::move(sentence)};
+  mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
+  return refusal;
+}
 
 /// If not, why.
 template <class System>
@@ -20,12 +29,14 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
   return mechanics::with_method(*id, [&]<class Method>(Method) -> std::optional<scene::Refusal> {
     if (mechanics::fits<Method>(system)) {
       if constexpr (mechanics::method_fits<Method, System>())
-        if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status)
-          return scene::Refusal{"Time/Method", status.reason()};
+        if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status) {
+          // The method does not know which of the methods that it recommends the models of the scene take.
+          const std::string& reason = status.reason();
+          return refusal_of_method(reason.substr(0, reason.find("; use ")));
+        }
       return {};
     }
-    return scene::Refusal{"Time/Method",
-                          fmt::format("{} cannot integrate this form of the system; explicit-8 can", Method::name)};
+    return refusal_of_method(fmt::format("{} cannot integrate this form of the system", Method::name));
   });
 }
 
