@@ -10,11 +10,12 @@
 #include <filesystem>
 
 #include "app/commands/command_line.h"
-#include "app/commands/kept_trajectories.h"
+#include "app/commands/disk_use.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
 #include "app/commands/run_command.h"
 #include "app/commands/scene_to_run.h"
+#include "app/commands/stack_limit.h"
 #include "app/commands/sweep.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/launch.h"
@@ -116,6 +117,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     case Command::check: {
       const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
       scene::Needs needs = needs_with_effort(read.scene);
+      describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
       io::print(scene::describe(read.scene, needs));
       return exit_done;
@@ -143,6 +145,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
 int run_program(int argc, char** argv, const Executable& executable) {
   const Launch launch;
   try {
+    require_stack();
     return dispatch(parse_command_line(argc, argv), argc, argv, executable, launch);
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
