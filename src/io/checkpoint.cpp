@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <fstream>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 #include "io/files.h"
 #include "scene/user_error.h"
@@ -27,9 +30,16 @@ static_assert(sizeof(Header) == 32);
 enum class SectionType : std::uint8_t { doubles, integer, text };  // in the order of the variant's alternatives
 
 template <class T>
-void append_bytes(std::string& out, const T* values, std::size_t n) {
-  out.append(reinterpret_cast<const char*>(values), n * sizeof(T));
+std::string_view bytes_of(const T* values, std::size_t n = 1) {
+  return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
+
+/// FNV-1a, continued from the hash of what comes before.
+std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
+  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+  return hash;
+}
+constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325u;
 
 /// Takes values from the front of a payload; asks for the size before it believes a count.
 class Cursor {
@@ -97,15 +107,12 @@ std::string read_payload(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
-  return hash;
-}
+std::uint64_t checksum(std::string_view bytes) { return hash_on(hash_of_nothing, bytes); }
 
 void Checkpoint::set(const std::string& name, std::span<const double> values) {
-  values_[name] = std::vector<double>(values.begin(), values.end());
+  set(name, std::vector<double>(values.begin(), values.end()));
 }
+void Checkpoint::set(const std::string& name, std::vector<double> values) { values_[name] = std::move(values); }
 void Checkpoint::set(const std::string& name, std::string text) { values_[name] = std::move(text); }
 
 template <class T>
@@ -132,30 +139,32 @@ const std::vector<double>& Checkpoint::get_doubles(const std::string& name, std:
 std::int64_t Checkpoint::get_integer(const std::string& name) const { return get<std::int64_t>(name, "an integer"); }
 const std::string& Checkpoint::get_string(const std::string& name) const { return get<std::string>(name, "a text"); }
 
+/// The values are written from where they are: a copy of a large state could be too much for the memory.
 void Checkpoint::save(const std::filesystem::path& path) const {
-  std::string payload;
-  const auto count = [&](std::uint64_t n) { append_bytes(payload, &n, 1); };
+  std::deque<std::string> heads;  // which stay where they are
+  std::vector<std::string_view> parts(1);
   for (const auto& [name, value] : values_) {
-    payload += static_cast<char>(value.index());
+    const auto [n, bytes] = std::visit(
+        []<class V>(const V& v) -> std::pair<std::uint64_t, std::string_view> {
+          if constexpr (std::is_same_v<V, std::int64_t>)
+            return {1, bytes_of(&v)};
+          else
+            return {v.size(), bytes_of(v.data(), v.size())};
+        },
+        value);
+    const auto type = static_cast<char>(value.index());
     const auto name_length = static_cast<std::uint32_t>(name.size());
-    append_bytes(payload, &name_length, 1);
-    payload += name;
-    if (const auto* doubles = std::get_if<std::vector<double>>(&value)) {
-      count(doubles->size());
-      append_bytes(payload, doubles->data(), doubles->size());
-    } else if (const auto* integer = std::get_if<std::int64_t>(&value)) {
-      count(1);
-      append_bytes(payload, integer, 1);
-    } else {
-      const auto& text = std::get<std::string>(value);
-      count(text.size());
-      payload += text;
-    }
+    heads.push_back(fmt::format("{}{}{}{}", type, bytes_of(&name_length), name, bytes_of(&n)));
+    parts.insert(parts.end(), {heads.back(), bytes});
   }
   Header header;
-  header.payload_size = payload.size();
-  header.payload_checksum = checksum(payload);
-  write_file_atomically(path, {{reinterpret_cast<const char*>(&header), sizeof header}, payload});
+  header.payload_checksum = hash_of_nothing;
+  for (const std::string_view part : parts) {
+    header.payload_size += part.size();
+    header.payload_checksum = hash_on(header.payload_checksum, part);
+  }
+  parts.front() = bytes_of(&header);
+  write_file_atomically(path, parts);
 }
 
 Checkpoint Checkpoint::load(const std::filesystem::path& path) {

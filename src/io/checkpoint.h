@@ -24,6 +24,7 @@ std::uint64_t checksum(std::string_view bytes);
 class Checkpoint {
  public:
   void set(const std::string& name, std::span<const double> values);
+  void set(const std::string& name, std::vector<double> values);
   void set(const std::string& name, std::string text);
   void set(const std::string& name, double value) { set(name, std::span<const double>(&value, 1)); }
   template <std::integral Integer>

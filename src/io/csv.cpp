@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <utility>
 
@@ -109,17 +110,48 @@ std::int64_t n_rows_before(const std::filesystem::path& path, double value) {
   return n;
 }
 
-void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows) {
-  const std::string content = read_file(path);
+namespace {
+
+/// The first rows of a table without its header, in lines.
+std::string_view first_rows(const std::filesystem::path& path, std::string_view content,
+                            std::span<const std::string> columns, std::int64_t n_rows) {
   const std::string header = header_line(columns);
   if (!content.starts_with(header)) throw bad_line(path, 1, "the columns are not those of the run to resume");
-  std::size_t end = header.size();
+  content.remove_prefix(header.size());
+  std::size_t size = 0;
   for (std::int64_t i = 0; i < n_rows; ++i) {
-    const std::size_t newline = content.find('\n', end);
+    const std::size_t newline = content.find('\n', size);
     if (newline == content.npos)
       throw UserError(fmt::format("'{}' has {} rows, the checkpoint needs {}", path.native(), i, n_rows));
-    end = newline + 1;
+    size = newline + 1;
   }
+  return content.substr(0, size);
+}
+
+}  // namespace
+
+void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows) {
+  const std::string content = read_file(path);
+  std::string_view rows = first_rows(path, content, columns, n_rows), line;
+  std::vector<double> values;
+  for (std::size_t number = 2; next_line(rows, line); ++number) {
+    values.clear();
+    if (const std::string complaint = parse_row(line, columns.size(), values); !complaint.empty())
+      throw bad_line(path, number, complaint);
+  }
+}
+
+std::vector<std::string> columns_in(const std::filesystem::path& path) {
+  const std::string content = read_file(path);
+  std::string_view text = content, line;
+  if (!next_line(text, line) || line.empty()) throw bad_line(path, 1, "expected a line of column names");
+  return split_header(line);
+}
+
+void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows) {
+  const std::string content = read_file(path);
+  const std::string_view rows = first_rows(path, content, columns, n_rows);
+  const std::ptrdiff_t end = rows.data() + rows.size() - content.data();
   if (::truncate(path.c_str(), static_cast<off_t>(end)) != 0) throw WriteError(path, errno);
 }
 

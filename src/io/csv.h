@@ -29,6 +29,12 @@ Table read_csv(const std::filesystem::path& path);
 /// How many rows a table begins with whose first value is less than this. A row torn by a kill does not count.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
+/// UserError "path:line: …" unless the file begins with this header and so many sound rows, whatever follows them.
+void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
+
+/// Names of the columns; UserError likewise.
+std::vector<std::string> columns_in(const std::filesystem::path& path);
+
 /// Keeps the header and the first n_rows rows, for a resumed run (a row torn by a kill may follow them).
 /// UserError if the file has fewer rows or other columns.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);

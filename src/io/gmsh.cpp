@@ -55,9 +55,10 @@ std::string other_element(int type) {
 
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file, ignored))
-    throw UserError(fmt::format("cannot open the mesh {}", file.string()));
+  std::ifstream stream;
+  // A pipe would be waited for, and could be read once alone.
+  if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
+  if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;
   while (stream && text.size() <= largest_file) {
     const std::size_t n_before = text.size();

@@ -2,21 +2,64 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <regex>
+#include <sstream>
+#include <string>
+#include <string_view>
 
 #include "io/files.h"
+#include "scene/user_error.h"
 
 namespace pseudorigid::io {
 
+namespace {
+
+/// All of the text is the number.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number value;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<long> number_of(const std::filesystem::path& file) {
+  const std::string name = file.stem().string();
+  return number_in<long>(std::string_view(name).substr(name.rfind('-') + 1));
+}
+
+/// The frame of a line as `add` writes it.
+std::optional<PvdCollection::Frame> frame_of(const std::string& line, const std::filesystem::path& folder) {
+  static const std::regex frame(R"re(\s*<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>\s*)re");
+  std::smatch match;
+  if (!std::regex_match(line, match, frame)) return {};
+  const auto time = number_in<double>(match[1].str());
+  const std::filesystem::path file = folder / match[2].str();
+  if (!time || !std::isfinite(*time) || !number_of(file)) return {};
+  return PvdCollection::Frame{*time, file};
+}
+
+}  // namespace
+
+long PvdCollection::Frame::number() const { return number_of(file).value_or(-1); }
+
 PvdCollection PvdCollection::resume(std::filesystem::path path, double until) {
   PvdCollection collection(std::move(path));
-  if (!std::filesystem::exists(collection.path_)) return collection;
-  // Of its own files alone: one frame a line, as `add` writes them.
-  const std::string text = read_file(collection.path_);
-  static const std::regex frame(R"re(<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>)re");
-  for (std::sregex_iterator match(text.begin(), text.end(), frame), end; match != end; ++match)
-    if (const double time = std::stod((*match)[1]); time < until)
-      collection.frames_.push_back({time, collection.path_.parent_path() / (*match)[2].str()});
+  if (!is_there(collection.path_)) return collection;
+  std::istringstream text(read_file(collection.path_));
+  int number = 1;
+  for (std::string line; std::getline(text, line); ++number) {
+    if (line.find("<DataSet") == line.npos) continue;
+    const auto frame = frame_of(line, collection.path_.parent_path());
+    if (!frame)
+      throw UserError(
+          fmt::format("{}:{}: expected <DataSet timestep=\"TIME\" part=\"0\" file=\"NAME-NUMBER.vtu\"/>, as the run "
+                      "has written it; without this line the picture is left out of the list",
+                      collection.path_.native(), number));
+    if (frame->time < until) collection.frames_.push_back(*frame);
+  }
   return collection;
 }
 

@@ -13,9 +13,11 @@ class PvdCollection {
   struct Frame {
     double time;
     std::filesystem::path file;
+    long number() const;  ///< at the end of the file's name: 12 of "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// The list that an earlier run has left there, if it has, without its frames from that time on.
+  /// The list that an earlier run has left there, if it has, without its frames from that time on. UserError
+  /// "path:line: …" for a line that `add` does not write.
   static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Files are listed relative to the collection, so that a run directory can be moved.

@@ -1,5 +1,7 @@
 #include "io/report.h"
 
+#include <algorithm>
+
 #include "io/files.h"
 
 namespace pseudorigid::io {
@@ -25,12 +27,13 @@ std::string escaped(const std::string& text) {
 }
 
 /// The page with the elements for the files of each that moves, in place of those that stand for all.
-std::string page_of(std::span<const std::string> movers) {
+std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;
-  std::string_view rest = report_page();
+  std::string_view rest = page;
   while (!rest.empty()) {
-    const std::string_view line = rest.substr(0, rest.find('\n') + 1);
+    const std::size_t newline = std::min(rest.find('\n'), rest.size() - 1);
+    const std::string_view line = rest.substr(0, newline + 1);
     rest.remove_prefix(line.size());
     const std::size_t at = line.find(of_mover);
     if (at == line.npos || line.find(name) == line.npos) {
@@ -48,8 +51,8 @@ std::string page_of(std::span<const std::string> movers) {
 
 }  // namespace
 
-std::string report_of(const RunDirectory& directory, std::span<const std::string> movers) {
-  const std::string page = page_of(movers);
+std::string report_of(const RunDirectory& directory, std::span<const std::string> movers, std::string_view empty) {
+  const std::string page = page_of(empty, movers);
   std::string report;
   std::string_view rest = page;
   for (std::size_t at = rest.find(before_name); at != rest.npos; at = rest.find(before_name)) {
@@ -57,9 +60,7 @@ std::string report_of(const RunDirectory& directory, std::span<const std::string
     const std::size_t end = rest.find(after_name, at);
     const std::string_view name = rest.substr(at, end - at);
     report.append(rest.substr(0, end + after_name.size()));
-    std::error_code none;  // of a loop of links, or of a place where nobody may look
-    if (const fs::path path = directory.path() / name; fs::is_regular_file(path, none))
-      report += escaped(read_file(path));
+    if (const fs::path path = directory.path() / name; is_there(path)) report += escaped(read_file(path));
     rest.remove_prefix(end + after_name.size());
   }
   return report.append(rest);

@@ -17,8 +17,9 @@ namespace pseudorigid::io {
 std::string_view report_page();
 
 /// The page filled with what the directory holds. `movers`: the names of the CSV files of what moves, a system or
-/// models.
-std::string report_of(const RunDirectory& directory, std::span<const std::string> movers);
+/// models. UserError for what bears the name of a result and cannot be read.
+std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
+                      std::string_view empty = report_page());
 
 /// Writes it as the directory's report.html.
 void write_report(const RunDirectory& directory, std::span<const std::string> movers);

@@ -40,9 +40,18 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
   return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
 }
 
-/// Unlinks the files (never folders) of `directory` whose names satisfy `owned`.
-template <class Owned>
-void remove_files(const fs::path& directory, const Owned& owned) {
+/// A run would wait for the other end of a pipe, and must not take a device away.
+void require_no_pipes(const fs::path& directory, const auto& owned) {
+  for (const auto& entry : fs::directory_iterator(directory)) {
+    const std::string kind = kind_unless_file(entry.path());
+    if (!kind.empty() && !entry.is_directory() && owned(entry.path().filename().native()))
+      throw UserError(fmt::format("'{}' has the name of a result and is {}; remove it, or choose another directory",
+                                  entry.path().native(), kind));
+  }
+}
+
+/// Unlinks the files and links (never folders) of `directory` whose names satisfy `owned`.
+void remove_files(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
 }
@@ -69,7 +78,14 @@ bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
 }
 
 fs::path locate(const fs::path& output_directory, const fs::path& scene_file, const std::optional<fs::path>& option) {
-  return option ? *option : output_directory / scene_name(scene_file);
+  if (option) return *option;
+  const std::string name = scene_name(scene_file);
+  if (name == "." || name == "..")
+    throw UserError(
+        fmt::format("{}: the name of this file without .prm, \"{}\", names no directory for the results below {}; "
+                    "rename the file, or give --output",
+                    scene_file.native(), name, output_directory.native()));
+  return output_directory / name;
 }
 
 }  // namespace
@@ -94,10 +110,15 @@ RunLock RunDirectory::prepare_fresh(std::span<const std::string> movers) const {
   require_writable();
   RunLock lock(path_);
   try {
-    remove_files(path_, [&](std::string_view name) { return owns(name, movers); });
+    const auto is_ours = [&](std::string_view name) { return owns(name, movers); };
+    const auto is_our_picture = [&](std::string_view name) { return owns_graphics(name, movers); };
     const fs::path graphics = path_ / "graphics";
-    if (fs::is_directory(graphics)) {
-      remove_files(graphics, [&](std::string_view name) { return owns_graphics(name, movers); });
+    const bool has_graphics = fs::is_directory(graphics);
+    require_no_pipes(path_, is_ours);
+    if (has_graphics) require_no_pipes(graphics, is_our_picture);
+    remove_files(path_, is_ours);
+    if (has_graphics) {
+      remove_files(graphics, is_our_picture);
       if (!fs::is_symlink(graphics) && fs::is_empty(graphics)) fs::remove(graphics);
     }
   } catch (const fs::filesystem_error& failure) {
@@ -106,7 +127,7 @@ RunLock RunDirectory::prepare_fresh(std::span<const std::string> movers) const {
   return lock;
 }
 
-RunLock RunDirectory::prepare_resume() const {
+RunLock RunDirectory::prepare_resume(std::span<const std::string> movers) const {
   std::error_code error;
   const auto is_checkpoint = [](const fs::directory_entry& entry) {
     return matches(entry.path().filename().native(), "checkpoint-", ".bin");
@@ -116,6 +137,7 @@ RunLock RunDirectory::prepare_resume() const {
   require_writable();
   RunLock lock(path_);
   try {
+    require_no_pipes(path_, [&](std::string_view name) { return owns(name, movers); });
     remove_files(path_, [](std::string_view name) { return matches(name, abandoned_lock, partial_suffix); });
   } catch (const fs::filesystem_error& failure) {
     throw cannot("clear abandoned locks from", path_, failure.code().message());

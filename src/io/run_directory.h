@@ -25,11 +25,12 @@ class RunDirectory {
 
   /// Creates the folder and removes the results of an earlier run: files that bear one of our names, those of the
   /// `movers` included (names of models and systems: `<name>.csv`, pictures, `comparison-<name>.csv`,
-  /// `modes-<name>.csv` …), nothing else. UserError with path and reason if the folder cannot be created or written, or
-  /// if another run is at work in it. It is the caller's as long as he keeps the lock.
+  /// `modes-<name>.csv` …), nothing else. UserError with path and reason if the folder cannot be created or written, if
+  /// a pipe or a device has such a name, or if another run is at work in it. It is the caller's as long as he keeps the
+  /// lock.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Likewise; UserError also if the folder holds no checkpoint.
-  RunLock prepare_resume() const;
+  RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path used_prm() const { return path_ / "used.prm"; }

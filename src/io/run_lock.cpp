@@ -28,8 +28,8 @@ using Identity = std::map<std::string, std::string>;
 
 /// A process by all that tells it from others: a number is given to processes one after the other, in every container
 /// anew, and begins again with every start of the machine.
-constexpr const char *host = "host", *boot = "boot", *numbering = "numbering", *process = "process",
-                     *process_start = "process start", *since = "since";
+constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
+                     *process = "process", *process_start = "process start", *since = "since";
 
 std::string host_name() {
   char name[256] = {};
@@ -65,6 +65,7 @@ Identity own_identity() {
   const std::string number = std::to_string(::getpid());
   std::error_code ignored;
   return {{host, host_name()},
+          {machine, first_line("/etc/machine-id")},
           {boot, first_line("/proc/sys/kernel/random/boot_id")},
           {numbering, fs::read_symlink("/proc/self/ns/pid", ignored).native()},
           {process, number},
@@ -92,8 +93,13 @@ enum class Judgement { at_work, ended, unknown };
 Judgement judge(Identity holder) {
   Identity own = own_identity();
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
-  if (holder[boot] != own[boot]) return Judgement::ended;  // this host has been started anew
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
+  if (holder[boot] != own[boot]) {
+    // This machine has been started anew, or it is another one of the same name, as containers and copies of a virtual
+    // machine often are.
+    const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
+    return is_this_machine ? Judgement::ended : Judgement::unknown;
+  }
   const long number = std::strtol(holder[process].c_str(), nullptr, 10);
   if (number <= 0) return Judgement::unknown;
   if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
@@ -117,22 +123,6 @@ UserError in_use(const fs::path& lock, Identity holder, Judgement judgement) {
       fmt::format("the output directory '{}' is locked by another run ({}); if that run has ended, remove '{}'",
                   directory, who, lock.native()));
 }
-
-/// A file that is closed at the end of its scope.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags) : value_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (value_ >= 0) ::close(value_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int value() const { return value_; }
-  explicit operator bool() const { return value_ >= 0; }
-
- private:
-  int value_;
-};
 
 bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == b.st_dev && a.st_ino == b.st_ino; }
 
@@ -197,6 +187,7 @@ bool RunLock::create() const {
 /// UserError if it is not. Of several processes that find the same stale lock one removes it: they take turns, and each
 /// looks first whether the file that it has opened still bears the name.
 void RunLock::remove_if_stale() const {
+  if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
   const Descriptor file(path_, O_RDWR);  // network disks want a file that is open for writing to take turns
   if (!file && errno == ENOENT) return;
   if (!file || ::flock(file.value(), LOCK_EX) != 0) throw in_use(path_, {}, Judgement::unknown);

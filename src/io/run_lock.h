@@ -2,7 +2,8 @@
 /// A results directory belongs to one run at a time. The file `run.lock` in it names the owner: host, process and the
 /// start of the process. It exists while the run is at work and is removed at its end, however it ends. A killed run
 /// leaves it behind; the next run on that host sees that the process is gone, or that its number belongs to another
-/// process, and takes over the lock. Processes on another host cannot be seen: the refusal names the file, and the user
+/// process, and takes over the lock. So it does after a new start of the machine, which /etc/machine-id tells from
+/// another one of the same name. Processes on another host cannot be seen: the refusal names the file, and the user
 /// decides.
 
 #include <filesystem>

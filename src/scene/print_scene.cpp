@@ -68,7 +68,9 @@ class PrmWriter {
 std::vector<std::string> wrapped(std::string_view text) {
   std::vector<std::string> lines;
   while (text.size() > comment_width) {
-    const auto blank = text.rfind(' ', comment_width);
+    auto blank = text.rfind(' ', comment_width);
+    if (blank == text.npos) blank = text.find(' ');  // after a word that no line holds
+    if (blank == text.npos) break;
     lines.emplace_back(text.substr(0, blank));
     text.remove_prefix(blank + 1);
   }

@@ -73,9 +73,11 @@ class Environment(StoppedRunTest):
         self.scene(SHORT, "other.prm")
         self.run_done("run", "other.prm", "--output", "out")
         self.assertFalse(self.lock().exists())
-        # The number has passed to another process; the machine has been started anew.
-        for found, instead in ((f"process: {process.pid}", f"process: {os.getpid()}"),
-                               (r"boot: \S+", "boot: 00000000-0000-0000-0000-000000000000")):
+        # The number has passed to another process; the machine, if it has an identity, has been started anew.
+        edits = [(f"process: {process.pid}", f"process: {os.getpid()}")]
+        if re.search(r"machine: \S", left):
+            edits.append((r"boot: \S+", "boot: 00000000-0000-0000-0000-000000000000"))
+        for found, instead in edits:
             other = re.sub(found, instead, left)
             self.assertNotEqual(other, left)
             self.lock().write_text(other)
@@ -92,6 +94,8 @@ class Environment(StoppedRunTest):
         for text, who in ((left.replace(f"host: {socket.gethostname()}\n", "host: elsewhere\n"),
                            f"process {process.pid} on host elsewhere, since "),
                           (re.sub(r"numbering: \S+", "numbering: pid:[1]", left), f"process {process.pid} on host "),
+                          # Another machine of the same name.
+                          (re.sub(r"machine: .*", "machine: other", re.sub(r"boot: \S+", "boot: 1", left)), f"process {process.pid} on host "),
                           ("", "by whom cannot be read")):
             self.assertNotEqual(text, left)
             self.lock().write_text(text)

@@ -61,6 +61,11 @@ def overrides(entries):
     return [word for path, value in entries.items() for word in ("--set", f"{path}={value}")]
 
 
+def without_free_space(text):
+    """Lines of `check` and of the log, without the room on the disk, which changes."""
+    return re.sub(r"; [\d.]+ [kMG]B are free for .*", "", text)
+
+
 class Table:
     """A CSV file of the program."""
 

@@ -89,7 +89,7 @@ std::string summarize_run(const RunContext& context, const io::Manifest& manifes
   if (!is_system && context.needs.models.size() != 1) return {};
   const std::string name(is_system ? context.needs.system->file : context.needs.models.front()->name);
   const auto path = context.directory.csv(name);
-  if (!std::filesystem::exists(path)) return {};
+  if (!io::is_there(path)) return {};
   const io::Table table = io::read_csv(path);
   if (table.n_rows() < 2) return {};
   analysis::ModelRunTable run{name, name, table};

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/run_directory.h"
 #include "scene/needs.h"
-#include "scene/read_scene.h"
+#include "scene/scene.h"
 
 namespace pseudorigid::app {
 
@@ -15,9 +14,5 @@ inline constexpr const char* trajectories_name = "trajectories";
 
 /// The columns of the file that one run of a sweep would write.
 std::vector<std::string> columns_of_run(const scene::Scene& scene, const scene::Needs& needs);
-
-/// UserError where the table would not find room on the disk of the directory, which need not exist yet.
-void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
-                                   const io::RunDirectory& directory);
 
 }  // namespace pseudorigid::app

@@ -10,11 +10,13 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/continuum_executable.h"
+#include "app/commands/disk_use.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
 #include "app/commands/run_command.h"
 #include "app/commands/scene_to_run.h"
+#include "app/commands/stack_limit.h"
 #include "app/commands/sweep.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/launch.h"
@@ -128,6 +130,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
     case Command::check: {
       const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
       scene::Needs needs = needs_with_effort(read.scene);
+      describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
       io::print(scene::describe(read.scene, needs));
       return exit_done;
@@ -158,6 +161,7 @@ int run_program(int argc, char** argv, const Executable& executable) {
   // Whether all were given the same scene is seen with MPI alone.
   if (is_run && launch.n_ranks != 1 && !executable.runs_discretized) try_to_become_continuum_executable(argv);
   try {
+    require_stack();
     if (is_run && executable.runs_discretized) require_mpi_of(launch, *executable.ranks);
     Options options;
     on_all_ranks(*executable.ranks, [&] { options = parse_command_line(argc, argv); });

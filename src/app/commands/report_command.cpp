@@ -1,5 +1,7 @@
 #include "app/commands/report_command.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -24,8 +26,12 @@ std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
 
 /// The place that was named is at fault, and not the machine.
 bool is_of_the_place(const io::WriteError& error) {
-  constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP};
+  constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP, EEXIST, ENXIO};
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);
+}
+
+std::string in_words(const io::WriteError& error) {
+  return error.error_number == ENXIO ? fmt::format("nobody reads from '{}'", error.path.native()) : error.what();
 }
 
 }  // namespace
@@ -38,9 +44,10 @@ void report_run(const Options& options) {
     io::write_file_atomically(path, {page});
   } catch (const io::WriteError& error) {
     if (!is_of_the_place(error)) throw;
-    throw UserError(std::string(options.output ? "--output: " : "DIR: ") + error.what());
+    throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  io::print(path.native() + "\n");
+  // Into a pipe goes the page alone.
+  if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 
 }  // namespace pseudorigid::app

@@ -10,11 +10,14 @@
 #include <string>
 
 #include "app/commands/files_of_run.h"
+#include "app/commands/kept_trajectories.h"
 #include "app/run/model_checkpoint.h"
 #include "entries/entry_kinds.h"
 #include "entries/wording.h"
 #include "io/checkpoint.h"
+#include "io/csv.h"
 #include "io/files.h"
+#include "io/pvd.h"
 #include "scene/prm_reader.h"
 #include "scene/user_error.h"
 
@@ -73,12 +76,36 @@ std::string changes_between(const Entries& now, const Entries& before, bool is_s
   return n > most ? fmt::format("{}; and {} more", text, n - most) : text;
 }
 
+/// The columns of each CSV file of samples, by its name.
+std::map<std::string, std::vector<std::string>> headers(const scene::Scene& scene, const scene::Needs& needs) {
+  if (needs.system) return {{std::string(needs.system->file), columns_of_run(scene, needs)}};
+  std::map<std::string, std::vector<std::string>> headers;
+  for (const scene::ModelDescription* model : needs.models)
+    for (const scene::ModelRun& run : scene::runs_of(*model, scene))
+      headers[run.name] = model->header(needs.quantities);
+  return headers;
+}
+
+/// Rows up to any time, of a table that may have been torn by a kill.
+void require_shapes(const std::filesystem::path& path) {
+  if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
+}
+
+/// What a run of a model has left, if it has.
+void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
+                          const std::vector<std::string>& columns) {
+  if (!io::is_there(directory.checkpoint(name))) return;
+  io::require_rows(directory.csv(name), columns, n_samples_taken(io::Checkpoint::load(directory.checkpoint(name))));
+  io::PvdCollection::resume(directory.pvd(name), HUGE_VAL);
+  for (const std::string& shapes : {std::string("shapes"), "shapes-" + name}) require_shapes(directory.csv(shapes));
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& name : writers_of_checkpoints(*scene.catalogue)) paths.push_back(directory.checkpoint(name));
-  std::erase_if(paths, [](const auto& path) { return !std::filesystem::exists(path); });
+  std::erase_if(paths, [](const auto& path) { return !io::is_there(path); });
   return paths;
 }
 
@@ -113,6 +140,11 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
                     scene::print_number(scene.time.end), scene::print_number(interval),
                     scene::print_number(std::copysign(std::ceil(length / interval) * interval, scene.time.end))));
   scene.output.samples = static_cast<int>(n_intervals);
+}
+
+void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs) {
+  if (!scene.sweep.empty() || scene.analysis != scene::Analysis::motion) return;
+  for (const auto& [name, columns] : headers(scene, needs)) require_files_of_run(directory, name, columns);
 }
 
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands/compare_models.h"
+#include "app/commands/disk_use.h"
 #include "app/commands/files_of_run.h"
 #include "app/commands/resume.h"
 #include "app/commands/sweep.h"
@@ -184,12 +185,16 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
 }
 
 /// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
-io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const Options& options) {
+io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
+                    const Options& options) {
   constexpr const char* entry = "Output/Directory";
   try {
-    io::RunLock lock =
-        options.resume ? directory.prepare_resume() : directory.prepare_fresh(movers(*read.scene.catalogue));
-    if (options.resume) require_same_scene(directory, read.scene);
+    const std::vector<std::string> names = movers(*read.scene.catalogue);
+    io::RunLock lock = options.resume ? directory.prepare_resume(names) : directory.prepare_fresh(names);
+    if (options.resume) {
+      require_same_scene(directory, read.scene);
+      require_sound_files(directory, read.scene, needs);
+    }
     if (read.scene.output.graphics != scene::Graphics::none) directory.prepare_graphics();
     return lock;
   } catch (const UserError& error) {
@@ -205,11 +210,12 @@ io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& r
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable) {
   const scene::Scene& scene = read.scene;
-  scene::Needs needs = needs_with_effort(scene);
-  needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
   const io::RunDirectory directory(scene.output.directory, options.scene, options.output);
+  scene::Needs needs = needs_with_effort(scene);
+  describe_disk_use(scene, directory, needs);
+  needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
   io::install_signal_handlers();
-  const io::RunLock lock = prepare(directory, read, options);
+  const io::RunLock lock = prepare(directory, read, needs, options);
   const bool quiet = options.verbosity == io::Verbosity::quiet;
   const auto log = io::make_logger(options.verbosity, directory.log(), options.resume);
   const bool shows_progress = !quiet && io::Progress::stderr_is_terminal();

@@ -67,7 +67,8 @@ std::set<std::string> names_conserved(bool is_free, bool incompressible) {
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {
-    const scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, k));
+    // Not checked again: check_sweep has done it.
+    const scene::Scene scene = scene::with_parameters(raw.scene, scene::values_of_run(raw.scene.sweep, k), raw.origins);
     if (scene.system != scene::ball) return {};
     is_free = is_free && scene::is_free(scene);
     incompressible = incompressible && scene.body.incompressible;
@@ -238,13 +239,18 @@ class Workers {
         first_(rows.n_written()),
         next_(first_ / group * group) {}
 
-  void work(int n_threads) {
-    {
-      std::vector<std::jthread> threads;
-      for (int i = 1; i < n_threads; ++i) threads.emplace_back([this] { work_alone(); });
-      work_alone();
+  /// Returns the number of threads that the system has given.
+  int work(int n_threads) {
+    std::vector<std::jthread> threads;
+    try {
+      while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { work_alone(); });
+    } catch (const std::exception& refusal) {  // of a system call or for want of memory
+      context_.log->warn("sweep: {} threads in place of {}: {}", threads.size() + 1, n_threads, refusal.what());
     }
+    work_alone();
+    for (std::jthread& thread : threads) thread.join();
     if (error_) std::rethrow_exception(error_);
+    return static_cast<int>(threads.size()) + 1;
   }
 
   int n_failed() const { return n_failed_; }
@@ -330,11 +336,11 @@ void check_sweep(const scene::ReadScene& raw) {
 ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
                        bool shows_progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int n = scene::n_runs(raw.scene.sweep), n_threads = std::min(n, n_threads_of(raw.scene));
+  const int n = scene::n_runs(raw.scene.sweep);
   const SweepRun sweep(raw, run, together, context);
   SweepRows rows(context, sweep.columns(), n, shows_progress);
   Workers workers(sweep, raw.scene.sweep, context, rows);
-  workers.work(n_threads);
+  const int n_threads = workers.work(std::min(n, n_threads_of(raw.scene)));
   rows.finish();
 
   ModelOutcome outcome;

@@ -41,6 +41,7 @@ class SweepRows {
       n_written_ = static_cast<int>(checkpoint.get_integer("rows"));
       if (context.scene.sweep_trajectories) n_samples = checkpoint.get_integer("samples");
     }
+    if (context.resumes) require_sound_tables(context, columns, n_samples);
     csv_.emplace(context.resumes ? io::CsvWriter::resume(path, columns, n_written_)
                                  : io::CsvWriter::create(path, columns));
     if (context.scene.sweep_trajectories) open_samples(context, n_samples);
@@ -72,9 +73,22 @@ class SweepRows {
 
   static double run_number(int run) { return run + 1.0; }
 
-  void open_samples(const RunContext& context, std::int64_t n_rows) {
+  static std::vector<std::string> columns_of_samples(const RunContext& context) {
     std::vector<std::string> names{"run"};
     for (std::string& name : columns_of_run(context.scene, context.needs)) names.push_back(std::move(name));
+    return names;
+  }
+
+  /// Both are looked at before either is cut.
+  void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
+                            std::int64_t n_samples) const {
+    io::require_rows(context.directory.csv(name), columns, n_written_);
+    if (context.scene.sweep_trajectories)
+      io::require_rows(context.directory.csv(trajectories_name), columns_of_samples(context), n_samples);
+  }
+
+  void open_samples(const RunContext& context, std::int64_t n_rows) {
+    const std::vector<std::string> names = columns_of_samples(context);
     const auto path = context.directory.csv(trajectories_name);
     samples_.emplace(context.resumes ? io::CsvWriter::resume(path, names, n_rows) : io::CsvWriter::create(path, names));
   }

@@ -14,6 +14,7 @@
 #include "app/search/error_estimate.h"
 #include "app/search/silent_run.h"
 #include "io/checkpoint.h"
+#include "io/files.h"
 #include "scene/discretization.h"
 
 namespace pseudorigid::app {
@@ -101,7 +102,7 @@ class DegreeSearch {
     c.save(path());
   }
   bool load() {
-    if (!context_.resumes || !keeps_states() || !std::filesystem::exists(path())) return false;
+    if (!context_.resumes || !keeps_states() || !io::is_there(path())) return false;
     const io::Checkpoint c = io::Checkpoint::load(path());
     degree_ = static_cast<int>(c.get_integer("degree"));
     const auto& numbers = c.get_doubles("numbers", 3);

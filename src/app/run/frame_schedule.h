@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 namespace pseudorigid::app {
@@ -18,9 +19,8 @@ class FrameSchedule {
   }
   /// Frames whose sample is before k: also the number of the frame that sample k would be.
   long n_before(long k) const {
-    long j = 0;
-    while (j < n_frames_ && sample(j) < k) ++j;
-    return j;
+    const auto frames = std::views::iota(0L, n_frames_);
+    return std::ranges::partition_point(frames, [&](long j) { return sample(j) < k; }) - frames.begin();
   }
   bool has(long k) const {
     const long j = n_before(k);

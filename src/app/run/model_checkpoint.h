@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/run/mesh_file.h"
@@ -88,7 +89,7 @@ struct SavedVectors {
 inline constexpr double unknown_error = -1;
 
 template <class S>
-io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& snapshot, const SavedVectors& vectors) {
+io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& snapshot, SavedVectors vectors) {
   const RunPosition& position = snapshot.position;
   const mechanics::Counters& n = snapshot.counters;
   io::Checkpoint c;
@@ -104,13 +105,19 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   c.set("numbers", std::array{position.step, position.local_tolerance, position.max_constraint,
                               position.max_constraint_rate, snapshot.state.t, position.looks.stable_step,
                               position.looks.fastest_change, position.time_error.value_or(unknown_error)});
-  c.set("q", vectors.q);
-  c.set("v", vectors.v);
-  c.set("memory", vectors.memory);
+  c.set("q", std::move(vectors.q));
+  c.set("v", std::move(vectors.v));
+  c.set("memory", std::move(vectors.memory));
   c.set("counters", std::array{static_cast<double>(n.n_steps), static_cast<double>(n.n_substeps),
                                static_cast<double>(n.n_force), static_cast<double>(n.n_position_iterations),
                                static_cast<double>(n.n_projections), static_cast<double>(n.n_gram_iterations)});
   return c;
+}
+
+/// A run that stands at the very start takes sample 0 again.
+inline long n_samples_taken(const mechanics::Cursor& at) { return at.sample == 0 && at.step == 0 ? 0 : at.sample + 1; }
+inline long n_samples_taken(const io::Checkpoint& c) {
+  return n_samples_taken({c.get_integer("sample"), c.get_integer("step in interval")});
 }
 
 /// The reverse, without the vectors. UserError where the file does not fit.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/ranks/on_all_ranks.h"
+#include "io/files.h"
 
 namespace pseudorigid::app {
 
@@ -41,7 +42,7 @@ void ModelFiles::save(const std::function<io::Checkpoint()>& checkpoint) {
 std::optional<io::Checkpoint> ModelFiles::state_to_resume() {
   if (!context_.resumes) return std::nullopt;
   bool exists = false;
-  on_all_ranks(*context_.ranks, [&] { exists = std::filesystem::exists(checkpoint()); });
+  on_all_ranks(*context_.ranks, [&] { exists = io::is_there(checkpoint()); });
   // The first rank decides: the others may look at the disk a moment later, or at another one.
   if (!context_.ranks->of_first(exists)) return std::nullopt;
   std::optional<io::Checkpoint> state;
@@ -61,8 +62,7 @@ void ModelFiles::resume(const std::vector<std::string>& columns, long n_samples_
 void ModelFiles::resume_pictures(long n_samples_taken) {
   pvd_.emplace(io::PvdCollection::resume(context_.directory.pvd(model_), next_time(n_samples_taken)));
   if (pvd_->frames().empty()) return;
-  const std::string last = pvd_->frames().back().file.stem().string();
-  const long number = std::stol(last.substr(last.rfind('-') + 1));
+  const long number = pvd_->frames().back().number();
   n_more_frames_ = static_cast<int>(std::max(0L, number + 1 - frames_.n_before(n_samples_taken)));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -207,14 +208,12 @@ class ModelRun {
     const std::vector<std::string> columns = model_.columns();
     if (const std::optional<io::Checkpoint> left = sink_->state_to_resume()) {
       if (Status status = restore(*left); !status) return status;
-      // A run that stands at the very start takes sample 0 again.
-      const mechanics::Cursor& at = position_.cursor;
-      const long n_samples_taken = at.sample == 0 && at.step == 0 ? 0 : at.sample + 1;
-      sink_->resume(columns, n_samples_taken);
+      const long n_samples = n_samples_taken(position_.cursor);
+      sink_->resume(columns, n_samples);
       if constexpr (has_shapes)
-        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_file(), model_.shape_columns(), n_samples_taken);
+        if (sink_->has_shapes()) sink_->resume_shapes(model_.shape_file(), model_.shape_columns(), n_samples);
       if constexpr (requires { model_.take_up(io::Table()); })
-        if (n_samples_taken > 0) model_.take_up(sink_->rows_so_far());
+        if (n_samples > 0) model_.take_up(sink_->rows_so_far());
       context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
     } else {
       const Status status = stepping_.choose(state_, position_, statistics_);
@@ -290,9 +289,9 @@ class ModelRun {
 
   void save(Snapshot<System>& snapshot) {
     if (!sink_->keeps_states()) return;
-    const SavedVectors vectors = vectors_.collect(snapshot);
+    SavedVectors vectors = vectors_.collect(snapshot);
     sink_->save([&] {
-      io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, vectors);
+      io::Checkpoint checkpoint = to_checkpoint(identity_, snapshot, std::move(vectors));
       if constexpr (requires { model_.remarks(); }) checkpoint.set("remarks", model_.remarks());
       return checkpoint;
     });

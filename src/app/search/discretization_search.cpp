@@ -13,6 +13,7 @@
 #include "app/search/effort.h"
 #include "app/search/error_estimate.h"
 #include "io/checkpoint.h"
+#include "io/files.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -162,7 +163,7 @@ void DiscretizationSearch::write_checkpoint() const {
 void DiscretizationSearch::load() {
   const auto path = context_.directory.checkpoint(checkpoint_name);
   bool exists = false;
-  on_all_ranks(*context_.ranks, [&] { exists = std::filesystem::exists(path); });
+  on_all_ranks(*context_.ranks, [&] { exists = io::is_there(path); });
   // The first rank decides: the others may look at the disk a moment later, or at another one.
   if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
 }

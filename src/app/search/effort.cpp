@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <string>
 
 #include "app/run/scene_to_model.h"
+#include "io/available_memory.h"
 #include "materials/rest_moduli.h"
 #include "mechanics/methods/methods.h"
 #include "mechanics/methods/time_loop.h"
@@ -37,56 +37,16 @@ double n_nodes_of_images(int n_octants, double n) {
 
 /// Measured as resident memory over that of a process that has only linked its libraries: with k = 2 … 8, r = 0 … 3.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
+/// Numbers in a checkpoint: positions and velocities, and of the method with the longest memory for the ball,
+/// symmetric-4, those of steps before.
+constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // PETSc's and deal.II's own numbers
 
 std::string count(double n) { return n < 1e7 ? fmt::format("{:.0f}", n) : fmt::format("{:.3g}", n); }
 
-std::string in_bytes(double bytes) {
-  return bytes < 1e10 ? fmt::format("{:.0f} MB", std::max(1.0, bytes / 1e6)) : fmt::format("{:.0f} GB", bytes / 1e9);
-}
-
 std::string in_words(const Effort& e) {
   const std::string multipliers = e.n_multipliers > 0 ? " and " + count(e.n_multipliers) + " multipliers" : "";
-  return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(e.bytes));
-}
-
-/// `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
-Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std::size_t n_coarse_cells) {
-  const double n = std::ldexp(d.degree, d.refinements), k = d.degree;
-  const int n_octants = 8 / scene::sector(scene).n_images();
-  const bool builtin = n_coarse_cells == 0;
-  const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
-  // A file's cells are counted as those of a cube.
-  const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
-  const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
-  const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
-  return {.n_unknowns = 3 * n_nodes,
-          .n_multipliers = n_cells * n_pressure,
-          .bytes = bytes_of_unknown * 3 * n_nodes + bytes_of_pair_of_multipliers * n_cells * n_pressure * n_pressure};
-}
-
-/// What a file of one number says; infinite where there is no such file, or a word in it.
-double number_in(const std::string& path) {
-  std::ifstream file(path);
-  double number;
-  return file >> number ? number : std::numeric_limits<double>::infinity();
-}
-
-/// Bytes that this machine still has, or the group of processes in which a container or a batch system holds this one;
-/// infinite where the system does not tell.
-double available_memory() {
-  double available = std::numeric_limits<double>::infinity();
-  std::ifstream machine("/proc/meminfo");
-  for (std::string name; machine >> name;)
-    if (double kilobytes; name == "MemAvailable:" && machine >> kilobytes) available = 1024 * kilobytes;
-  std::ifstream groups("/proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);)
-    if (line.starts_with("0::")) {
-      const std::string group = "/sys/fs/cgroup" + line.substr(3);
-      const double limit = number_in(group + "/memory.max"), used = number_in(group + "/memory.current");
-      if (std::isfinite(limit) && std::isfinite(used)) available = std::min(available, limit - used);
-    }
-  return available;
+  return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
 }
 
 /// Of RATTLE for λ = 0, μ = 1.
@@ -140,6 +100,29 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
 
 double damped_step(const scene::Scene& scene, const scene::Discretization& d) {
   return 0.32 * std::pow(step_of_mesh(d), 2) / viscosity(scene) * units_of(scene).time;
+}
+
+std::string in_bytes(double bytes) {
+  if (bytes < 1e6) return fmt::format("{:.0f} kB", std::ceil(bytes / 1e3));
+  return bytes < 1e10 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.0f} GB", bytes / 1e9);
+}
+
+Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std::size_t n_coarse_cells) {
+  const double n = std::ldexp(d.degree, d.refinements), k = d.degree;
+  const int n_octants = 8 / scene::sector(scene).n_images();
+  const bool builtin = n_coarse_cells == 0;
+  const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
+  // A file's cells are counted as those of a cube.
+  const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
+  const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
+  const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;
+  const double n_unknowns = 3 * n_nodes, n_multipliers = n_cells * n_pressure;
+  return {.n_unknowns = n_unknowns,
+          .n_multipliers = n_multipliers,
+          .bytes = bytes_of_unknown * n_unknowns + bytes_of_pair_of_multipliers * n_multipliers * n_pressure,
+          .checkpoint_bytes =
+              sizeof(double) * (remembered_of_unknown * n_unknowns + remembered_of_multiplier * n_multipliers),
+          .n_points_of_picture = n_cells * (builtin ? 8.0 / n_octants : 1) * std::pow(k + 1, 3)};
 }
 
 double stable_step(const scene::Scene& scene, const scene::Discretization& d) {
@@ -200,10 +183,12 @@ std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene
   const std::string takes = fmt::format("{} takes {}", scene::describe(discretization), in_words(needed));
   if (needed.n_unknowns > most_unknowns || needed.n_multipliers > most_unknowns)
     return fmt::format("{}, and no more than {:.3g} have numbers", takes, most_unknowns);
-  const double available = available_memory();
-  if (share * needed.bytes <= available) return std::nullopt;
+  const double available = io::available_memory();
+  // A checkpoint is gathered on the first rank, which may be here.
+  const double here = share * needed.bytes + (1 - share) * needed.checkpoint_bytes;
+  if (here <= available) return std::nullopt;
   return fmt::format("{}{}, and {} are available here", takes,
-                     share < 1 ? fmt::format(", of which {:.0f} % belong to this machine", 100 * share) : "",
+                     share < 1 ? fmt::format(", of which this machine needs {}", in_bytes(here)) : "",
                      in_bytes(available));
 }
 

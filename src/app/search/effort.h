@@ -26,7 +26,15 @@ namespace pseudorigid::app {
 /// Estimates; bytes are within a third of what was measured.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
+  double checkpoint_bytes;     ///< with what a method remembers; the first rank has it in memory as a whole
+  double n_points_of_picture;  ///< of the whole ball; elements share none
 };
+
+/// `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
+Effort effort_of(const scene::Scene& scene, const scene::Discretization& discretization, std::size_t n_coarse_cells);
+
+/// "12 kB", "9000 MB", "12 GB".
+std::string in_bytes(double bytes);
 
 /// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time; methods that the
 /// program chooses are counted as RATTLE.

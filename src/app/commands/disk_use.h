@@ -1,0 +1,22 @@
+#pragma once
+/// What the files of a run take on the disk, estimated before it begins, and what the disk still has.
+///
+/// A number of a table takes some 20 bytes, one of a picture, compressed, some 5. Both are measured for motions without
+/// symmetry; columns of zeros take a tenth of that, so a symmetric motion takes less.
+
+#include "io/run_directory.h"
+#include "scene/needs.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// Adds a line on tables, pictures and checkpoints, and a warning if the disk of the directory, which need not exist
+/// yet, has no room for them. No refusal: the estimate may be too high, and a run that a full disk has stopped goes on
+/// with --resume.
+void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
+
+/// UserError if the samples of a sweep would find no room: they are kept beside its rows if the scene asks for it.
+void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
+                                   const io::RunDirectory& directory);
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,82 @@
+#include "io/available_memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <string_view>
+
+namespace pseudorigid::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// What the files of a control group are called. Version 1 says no limit by a number beyond every machine, version 2 by
+/// a word.
+struct Names {
+  const char *limit, *used;
+  /// In memory.stat: of files, in the group and in those below it, which the kernel can drop.
+  const char *inactive, *active;
+};
+constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
+constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
+
+/// What a file of one number says; `otherwise` where there is no such file, or a word in it.
+double number_in(const fs::path& path, double otherwise) {
+  std::ifstream file(path);
+  double number;
+  return file >> number ? number : otherwise;
+}
+
+/// The number behind a name; `otherwise` where the file has none.
+double number_named(const fs::path& path, std::string_view wanted, double otherwise) {
+  std::ifstream file(path);
+  double number;
+  for (std::string name; file >> name;)
+    if (name == wanted && file >> number) return number;
+  return otherwise;
+}
+
+double left_in_group(const fs::path& group, const Names& names) {
+  const double limit = number_in(group / names.limit, infinite), used = number_in(group / names.used, 0);
+  const fs::path parts = group / "memory.stat";
+  const double droppable = number_named(parts, names.inactive, 0) + number_named(parts, names.active, 0);
+  return std::max(0.0, limit - std::max(0.0, used - droppable));
+}
+
+/// The least of a group and of those above it. A container may see its own group as the uppermost while it knows the
+/// path from the machine's: what is not there has no limit.
+double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
+  double left = infinite;
+  for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {
+    left = std::min(left, left_in_group(mount / group.relative_path(), names));
+    if (!group.has_relative_path()) return left;
+  }
+}
+
+}  // namespace
+
+double available_memory(const fs::path& root) {
+  constexpr double kilobyte = 1024;
+  double available = kilobyte * number_named(root / "proc/meminfo", "MemAvailable:", infinite);
+  const fs::path mounts = root / "sys/fs/cgroup";
+  std::ifstream groups(root / "proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {  // number:controllers:path
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == line.npos) continue;
+    const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1)),
+                      path = line.substr(second + 1);
+    if (controllers == ",,")
+      for (const fs::path& mount : {mounts, mounts / "unified"})
+        available = std::min(available, left_in_groups(mount, path, version_2));
+    else if (controllers.find(",memory,") != controllers.npos)
+      available = std::min(available, left_in_groups(mounts / "memory", path, version_1));
+  }
+  return available;
+}
+
+}  // namespace pseudorigid::io
