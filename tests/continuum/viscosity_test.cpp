@@ -148,7 +148,7 @@ TEST(ViscousDecay, OfTheModeS2) {
     const double largest = std::abs(*std::ranges::max_element(z, {}, [](double a) { return std::abs(a); }));
     std::ranges::transform(z, y.begin(), [=](double a) { return a / largest; });
   }
-  ParitySector::Mode mode;
+  continuum::ParitySector::Mode mode;
   ASSERT_TRUE(symmetric.mode_of(y, mode));
   Vector S2 = mode.u;
   S2 *= amplitude / S2.linfty_norm();
