@@ -195,7 +195,7 @@ class Messages(RefusedInputTest):
         link = self.scratch / "output/scene/reduced.csv"
         link.unlink()
         link.symlink_to("reduced.csv")
-        self.run_done("report", "output/scene")
+        self.refused("report", "output/scene", fragments=("reduced.csv", "links"))
 
     # Processes.
 
