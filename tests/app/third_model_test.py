@@ -27,7 +27,7 @@ class ThirdModel(ProgramTest):
         overview = self.json("out", "comparison.json")
         self.assertEqual(overview["reference"], "continuum")
         self.assertEqual(sorted(overview["models"]), ["copy", "reduced"])
-        self.assertIn("The copied ball", self.json("out", "comparison-copy.json")["summary"])
+        self.assertIn("copied ball", self.json("out", "comparison-copy.json")["summary"])
         self.assertIn("copied ball", (self.scratch / "out/report.html").read_text())
         self.assertIn("copy", self.json("out", "manifest.json")["models"])
 
