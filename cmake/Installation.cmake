@@ -17,15 +17,12 @@ if(PSEUDORIGID_PROGRAM)
   install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
   install(FILES tools/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME pseudorigid)
 
-  # The manual page is what the program says of itself.
+  # The manual page is what the program says of itself. It is written at installation, so that a build of the program
+  # alone can be installed.
   set(manual ${PROJECT_BINARY_DIR}/pseudorigid.1)
-  add_custom_command(OUTPUT ${manual}
-    COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:pseudorigid> -DOUTPUT=${manual} -DVERSION=${PROJECT_VERSION}
-      -DDATA=${CMAKE_INSTALL_FULL_DATADIR}/pseudorigid -DPAGES=${CMAKE_INSTALL_FULL_DOCDIR}
-      -P ${PROJECT_SOURCE_DIR}/cmake/install/manual_page.cmake
-    DEPENDS pseudorigid ${PROJECT_SOURCE_DIR}/cmake/install/manual_page.cmake
-    COMMENT "Writing the manual page" VERBATIM)
-  add_custom_target(pseudorigid_manual ALL DEPENDS ${manual})
+  install(CODE "execute_process(COMMAND_ERROR_IS_FATAL ANY COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:pseudorigid>\"
+    \"-DOUTPUT=${manual}\" -DVERSION=${PROJECT_VERSION} \"-DDATA=${CMAKE_INSTALL_FULL_DATADIR}/pseudorigid\"
+    \"-DPAGES=${CMAKE_INSTALL_FULL_DOCDIR}\" -P \"${PROJECT_SOURCE_DIR}/cmake/install/manual_page.cmake\")")
   install(FILES ${manual} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
 
