@@ -15,12 +15,11 @@ import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render 
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 from render import FIELD, VIEW_FROM, VIRIDIS, check_screen
-from run_directory import fail
+from run_directory import fail, read_grid
 from vtkmodules.vtkCommonCore import reference, vtkLookupTable, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkPolyDataMapper,
@@ -37,10 +36,7 @@ CLOSE = 0.22  # height of the lower views, in that of the upper ones
 
 
 def grid_of(path):
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    grid = reader.GetOutput()
+    grid = read_grid(path)
     if not grid.GetNumberOfCells() or not grid.GetPointData().HasArray(FIELD):
         fail(f"{path} holds no cells with {FIELD}")
     return grid

@@ -14,11 +14,10 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkWindowToImageFilter
 
 import render
-from run_directory import read_csv, read_pvd
+from run_directory import read_csv, read_grid, read_pvd
 
 TOOLS = pathlib.Path(__file__).resolve().parent
 BLUE, ORANGE, GREEN, BLACK = (0, 0.447, 0.698), (0.835, 0.369, 0), (0, 0.62, 0.451), (0, 0, 0)  # Okabe and Ito's
@@ -67,10 +66,7 @@ class Surface:
     FACES = ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7), (0, 3, 2, 1), (4, 5, 6, 7))
 
     def __init__(self, path, fields):
-        reader = vtkXMLUnstructuredGridReader()
-        reader.SetFileName(str(path))
-        reader.Update()
-        grid = reader.GetOutput()
+        grid = read_grid(path)
         x = vtk_to_numpy(grid.GetPoints().GetData())
         _, first, joined = np.unique(np.round(x, 9), axis=0, return_index=True, return_inverse=True)
         self.points = x[first]

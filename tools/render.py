@@ -18,7 +18,7 @@ import math
 import os
 import pathlib
 
-from run_directory import Run, fail, missing
+from run_directory import Run, fail, missing, read_grid
 
 try:
     import numpy as np
@@ -30,7 +30,6 @@ try:
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
     from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
     from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
     from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
     from vtkmodules.vtkRenderingCore import (
         vtkActor,
@@ -61,13 +60,11 @@ VIRIDIS = [
 
 def read_points(path):
     """Positions x, displacements x - X and stresses at the points of a .vtu."""
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    data = reader.GetOutput().GetPointData()
+    grid = read_grid(path)
+    data = grid.GetPointData()
     if data.GetArray(FIELD) is None or data.GetArray("displacement") is None:
         fail(f"{path} cannot be read, or lacks the fields displacement and {FIELD}")
-    x = vtk_to_numpy(reader.GetOutput().GetPoints().GetData())
+    x = vtk_to_numpy(grid.GetPoints().GetData())
     return x, vtk_to_numpy(data.GetArray("displacement")), vtk_to_numpy(data.GetArray(FIELD))
 
 
@@ -294,10 +291,8 @@ def degree_of(run, model):
 
 def cells_of(path):
     """The points of each cell."""
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    cells = reader.GetOutput().GetCells()
+    grid = read_grid(path)
+    cells = grid.GetCells()
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(cells.GetNumberOfCells(), -1)
 
 

@@ -60,14 +60,33 @@ def read_csv(path):
 
 
 def read_pvd(path):
-    """[(time, path of the .vtu)] in the order of time."""
+    """[(time, path of the .vtu, or of the .pvtu of several ranks)] in the order of time."""
     sets = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
     return [(float(s.get("timestep")), path.parent / s.get("file")) for s in sets]
 
 
+def pieces(path):
+    """The .vtu files of a picture: itself, or those that the .pvtu of several ranks lists."""
+    if path.suffix != ".pvtu":
+        return [path]
+    listed = xml.etree.ElementTree.parse(path).getroot().iter("Piece")
+    return [path.parent / piece.get("Source") for piece in listed]
+
+
+def read_grid(path):
+    """VTK's grid of a .vtu or .pvtu. Needs Debian's python3-vtk9."""
+    from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
+
+    parallel = pathlib.Path(path).suffix == ".pvtu"
+    reader = vtkXMLPUnstructuredGridReader() if parallel else vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
 @dataclasses.dataclass
 class Picture:
-    """A .vtu file: `points` (n, 3) at their current positions, `cells` as meshio has them, and by name `fields`, with n values,
+    """A .vtu file, or all pieces of a .pvtu: `points` (n, 3) at their current positions, `cells` as meshio has them, and by name `fields`, with n values,
     vectors or matrices, and `constants` of the whole body (TimeValue, center_of_mass, rotation)."""
 
     points: np.ndarray
@@ -85,11 +104,15 @@ class Frame:
         """The Picture. Needs meshio."""
         import meshio
 
-        mesh = meshio.read(self.path)
+        meshes = [meshio.read(path) for path in pieces(self.path)]
         as_matrices = lambda values: values.reshape(-1, 3, 3) if values.ndim == 2 and values.shape[1] == 9 else values
-        fields = {name: as_matrices(values) for name, values in mesh.point_data.items()}
-        constants = {name: as_matrices(values)[0] for name, values in mesh.field_data.items()}
-        return Picture(mesh.points, mesh.cells, fields, constants)
+        joined = lambda name: np.concatenate([mesh.point_data[name] for mesh in meshes])
+        fields = {name: as_matrices(joined(name)) for name in meshes[0].point_data}
+        constants = {name: as_matrices(values)[0] for name, values in meshes[0].field_data.items()}
+        starts = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
+        cells = [meshio.CellBlock(block.type, block.data + start)
+                 for mesh, start in zip(meshes, starts) for block in mesh.cells]
+        return Picture(np.concatenate([mesh.points for mesh in meshes]), cells, fields, constants)
 
 
 class Run:

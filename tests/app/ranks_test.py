@@ -2,6 +2,7 @@
 import shutil
 import signal
 import subprocess
+import sys
 import unittest
 
 from program_test import DONE, PATIENCE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
@@ -123,6 +124,23 @@ class Ranks(RanksTest):
         n_whole, in_one = volume(vtk.vtkXMLUnstructuredGridReader, "alone/graphics/continuum-000001.vtu")
         self.assertEqual(n_pieces, n_whole)
         self.assertAlmostEqual(in_pieces, in_one, delta=1e-12)
+        self.check_readers()
+
+    def check_readers(self):
+        """The project's own tools read the pieces as one picture: of the same points, in another order."""
+        sys.path.insert(0, str(SOURCE / "tools"))
+        from run_directory import Run, read_grid
+        for whole, joined in zip(Run(self.scratch / "alone").frames("continuum"),
+                                 Run(self.scratch / "on2").frames("continuum")):
+            self.assertEqual(joined.path.suffix, ".pvtu")
+            self.assertEqual(read_grid(joined.path).GetNumberOfPoints(), read_grid(whole.path).GetNumberOfPoints())
+            one, two = whole.read(), joined.read()
+            self.assertEqual(sorted(two.fields), sorted(one.fields))
+            corner = lambda picture: {tuple(point) for block in picture.cells
+                                      for point in picture.points[block.data[:, 0]].round(9)}
+            self.assertEqual(corner(two), corner(one))
+            size = lambda picture: (picture.fields["displacement"] ** 2).sum()
+            self.assertAlmostEqual(size(two), size(one), delta=1e-9)
 
     def test_inverted_elements_stop_all_ranks(self):
         self.scene({"Models": "continuum", "Continuum/Degree": 2, "Continuum/Symmetry": "octant",
