@@ -47,6 +47,21 @@ class SpecialFiles(RefusedInputTest):
                 self.refused("run", "scene.prm", fragments=(name,))
                 path.unlink()
 
+    def test_damaged_files_are_seen_before_any_is_written(self):
+        """The first model is whole; what is wrong with the second is said before the first goes on."""
+        self.scene({**BASE, "Models": "reduced, polynomial", "Output/Graphics": "vtu", "Output/Frames": 3})
+        self.run_done("run", "scene.prm", "--quiet")
+        later = ("--resume", "--set", "Time/End=2")
+        for name, old, new in ("polynomial.csv", "\n1,", "\nx,"), ("polynomial.pvd", 'timestep="1', 'timestep="'):
+            with self.subTest(name):
+                path = self.scratch / "output/scene" / name
+                whole = path.read_text()
+                self.assertIn(old, whole)
+                path.write_text(whole.replace(old, new))
+                self.refused("run", "scene.prm", *later, fragments=(name,))
+                path.write_text(whole)
+        self.run_done("run", "scene.prm", "--quiet", *later)
+
     def test_an_include_from_a_pipe(self):
         self.pipe("part.prm")
         (self.scratch / "scene.prm").write_text("include part.prm\n")

@@ -1,4 +1,5 @@
 """Sweeps of the reduced body and of another system: rows, threads, lanes, interruptions, and what they refuse."""
+import resource
 import unittest
 
 from program_test import BODY_COLUMNS, STOPPED, overrides
@@ -35,6 +36,15 @@ class Sweeps(ReducedTest):
         self.run_scene(sweep, *overrides({"Sweep/Threads": 1}), "--output", "one")
         self.run_scene(sweep, *overrides({"Sweep/Threads": 3}), "--output", "three")
         self.assertEqual(self.bytes("one/sweep.csv"), self.bytes("three/sweep.csv"))
+
+    def test_a_sweep_goes_on_with_the_threads_that_there_are(self):
+        self.scene({**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 1000", "Material/Shear modulus": "$(mu)", "Sweep/Threads": 600})
+        addresses = 1500 * 2**20  # room for some 20 threads
+        limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (addresses, addresses))
+        result = self.run_done("run", "scene.prm", "--output", "some", preexec_fn=limit)
+        self.assertRegex(result.stderr, r"warning: .*thread")
+        self.run_done("run", "scene.prm", "--output", "one", *overrides({"Sweep/Threads": 1}))
+        self.assertEqual(self.bytes("some/sweep.csv"), self.bytes("one/sweep.csv"))
 
     def test_an_interrupted_sweep_goes_on(self):
         sweep = {**BALL, "Sweep/Parameters": "mu: 0.5 .. 2 in 300", "Material/Shear modulus": "$(mu)", "Time/End": 100,
