@@ -28,6 +28,7 @@ GEODESIC = {"System": "geodesic", "Geodesic/Surface": "ellipsoid", "Geodesic/Sem
             "Geodesic/Velocity": "0.4, 0.9"}
 JACOBI = {"System": "jacobi geodesic", "Jacobi geodesic/Position": "0.6, 0"}
 
+# Methods that a system of each kind is known to accept; others are measured as well if it accepts them.
 BODY = methods()
 DISSIPATIVE = ("rattle", "explicit-8")
 FIELD = ("explicit-8",)
@@ -88,19 +89,18 @@ class DeclaredOrders(ProgramTest):
         self.assertGreaterEqual(len(found), 3, f"{method}: {found}")
         return -fitted_slope(*zip(*found))
 
-    def check(self, entries, accepted):
-        """Each method's reference is a run by another one at the edge of round-off; where there is none of high order,
+    def check(self, entries, known):
+        """Of every method that the system accepts, at least of those that it is known to accept. Each method's reference is a run by another one at the edge of round-off; where there is none of high order,
         a run by the method itself."""
         by_explicit, _ = self.run_method(entries, method="explicit-8", tolerance=1e-13)
         by_rattle = by_explicit
-        if "rattle-8" in accepted:
+        if "rattle-8" in known:
             by_rattle, _ = self.run_method(entries, method="rattle-8", step=0.01)
         for method in methods():
             with self.subTest(method=method):
-                if method not in accepted:
-                    self.assert_one_sentence(
-                        self.run_program("run", self.scene({}), *overrides({**entries, "Time/Method": method})),
-                        "Time/Method", method.split("-")[0])
+                checked = self.run_program("check", self.scene({}), *overrides({**entries, "Time/Method": method}))
+                if method not in known and checked.returncode != DONE:
+                    self.assert_one_sentence(checked, "Time/Method", method.split("-")[0])
                     continue
                 order = self.declared_order(entries, method)
                 if method == "explicit-8":

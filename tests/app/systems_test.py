@@ -1,8 +1,9 @@
 """The systems beside the ball, from parameter file to CSV: what the scenes of params/ promise, and columns."""
 import math
+import re
 import unittest
 
-from program_test import DONE
+from program_test import DONE, SOURCE, words
 from system_test import (BODY_OF_POINTS, ELLIPSOID, INERTIAL, LAGRANGE, PENDULUM, ROTATION, ROTOR, SCENES,
                          SPHERICAL_PENDULUM, SystemTest, distance, drift)
 
@@ -33,6 +34,11 @@ class SystemScenes(SystemTest):
                     self.assertAlmostEqual(t, end * k / n, delta=1e-15 * end)
                 self.assertTrue(table.is_finite())
                 self.assertEqual(self.json(table.folder, "manifest.json")["exit_code"], DONE)
+
+    def test_every_system_has_a_scene(self):
+        texts = [(SOURCE / "params" / f"{scene}.prm").read_text() for scene in SCENES]
+        systems = {re.search(r"^set System\s*=\s*(.*\S)", text, re.M)[1] for text in texts}
+        self.assertEqual(systems, set(words("System")) - {"ball"})
 
     def test_columns_of_other_numbers_of_points_and_surfaces(self):
         for n in (1, 2, 5):

@@ -3,6 +3,7 @@
 #include "support/order_test.h"
 
 #include "continuum/balls.h"
+#include "mechanics/core/field_of.h"
 
 namespace pseudorigid::testing {
 
@@ -23,11 +24,14 @@ struct BallFactory {
   long n_reference_steps() const { return 400; }
 };
 
-using BallCases =
-    ::testing::Types<OrderCase<BallFactory<2>, mechanics::Rattle>, OrderCase<BallFactory<2>, mechanics::Rattle4>,
-                     OrderCase<BallFactory<3>, mechanics::Rattle>, OrderCase<BallFactory<3>, mechanics::Rattle4>,
-                     OrderCase<BallFactory<2>, mechanics::Symmetric4>,
-                     OrderCase<BallFactory<3>, mechanics::Symmetric4>>;
-INSTANTIATE_TYPED_TEST_SUITE_P(Ball, MethodOrder, BallCases);
+/// Those of higher order cost minutes here.
+struct TakesTheBall {
+  template <class Method>
+  static constexpr bool has = mechanics::takes_any_vector<Method> && !Method::adaptive && Method::order <= 4;
+};
+using CasesOfDegree2 = OrderCases<BallFactory<2>, TakesTheBall>;
+using CasesOfDegree3 = OrderCases<BallFactory<3>, TakesTheBall>;
+INSTANTIATE_TYPED_TEST_SUITE_P(BallOfDegree2, MethodOrder, CasesOfDegree2);
+INSTANTIATE_TYPED_TEST_SUITE_P(BallOfDegree3, MethodOrder, CasesOfDegree3);
 
 }  // namespace pseudorigid::testing

@@ -46,16 +46,8 @@ struct OctantFactory {
   }
   long n_reference_steps() const { return 240; }
 };
-struct FixedStepsUpToOrder8 {
-  template <class Method>
-  static constexpr bool has = Method::symplectic || std::is_same_v<Method, mechanics::EnergyMomentum>;
-};
-template <class Method>
-using IncompressibleOrder = OrderCase<OctantFactory<IncompressibleBody>, Method>;
-template <class Method>
-using CompressibleOrder = OrderCase<OctantFactory<CompressibleBody>, Method>;
-using IncompressibleOrders = CasesOf<IncompressibleOrder, FixedStepsUpToOrder8>;
-using CompressibleOrders = CasesOf<CompressibleOrder, FixedStepsUpToOrder8>;
+using IncompressibleOrders = OrderCases<OctantFactory<IncompressibleBody>, OneStep>;
+using CompressibleOrders = OrderCases<OctantFactory<CompressibleBody>, OneStep>;
 INSTANTIATE_TYPED_TEST_SUITE_P(IncompressibleOctant, MethodOrder, IncompressibleOrders);
 INSTANTIATE_TYPED_TEST_SUITE_P(CompressibleOctant, MethodOrder, CompressibleOrders);
 

@@ -22,6 +22,13 @@ struct FixedStep {
   template <class Method>
   static constexpr bool has = !Method::adaptive;
 };
+/// Of fixed step and without a past: the others, multistep methods, have a formula in states before.
+struct OneStep {
+  template <class Method>
+  static constexpr bool has = !Method::adaptive && !requires {
+    Method::formula;
+  };
+};
 /// RATTLE and its compositions: one-step maps that keep constraint, momenta and the symplectic form.
 struct Symplectic {
   template <class Method>

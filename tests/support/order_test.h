@@ -10,7 +10,7 @@
 ///     long n_reference_steps() const;                          // of order 8, the reference
 ///   };
 ///
-///   using Cases = ::testing::Types<OrderCase<Factory, mechanics::Rattle>, …>;
+///   using Cases = OrderCases<Factory, OneStep>;    // every such method of the table (method_lists.h)
 ///   INSTANTIATE_TYPED_TEST_SUITE_P(Ball, MethodOrder, Cases);
 ///
 /// The error is that of the full state (q, v) at the end; fit_order drops the round-off plateau.
@@ -19,6 +19,7 @@
 
 #include <vector>
 
+#include "support/method_lists.h"
 #include "support/order_fit.h"
 #include "support/runs.h"
 
@@ -29,6 +30,17 @@ struct OrderCase {
   using Factory = FactoryType;
   using Method = MethodType;
 };
+
+namespace detail {
+template <class Factory>
+struct OrderCaseOf {
+  template <class Method>
+  using With = OrderCase<Factory, Method>;
+};
+}  // namespace detail
+
+template <class Factory, class Kind>
+using OrderCases = CasesOf<detail::OrderCaseOf<Factory>::template With, Kind>;
 
 template <class Case>
 class MethodOrder : public ::testing::Test {};

@@ -77,10 +77,7 @@ struct PendulumFactory {
   }
   long n_reference_steps() const { return 400; }
 };
-using PendulumCases =
-    ::testing::Types<OrderCase<PendulumFactory, mechanics::Rattle>, OrderCase<PendulumFactory, mechanics::Rattle4>,
-                     OrderCase<PendulumFactory, mechanics::Rattle6>, OrderCase<PendulumFactory, mechanics::Rattle8>,
-                     OrderCase<PendulumFactory, mechanics::EnergyMomentum>>;
+using PendulumCases = OrderCases<PendulumFactory, OneStep>;
 INSTANTIATE_TYPED_TEST_SUITE_P(DoublePendulum, MethodOrder, PendulumCases);
 
 }  // namespace pseudorigid::testing

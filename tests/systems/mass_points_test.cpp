@@ -124,10 +124,7 @@ struct PointsFactory {
   }
   long n_reference_steps() const { return 200; }
 };
-using PointsCases =
-    ::testing::Types<OrderCase<PointsFactory, mechanics::Rattle>, OrderCase<PointsFactory, mechanics::Rattle4>,
-                     OrderCase<PointsFactory, mechanics::Rattle6>, OrderCase<PointsFactory, mechanics::Rattle8>,
-                     OrderCase<PointsFactory, mechanics::EnergyMomentum>>;
+using PointsCases = OrderCases<PointsFactory, OneStep>;
 INSTANTIATE_TYPED_TEST_SUITE_P(MassPoints, MethodOrder, PointsCases);
 
 }  // namespace pseudorigid::testing
