@@ -97,7 +97,7 @@ endfunction()
 # compiled for instructions that the processor may not have; if those names were seen, the linker would take any one of
 # the copies, for the rest of the program as well.
 function(pseudorigid_add_build target table options)
-  add_library(${table} OBJECT ${ARGN})
+  add_library(${table} OBJECT EXCLUDE_FROM_ALL ${ARGN})
   target_link_libraries(${table} PRIVATE pseudorigid_options Eigen3::Eigen)
   # objcopy leaves names visible that are unique in a process, as those of static variables of inline functions.
   target_compile_options(${table} PRIVATE ${options} $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)

@@ -100,7 +100,7 @@ class Installation(ProgramTest):
             foreach(name app io scene systems continuum git_hash uninstall)
               add_custom_target(${{name}})
             endforeach()
-            add_subdirectory({SOURCE} pseudorigid EXCLUDE_FROM_ALL)
+            add_subdirectory({SOURCE} pseudorigid)
             add_executable(pendulum {SOURCE}/examples/spherical_pendulum/spherical_pendulum.cpp)
             target_link_libraries(pendulum PRIVATE pseudorigid::mechanics_headers)
             target_compile_options(pendulum PRIVATE -Wall -Wextra -Wpedantic -Werror)
