@@ -26,24 +26,38 @@ struct Forcing {
   double pressure = 0;                                         ///< p
   double viscosity = 0, drag = 0;                              ///< η, c
 
+  /// Calls visit(of a, of b) with every number of both. One that is not listed does not compile.
+  template <class A, class B, class Visit>
+  static void visit_pairs(A& a, B& b, Visit&& visit) {
+    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a] = a;
+    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b] = b;
+    visit(G_a, G_b);
+    visit(T_a, T_b);
+    visit(b_a, b_b);
+    visit(P_a, P_b);
+    visit(p_a, p_b);
+    visit(eta_a, eta_b);
+    visit(c_a, c_b);
+  }
+
   Forcing& operator+=(const Forcing& other) {
-    gravity_constant += other.gravity_constant;
-    quadratic += other.quadratic;
-    acceleration += other.acceleration;
-    nominal_traction += other.nominal_traction;
-    pressure += other.pressure;
-    viscosity += other.viscosity;
-    drag += other.drag;
+    visit_pairs(*this, other, [](auto& mine, const auto& its) { mine += its; });
     return *this;
   }
 
   bool dissipative() const { return viscosity != 0 || drag != 0; }
   /// Whether anything but a pressure acts, which a body that keeps its volume does not feel.
   bool acts_at_constant_volume() const {
-    return gravity_constant != 0 || !quadratic.isZero(0) || !acceleration.isZero(0) || !nominal_traction.isZero(0) ||
-           dissipative();
+    Forcing others = *this;
+    others.pressure = 0;
+    return others.present();
   }
-  bool present() const { return pressure != 0 || acts_at_constant_volume(); }
+  bool present() const {
+    bool any = false;
+    const Forcing none;
+    visit_pairs(*this, none, [&](const auto& mine, const auto& zero) { any = any || mine != zero; });
+    return any;
+  }
 
   /// The energy without self-gravity, of a body with ∫ρ x xᵀ, ∫ρ x, ∫F dX and the volume V; of the rate of a forcing,
   /// the power that its change gives to the body.
