@@ -14,6 +14,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -211,9 +212,24 @@ std::string joined(const std::vector<std::string_view>& words);
 /// "a", "a or b", "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
+/// Whether every name is there, once, and stands for a value of its own.
+template <class E, std::size_t n>
+constexpr bool is_sound(const NameTable<E, n>& table) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (table[i].first.empty()) return false;
+    for (std::size_t k = 0; k < i; ++k)
+      if (table[i].first == table[k].first || table[i].second == table[k].second) return false;
+  }
+  return true;
+}
+
 /// One word out of a table of names.
 template <class E, std::size_t n>
 struct Choice {
+  consteval explicit Choice(const NameTable<E, n>& names) : table(names) {
+    if (!is_sound(names)) throw "a word of a choice is missing, or stands there twice";
+  }
+
   NameTable<E, n> table;
 
   static constexpr std::string_view type = "choice";
@@ -225,11 +241,17 @@ struct Choice {
   std::string print(E value) const {
     for (const auto& [name, named] : table)
       if (named == value) return std::string(name);
-    return {};
+    throw std::logic_error("a value of a choice has no word");
   }
   std::string expected() const { return one_of(words()); }
   std::vector<std::string_view> words() const { return words_of(table); }
 };
+
+/// choice<E>({{"name", E::value}, …}): it counts its words itself.
+template <class E, std::size_t n>
+consteval Choice<E, n> choice(const std::pair<std::string_view, E> (&names)[n]) {
+  return Choice<E, n>(std::to_array(names));
+}
 
 /// One word out of a list that is known at run time.
 struct Word {
@@ -261,8 +283,12 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator);
 /// n_in_all of them, where that is not 0.
 template <class S, std::size_t n>
 struct Switches {
+  consteval Switches(const NameTable<bool S::*, n>& names, std::size_t n_of_all) : table(names), n_in_all(n_of_all) {
+    if (!is_sound(names)) throw "a word of a list is missing, or stands there twice";
+  }
+
   NameTable<bool S::*, n> table;
-  std::size_t n_in_all = 0;
+  std::size_t n_in_all;
 
   static constexpr std::string_view type = "list";
   Problem read(std::string_view text, S& value) const {
@@ -291,5 +317,11 @@ struct Switches {
     return words;
   }
 };
+
+/// switches<S>({{"name", &S::member}, …}), of which `all` stands for all.
+template <class S, std::size_t n>
+consteval Switches<S, n> switches(const std::pair<std::string_view, bool S::*> (&names)[n]) {
+  return Switches<S, n>(std::to_array(names), n);
+}
 
 }  // namespace pseudorigid::scene

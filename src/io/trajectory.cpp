@@ -1,112 +1,41 @@
 #include "io/trajectory.h"
 
-#include <utility>
-
-#include "mechanics/core/principal_axes.h"
+#include <iterator>
+#include <span>
+#include <type_traits>
+#include <variant>
 
 namespace pseudorigid::io {
 
+using mechanics::AntisymmetricEntries;
+using mechanics::BodyColumn;
 using mechanics::ContinuumObservables;
+using mechanics::OverPoints;
 using mechanics::ReducedObservables;
 using scene::Quantities;
 
 namespace {
 
-template <class Observables>
-using Columns = std::vector<BodyColumn<Observables>>;
-
-/// What every model of the ball has.
 template <class O>
-Columns<O> common_columns() {
-  constexpr scene::Unit energy{"mass*length^2/time^2"};
-  return {
-      {"Q", &Quantities::state, "",
-       "deformation; of the continuum the mass moment Q_M, the affine motion nearest to it",
-       [](const O& o) { return o.Q; }},
-      {"Qdot", &Quantities::state, "1/time", "its rate", [](const O& o) { return o.Qdot; }},
-      {"x", &Quantities::state, "length", "centre of mass", [](const O& o) { return o.center; }},
-      {"v", &Quantities::state, "length/time", "velocity of the centre of mass", [](const O& o) { return o.velocity; }},
-      {"kinetic", &Quantities::energies, energy, "kinetic energy", [](const O& o) { return o.kinetic; }},
-      {"elastic", &Quantities::energies, energy, "stored energy", [](const O& o) { return o.elastic; }},
-      {"gravitational", &Quantities::energies, energy, "energy of the self-gravity",
-       [](const O& o) { return o.gravitational; }},
-      {"external", &Quantities::energies, energy,
-       "energy of all loads, minus the energy that time-dependent loads have given to the body",
-       [](const O& o) { return o.external; }},
-      {"dissipated", &Quantities::energies, energy, "energy dissipated by viscosity and drag",
-       [](const O& o) { return o.dissipated; }},
-      {"energy", &Quantities::energies, energy, "their sum", [](const O& o) { return o.energy(); }},
-      {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
-       [](const O& o) { return o.angular_momentum; }},
-      {"Z", &Quantities::momenta, "mass*length^2/time",
-       "circulation, the integral of rho X x (F^T v) about the centre of mass; a rigid spin of the undeformed ball has "
-       "J = Z",
-       [](const O& o) { return o.circulation; }},
-      {"volume_ratio", &Quantities::axes, "", "current volume / reference volume",
-       [](const O& o) { return o.volume_ratio; }},
-      {"multiplier", &Quantities::multiplier, "1/time^2",
-       "multiplier of det Q = 1 per tr E0/3 (of the ball, lambda of Oliva 5.120); of the continuum the integral of the "
-       "Kirchhoff pressure per tr E0/3. Positive is pressure",
-       [](const O& o) { return o.multiplier; }},
-      {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
-  };
-}
+using Columns = std::vector<BodyColumn<O>>;
 
 template <class O>
-void append(Columns<O>& columns, Columns<O> further) {
-  for (auto& column : further) columns.push_back(std::move(column));
-}
-
-Columns<ReducedObservables> reduced_columns() {
-  using O = ReducedObservables;
-  Columns<O> columns = common_columns<O>();
-  append<O>(
-      columns,
-      {
-          {"central_pressure", &Quantities::pressure, "pressure",
-           "p_c of p = p_c (1 - |X|^2/r^2), the reaction to det Q = 1", [](const O& o) { return o.central_pressure; }},
-          {"A", &Quantities::bipolar, "length", "semi-axes of Q = T^T A S, followed along the motion, in no order",
-           [](const O& o) { return o.axes; }},
-          {"T", &Quantities::bipolar, "", "rotation T of the bipolar decomposition", [](const O& o) { return o.T; }},
-          {"S", &Quantities::bipolar, "", "rotation S of the bipolar decomposition", [](const O& o) { return o.S; }},
-          {"Omega_star", &Quantities::bipolar, "1/time", "T' T^T",
-           [](const O& o) { return AntisymmetricEntries{o.Omega_star}; }},
-          {"Lambda_star", &Quantities::bipolar, "1/time", "S' S^T",
-           [](const O& o) { return AntisymmetricEntries{o.Lambda_star}; }},
-          {"bipolar_residual", &Quantities::bipolar, "1/time^2",
-           "largest entry of the residual of Oliva (5.121), per tr E0/3",
-           [](const O& o) { return o.bipolar_residual; }},
-          {"stretch", &Quantities::stretches, "", "principal stretches of Q, in descending order",
-           [](const O& o) { return mechanics::singular_values(o.Q); }},
-      });
+Columns<O> common_and(std::span<const BodyColumn<O>> own) {
+  Columns<O> columns(std::begin(mechanics::common_columns<O>), std::end(mechanics::common_columns<O>));
+  columns.insert(columns.end(), own.begin(), own.end());
   return columns;
 }
 
-Columns<ContinuumObservables> continuum_columns() {
-  using O = ContinuumObservables;
-  Columns<O> columns = common_columns<O>();
-  append<O>(
-      columns,
-      {
-          {"F", &Quantities::state, "", "mean deformation gradient", [](const O& o) { return o.F; }},
-          {"nonaffine_kinetic_fraction", &Quantities::nonaffine, "",
-           "share of the kinetic energy that is not in the affine motion",
-           [](const O& o) { return o.nonaffine_kinetic_fraction; }},
-          {"nonaffine_displacement", &Quantities::nonaffine, "", "|x - Q X| / |x|, norms weighted with the mass",
-           [](const O& o) { return o.nonaffine_displacement; }},
-          {"min_jacobian", &Quantities::nonaffine, "", "least det F at the integration points",
-           [](const O& o) { return o.min_jacobian; }},
-          {"volumetric", &Quantities::volumetric, "mass*length^2/time^2",
-           "part of the elastic energy that the volumetric stabilisation stores; with the energies, where it is on",
-           [](const O& o) { return o.volumetric; }},
-          {"stretch", &Quantities::stretches, "",
-           "principal stretches of the mean deformation gradient, in descending order",
-           [](const O& o) { return mechanics::singular_values(o.F); }},
-          {"max_stretch", &Quantities::stretches, "", "largest principal stretch at the integration points",
-           [](const O& o) { return o.max_stretch; }},
-          {"min_stretch", &Quantities::stretches, "", "least principal stretch at the integration points",
-           [](const O& o) { return o.min_stretch; }},
-      });
+template <class O>
+const Columns<O>& body_columns();
+template <>
+const Columns<ReducedObservables>& body_columns() {
+  static const auto columns = common_and<ReducedObservables>(mechanics::reduced_columns);
+  return columns;
+}
+template <>
+const Columns<ContinuumObservables>& body_columns() {
+  static const auto columns = common_and<ContinuumObservables>(mechanics::continuum_columns);
   return columns;
 }
 
@@ -114,7 +43,7 @@ Columns<ContinuumObservables> continuum_columns() {
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {
-      {""}, {"1", "2", "3"}, {"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {"12", "13", "23"}};
+      {""}, {"1", "2", "3"}, {"11", "12", "13", "21", "22", "23", "31", "32", "33"}, {"12", "13", "23"}, {""}};
   return of_kind[column.value.index()];
 }
 
@@ -134,17 +63,6 @@ void visit_entries(const Eigen::MatrixBase<Derived>& A, Visit&& visit) {
 
 }  // namespace
 
-template <>
-const std::vector<BodyColumn<ReducedObservables>>& body_columns() {
-  static const auto columns = reduced_columns();
-  return columns;
-}
-template <>
-const std::vector<BodyColumn<ContinuumObservables>>& body_columns() {
-  static const auto columns = continuum_columns();
-  return columns;
-}
-
 template <class Observables>
 std::vector<scene::Column> documented_columns() {
   std::vector<scene::Column> documented;
@@ -158,10 +76,12 @@ std::vector<scene::Column> documented_columns() {
 }
 
 template <class Observables>
-Trajectory<Observables>::Trajectory(const Quantities& quantities, const Units& units) : units_(units) {
+Trajectory<Observables>::Trajectory(const Quantities& quantities, const Units& units)
+    : request_{quantities}, units_(units) {
   for (const auto& column : body_columns<Observables>()) {
     if (!(quantities.*column.group)) continue;
     columns_.push_back(&column);
+    if (const auto* over_points = std::get_if<OverPoints>(&column.value)) request_.over_points.push_back(*over_points);
     for (const std::string& suffix : suffixes(column)) names_.push_back(std::string(column.name) + suffix);
   }
 }
@@ -169,10 +89,17 @@ Trajectory<Observables>::Trajectory(const Quantities& quantities, const Units& u
 template <class Observables>
 void Trajectory<Observables>::row(double physical_time, const Observables& internal, std::vector<double>& row) const {
   row.assign(1, physical_time);
+  auto over_points = internal.over_points.begin();
+  const auto value_of = [&]<class Value>(const Value& value) {
+    if constexpr (std::is_same_v<Value, OverPoints>)
+      return over_points == internal.over_points.end() ? mechanics::not_observed : *over_points++;
+    else
+      return value(internal);
+  };
   for (const auto* column : columns_)
     std::visit(
-        [&](const auto value) {
-          visit_entries(value(internal), [&](double entry) { row.push_back(units_.to_physical(entry, column->unit)); });
+        [&](const auto& value) {
+          visit_entries(value_of(value), [&](double entry) { row.push_back(units_.to_physical(entry, column->unit)); });
         },
         column->value);
 }

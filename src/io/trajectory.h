@@ -1,44 +1,20 @@
 #pragma once
-/// The columns of reduced.csv and continuum.csv, and their rows. A column is declared in one place (trajectory.cpp):
-/// its name, its group, its unit, what it means, and how it is had from the observables. Headers, rows, units and
-/// documentation follow from that.
+/// Headers, rows, units and documentation of the models' CSV files, from the columns that are declared in
+/// observables/body_observables.h.
 
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "entries/units.h"
-#include "mechanics/core/body_observables.h"
+#include "observables/body_observables.h"
 #include "scene/catalogue.h"
 #include "scene/scene.h"
 
 namespace pseudorigid::io {
 
-/// The entries 12, 13 and 23 of an antisymmetric matrix.
-struct AntisymmetricEntries {
-  Eigen::Vector3d values;
-};
-
-template <class Observables>
-struct BodyColumn {
-  std::string_view name;
-  bool scene::Quantities::*group;  ///< the part of Output/Quantities that asks for it
-  scene::Unit unit;
-  std::string_view documentation;
-  /// In internal units: a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row) or an antisymmetric
-  /// one (name12, name13, name23).
-  std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
-               Eigen::Matrix3d (*)(const Observables&), AntisymmetricEntries (*)(const Observables&)>
-      value;
-};
-
-/// All columns of a model but `time`, which comes first. Observables are mechanics::ReducedObservables or
-/// mechanics::ContinuumObservables.
-template <class Observables>
-const std::vector<BodyColumn<Observables>>& body_columns();
-
-/// The same as people read of them, `Q11 ... Q33` in one line.
+/// All columns of a model but `time`, which comes first, as people read of them: `Q11 ... Q33` in one line. Observables
+/// are mechanics::ReducedObservables or mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 
@@ -50,12 +26,15 @@ class Trajectory {
 
   /// The header, `time` first.
   const std::vector<std::string>& names() const { return names_; }
+  /// What has to be observed for them.
+  const mechanics::ObservableRequest& request() const { return request_; }
   /// The row of a sample; observables in internal units, the time in the user's (it is known exactly there). `row` is
   /// overwritten and its memory reused.
   void row(double physical_time, const Observables& internal, std::vector<double>& row) const;
 
  private:
-  std::vector<const BodyColumn<Observables>*> columns_;
+  mechanics::ObservableRequest request_;
+  std::vector<const mechanics::BodyColumn<Observables>*> columns_;
   std::vector<std::string> names_{"time"};
   Units units_;
 };

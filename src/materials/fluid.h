@@ -6,6 +6,8 @@
 namespace pseudorigid::materials {
 
 struct Fluid {
+  bool operator==(const Fluid&) const = default;
+
   template <class T>
   T energy(const Tensor<T>&) const {
     return T(0.0);

@@ -22,6 +22,7 @@ namespace pseudorigid::materials {
 
 struct Gent {
   double mu, lambda, J_m;
+  bool operator==(const Gent&) const = default;
 
   /// W(F); F must have J > 0 and a positive reserve.
   template <class T>

@@ -1,7 +1,11 @@
 #pragma once
-/// The table name → law. A new law is one header (energy, stress and tangent of F, over any scalar; law_limits.h has
-/// what else it may declare), its type in AnyLaw and one line of the table.
+/// The laws by name, and the entries of parameter files that are theirs. A new law is one header (energy, stress,
+/// tangent and operator==, over any scalar; law_limits.h has what else it may declare) and its lines here: its type in
+/// AnyLaw, each number of its own in LawParameters and law_entries, and its line of law_table.
 
+#include <concepts>
+#include <iterator>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -19,64 +23,152 @@
 
 namespace pseudorigid::materials {
 
-using AnyLaw =
-    std::variant<CiarletGeymonat, MooneyRivlin, Gent, SaintVenantKirchhoff, SaintVenantKirchhoffAsPrinted, Fluid>;
+using AnyLaw = std::variant<CiarletGeymonat,                //
+                            MooneyRivlin,                   //
+                            Gent,                           //
+                            SaintVenantKirchhoff,           //
+                            SaintVenantKirchhoffAsPrinted,  //
+                            Fluid>;
 
+static_assert([]<class... Laws>(std::variant<Laws...>*) { return (std::equality_comparable<Laws> && ...); }(
+                  static_cast<AnyLaw*>(nullptr)),
+              "a law declares `bool operator==(const Law&) const = default;`");
+
+/// The numbers that laws are made of; each is an entry of a parameter file, law_entries.
 struct LawParameters {
   ByName by_name{};
-  double shear_modulus = 1, lame_lambda = 1;
-  bool incompressible = true;
+  double shear_modulus = 1;
+  double lame_lambda = 1;
   double mooney_fraction = 0.5;
   double gent_limit = 10;
-
-  /// On SL(3) the neo-Hookean law, Mooney–Rivlin's and Gent's have no bulk term.
-  double bulk_lambda() const { return incompressible ? 0.0 : lame_lambda; }
 };
+
+struct LawEntry {
+  double LawParameters::*member;
+  std::string_view path;
+  bool is_modulus = false;  ///< in the unit of a pressure; any other number has no unit
+  double low = 0, high = std::numeric_limits<double>::infinity();
+  bool low_excluded = false;
+  std::string_view documentation;
+};
+
+/// In the order of a parameter file.
+inline constexpr LawEntry law_entries[] = {
+    {.member = &LawParameters::shear_modulus,
+     .path = "Material/Shear modulus",
+     .is_modulus = true,
+     .low_excluded = true,
+     .documentation = "Shear modulus mu at rest; c = sqrt(mu/density) is the speed of shear waves. The law none does "
+                      "not use it."},
+    {.member = &LawParameters::lame_lambda,
+     .path = "Material/Lame lambda",
+     .is_modulus = true,
+     .low_excluded = true,
+     .documentation = "First Lame modulus at rest, which resists changes of volume (mooney-rivlin has 2 b mu more, "
+                      "gent 2 mu/J_m, ciarlet-geymonat as printed twice this). On incompressible bodies only the two "
+                      "forms of saint-venant-kirchhoff depend on it."},
+    {.member = &LawParameters::mooney_fraction,
+     .path = "Material/Mooney fraction",
+     .high = 1,
+     .documentation = "b of mooney-rivlin, the share of the shear modulus that belongs to II; 0 is neo-hookean. Other "
+                      "laws ignore it."},
+    {.member = &LawParameters::gent_limit,
+     .path = "Material/Gent limit",
+     .low_excluded = true,
+     .documentation = "J_m of gent, the value of I - 3 that no deformation reaches; a motion that reaches it is "
+                      "stopped. The larger J_m, the closer to neo-hookean. Other laws ignore it."},
+};
+static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entries)),
+              "every number of LawParameters has one line of law_entries");
 
 struct NamedLaw {
   std::string_view name;
-  AnyLaw (*make)(const LawParameters&);
+  /// W in the symbols of Material/Law (scene/choices.h), and what else is to be known, for the reader of parameter
+  /// files; B is the bulk term.
+  std::string_view energy;
+  /// The law; `bulk` is the modulus of the bulk term, 0 where volume is preserved.
+  AnyLaw (*of)(const LawParameters&, double bulk);
+  /// What a user should be told who takes it, of an incompressible body and of a compressible one.
+  std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
+
+  AnyLaw make(const LawParameters& p, bool incompressible = true) const {
+    return of(p, incompressible ? 0 : p.lame_lambda);
+  }
 };
 
 /// Ciarlet–Geymonat's law keeps its bulk term on SL(3), where it only shifts the multiplier.
 inline constexpr NamedLaw law_table[] = {
-    {"neo-hookean",
-     [](const LawParameters& p) -> AnyLaw {
-       return CiarletGeymonat{p.shear_modulus, p.bulk_lambda()};
+    {.name = "neo-hookean",
+     .energy = "(mu/2) (I - 3 - 2 ln J) + B.",
+     .of = [](const LawParameters& p, double bulk) -> AnyLaw {
+       return CiarletGeymonat{p.shear_modulus, bulk};
      }},
-    {"mooney-rivlin",
-     [](const LawParameters& p) -> AnyLaw {
-       return MooneyRivlin{p.shear_modulus, p.bulk_lambda(), p.mooney_fraction};
+    {.name = "mooney-rivlin",
+     .energy = "(mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B, b the Mooney fraction.",
+     .of = [](const LawParameters& p, double bulk) -> AnyLaw {
+       return MooneyRivlin{p.shear_modulus, bulk, p.mooney_fraction};
      }},
-    {"gent",
-     [](const LawParameters& p) -> AnyLaw {
-       return Gent{p.shear_modulus, p.bulk_lambda(), p.gent_limit};
+    {.name = "gent",
+     .energy = "-(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, J_m the Gent limit.",
+     .of = [](const LawParameters& p, double bulk) -> AnyLaw {
+       return Gent{p.shear_modulus, bulk, p.gent_limit};
      }},
-    {"ciarlet-geymonat",
-     [](const LawParameters& p) -> AnyLaw {
+    {.name = "ciarlet-geymonat",
+     .energy = "that of neo-hookean.",
+     .of = [](const LawParameters& p, double) -> AnyLaw {
        return CiarletGeymonat{p.shear_modulus, p.lame_lambda};
      }},
-    {"ciarlet-geymonat (as printed)",
-     [](const LawParameters& p) -> AnyLaw {
+    {.name = "ciarlet-geymonat (as printed)",
+     .energy = "with 2 B for B, as Oliva prints it (5.7.9).",
+     .of = [](const LawParameters& p, double) -> AnyLaw {
        return CiarletGeymonat{p.shear_modulus, 2 * p.lame_lambda};
-     }},
-    {"saint-venant-kirchhoff",
-     [](const LawParameters& p) -> AnyLaw {
+     },
+     .warning_incompressible =
+         "as printed in Oliva 5.7.9(2) the energy of ciarlet-geymonat has lambda/2 in place of lambda/4, which is of "
+         "no effect on an incompressible body",
+     .warning_compressible =
+         "as printed in Oliva 5.7.9(2) the energy of ciarlet-geymonat has lambda/2 in place of lambda/4; the first "
+         "Lame modulus of the body is twice the entry"},
+    {.name = "saint-venant-kirchhoff",
+     .energy = "(lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in compression.",
+     .of = [](const LawParameters& p, double) -> AnyLaw {
        return SaintVenantKirchhoff{p.shear_modulus, p.lame_lambda};
-     }},
-    {"saint-venant-kirchhoff (as printed)",
-     [](const LawParameters& p) -> AnyLaw {
+     },
+     .warning_incompressible =
+         "saint-venant-kirchhoff loses stability in compression (it softens below a stretch of 1/sqrt(3) along one "
+         "axis and lets volumes vanish); do not trust it where the body is compressed much"},
+    {.name = "saint-venant-kirchhoff (as printed)",
+     .energy = "(lambda/2) (I - 3)^2 + mu (I - 3), as Oliva prints it (5.7.9); it is stressed at rest.",
+     .of = [](const LawParameters& p, double) -> AnyLaw {
        return SaintVenantKirchhoffAsPrinted{p.shear_modulus, p.lame_lambda};
-     }},
-    {"none", [](const LawParameters&) -> AnyLaw { return Fluid{}; }},
+     },
+     .warning_incompressible =
+         "as printed in Oliva 5.7.9(3) the energy of saint-venant-kirchhoff is another one, with the stress 2 mu Id at "
+         "rest (a pressure, which incompressibility carries) and the shear modulus 2 mu there",
+     .warning_compressible =
+         "as printed in Oliva 5.7.9(3) the energy of saint-venant-kirchhoff is another one, with the stress 2 mu Id at "
+         "rest: the body contracts by itself"},
+    {.name = "none",
+     .energy =
+         "0. It is a fluid or, where Incompressible = false, free particles (reduced model only); the continuum then "
+         "needs self-gravity or a confining tidal matrix.",
+     .of = [](const LawParameters&, double) -> AnyLaw { return Fluid{}; }},
 };
 
-/// The law of that name. Throws std::invalid_argument for a name that is not in the table.
-inline AnyLaw make_law(std::string_view name, const LawParameters& p) {
+/// Throws std::invalid_argument for a name that is not in the table.
+inline const NamedLaw& find_law(std::string_view name) {
   for (const NamedLaw& law : law_table)
-    if (law.name == name) return law.make(p);
+    if (law.name == name) return law;
   throw std::invalid_argument("no material law is called " + std::string(name));
 }
+
+/// The law of that name.
+inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incompressible = true) {
+  return find_law(name).make(p, incompressible);
+}
+
+/// Whether it stores no energy.
+inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
 /// Whether the law admits F, J > 0 supposed, and what has happened where it does not (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {

@@ -21,6 +21,7 @@ namespace pseudorigid::materials {
 struct MooneyRivlin {
   double mu, lambda, b;
   static constexpr double surface_limit = biot_ratio;
+  bool operator==(const MooneyRivlin&) const = default;
 
   /// W(F); F must have J > 0.
   template <class T>

@@ -15,6 +15,7 @@ namespace pseudorigid::materials {
 
 struct SaintVenantKirchhoff {
   double mu, lambda;
+  bool operator==(const SaintVenantKirchhoff&) const = default;
 
   template <class T>
   T energy(const Tensor<T>& F) const {

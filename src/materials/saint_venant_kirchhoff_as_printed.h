@@ -14,6 +14,7 @@ namespace pseudorigid::materials {
 
 struct SaintVenantKirchhoffAsPrinted {
   double mu, lambda;
+  bool operator==(const SaintVenantKirchhoffAsPrinted&) const = default;
 
   template <class T>
   T energy(const Tensor<T>& F) const {

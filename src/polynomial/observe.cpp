@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "mechanics/core/observe_stretches.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
@@ -97,7 +97,8 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
     o.angular_momentum = mechanics::axial_vector(space.moment(x, u));
     o.circulation = mechanics::axial_vector(sums.X_pulled_back);
   }
-  if (request.stretches) mechanics::observe_stretches([&](auto value) { return body.least(state.q, value); }, o);
+  o.over_points =
+      mechanics::observe_over_points(request, [&](const auto& value) { return body.least(state.q, value); });
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
   if (request.nonaffine) {
     const Parts of_x = parts(space, x), of_u = parts(space, u);
@@ -125,6 +126,7 @@ mechanics::Status observe(const CompressibleBody& body, const BodyState& state, 
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   if (auto status = body.admissible(state.q); !status) return status;
   observe_motion(body, state, request, o);
+  o.multiplier = 0;
   return {};
 }
 

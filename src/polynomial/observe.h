@@ -3,7 +3,7 @@
 /// whole body, internal units. What is measured against an affine motion (Q_M, J, Z, the non-affine parts) is measured
 /// from the centre of mass.
 
-#include "mechanics/core/body_observables.h"
+#include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"
 #include "polynomial/incompressible_body.h"
 

@@ -216,7 +216,7 @@ std::string PolynomialBody::least_jacobian_in_words(const Vector& q) const {
   return text;
 }
 
-double PolynomialBody::least(const Vector& q, double (*value)(const Eigen::Matrix3d& F)) const {
+double PolynomialBody::least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);

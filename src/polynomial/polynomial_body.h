@@ -18,6 +18,7 @@
 /// All integrals are of the whole body, in internal units.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -89,7 +90,7 @@ class PolynomialBody {
   /// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)" of the least det F over the points of integration.
   std::string least_jacobian_in_words(const Vector& q) const;
   /// The least value of a function of F over the points of integration.
-  double least(const Vector& q, double (*value)(const Eigen::Matrix3d& F)) const;
+  double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
   /// f of all but reactions.

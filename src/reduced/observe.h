@@ -8,8 +8,9 @@
 #include <cmath>
 #include <optional>
 
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/body_observables.h"
 #include "reduced/bipolar.h"
 #include "reduced/local_path.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -42,7 +43,10 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
     o.circulation = mechanics::axial_vector(body.E0() * Qdot.transpose() * Q);
   }
   if (request.axes) o.semi_axes = mechanics::singular_values(Q * body.reference().shape);
-  if constexpr (!mechanics::unconstrained<System>) {
+  o.over_points = mechanics::observe_over_points(request, [&](const auto& value) { return value(Q); });
+  if constexpr (mechanics::unconstrained<System>) {
+    o.multiplier = o.central_pressure = 0;
+  } else {
     if (request.multiplier || request.pressure || request.bipolar) {
       double Lambda = 0;
       if (auto status = mechanics::multiplier_of_motion(system, state, workspace, Lambda); !status) return status;

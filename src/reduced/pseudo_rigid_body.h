@@ -17,7 +17,7 @@
 #include "materials/eigen_tensor.h"
 #include "materials/law_limits.h"
 #include "materials/scalar.h"
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/conservative_system.h"
 #include "reduced/potential.h"
 #include "reduced/reference_body.h"

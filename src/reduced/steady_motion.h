@@ -19,7 +19,7 @@
 
 #include "materials/eigen_tensor.h"
 #include "materials/law_limits.h"
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::reduced {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "entries/matrix3.h"
+#include "materials/rest_moduli.h"
 #include "scene/models.h"
 #include "scene/scales.h"
 
@@ -84,10 +85,10 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
     return Refusal{"Initial state/Deformation", "modes are small motions about rest, Q0 = 1; leave the entry out"};
   if (largest_entry(state.velocity) != 0)
     return Refusal{"Initial state/Velocity", "modes are small motions about rest; leave the entry out"};
-  if (scene.material.law == Law::saint_venant_kirchhoff_as_printed && !scene.body.incompressible)
-    return Refusal{"Material/Law",
-                   "saint-venant-kirchhoff (as printed) is stressed at rest, so a compressible ball does not stay "
-                   "there and has no modes about rest"};
+  if (!scene.body.incompressible && materials::pressure_at_rest(law_of(scene)) != 0)
+    return Refusal{"Material/Law", scene.material.law +
+                                       " is stressed at rest, so a compressible ball does not stay "
+                                       "there and has no modes about rest"};
   const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
   loads::Forcing others = loads::constant_forcing(scene.loads);
   others.gravity_constant = 0;

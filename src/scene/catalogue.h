@@ -13,6 +13,7 @@
 #include "entries/about.h"
 #include "entries/entry_kinds.h"
 #include "entries/unit.h"
+#include "observables/quantities.h"
 
 namespace pseudorigid::scene {
 
@@ -62,7 +63,6 @@ struct Column {
 };
 
 struct Scene;
-struct Quantities;
 
 /// An entry and the text to give it.
 struct Setting {
@@ -128,7 +128,7 @@ struct ModelDescription {
   /// The runs of the model that the scene asks for, the poorest in motions first; empty: one, of the model's name.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// The header of its CSV file.
-  std::function<std::vector<std::string>(const Quantities&)> header{};
+  std::function<std::vector<std::string>(const mechanics::Quantities&)> header{};
   /// The discretisation of the run by which its error in space is estimated, in words; none of a scene that leaves the
   /// discretisation to a search. Null for a model that has no such error.
   std::function<std::optional<std::string>(const Scene&)> companion{};

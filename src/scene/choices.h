@@ -1,7 +1,9 @@
 #pragma once
 /// The words that entries of a parameter file may have as values, and what they stand for.
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 #include "entries/entry_kinds.h"
 #include "scene/catalogue.h"
@@ -9,27 +11,16 @@
 
 namespace pseudorigid::scene {
 
-inline constexpr Choice<Analysis, 5> analysis_kind{{{
+inline constexpr auto analysis_kind = choice<Analysis>({
     {"motion", Analysis::motion},
     {"modes", Analysis::modes},
     {"equilibrium", Analysis::equilibrium},
     {"manifolds", Analysis::manifolds},
     {"section", Analysis::section},
-}}};
-inline constexpr Choice<Crossings, 3> crossings_kind{
-    {{{"up", Crossings::up}, {"down", Crossings::down}, {"both", Crossings::both}}}};
-/// The names are those of the laws' own table, materials/law_table.h.
-inline constexpr Choice<Law, 8> law_kind{{{
-    {"neo-hookean", Law::neo_hookean},
-    {"mooney-rivlin", Law::mooney_rivlin},
-    {"gent", Law::gent},
-    {"ciarlet-geymonat", Law::ciarlet_geymonat},
-    {"ciarlet-geymonat (as printed)", Law::ciarlet_geymonat_as_printed},
-    {"saint-venant-kirchhoff", Law::saint_venant_kirchhoff},
-    {"saint-venant-kirchhoff (as printed)", Law::saint_venant_kirchhoff_as_printed},
-    {"none", Law::none},
-}}};
-inline constexpr Choice<Family, 10> initial_family_kind{{{
+});
+inline constexpr auto crossings_kind =
+    choice<Crossings>({{"up", Crossings::up}, {"down", Crossings::down}, {"both", Crossings::both}});
+inline constexpr auto initial_family_kind = choice<Family>({
     {"none", Family::none},
     {"maclaurin", Family::maclaurin},
     {"spheroids", Family::spheroids},
@@ -40,19 +31,20 @@ inline constexpr Choice<Family, 10> initial_family_kind{{{
     {"riemann-s-dual", Family::riemann_s_dual},
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
-}}};
-/// Those that Analysis = equilibrium can write.
-inline constexpr Choice<Family, 10> family_kind = [] {
-  Choice<Family, 10> kind;
-  for (std::size_t i = 0; i + 1 < kind.table.size(); ++i) kind.table[i] = initial_family_kind.table[i + 1];
-  kind.table.back() = {"static", Family::at_rest};
-  return kind;
-}();
-inline constexpr Choice<ErrorEstimate, 2> error_estimate_kind{
-    {{{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}}}};
-inline constexpr Choice<Graphics, 2> graphics_kind{{{{"none", Graphics::none}, {"vtu", Graphics::vtu}}}};
-inline constexpr Choice<Cells, 2> cells_kind{{{{"linear", Cells::linear}, {"lagrange", Cells::lagrange}}}};
-inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
+});
+/// Those that Analysis = equilibrium can write: all but none, and the equilibria at rest.
+inline constexpr auto family_kind = []() consteval {
+  auto table = initial_family_kind.table;
+  std::ranges::rotate(table, table.begin() + 1);
+  table.back() = {"static", Family::at_rest};
+  return Choice(table);
+}
+();
+inline constexpr auto error_estimate_kind =
+    choice<ErrorEstimate>({{"none", ErrorEstimate::none}, {"auto", ErrorEstimate::automatic}});
+inline constexpr auto graphics_kind = choice<Graphics>({{"none", Graphics::none}, {"vtu", Graphics::vtu}});
+inline constexpr auto cells_kind = choice<Cells>({{"linear", Cells::linear}, {"lagrange", Cells::lagrange}});
+inline constexpr auto symmetry_kind = choice<Symmetry>({
     {"auto", Symmetry::automatic},
     {"none", Symmetry::none},
     {"x", Symmetry::x},
@@ -62,28 +54,32 @@ inline constexpr Choice<Symmetry, 9> symmetry_kind{{{
     {"xz", Symmetry::xz},
     {"yz", Symmetry::yz},
     {"octant", Symmetry::octant},
-}}};
-inline constexpr Switches<Quantities, 9> quantities_kind{{{
-                                                             {"state", &Quantities::state},
-                                                             {"energies", &Quantities::energies},
-                                                             {"momenta", &Quantities::momenta},
-                                                             {"multiplier", &Quantities::multiplier},
-                                                             {"axes", &Quantities::axes},
-                                                             {"nonaffine", &Quantities::nonaffine},
-                                                             {"pressure", &Quantities::pressure},
-                                                             {"bipolar", &Quantities::bipolar},
-                                                             {"stretches", &Quantities::stretches},
-                                                         }},
-                                                         6};
+});
+inline constexpr auto quantities_kind = []() consteval {
+  NameTable<bool Quantities::*, std::size(mechanics::quantity_groups)> table;
+  for (std::size_t i = 0; i < table.size(); ++i)
+    table[i] = {mechanics::quantity_groups[i].name, mechanics::quantity_groups[i].member};
+  return Switches(table, mechanics::n_default_groups);
+}
+();
+inline constexpr auto fields_kind = switches<Fields>({
+    {"displacement", &Fields::displacement},
+    {"velocity", &Fields::velocity},
+    {"stress", &Fields::stress},
+    {"deformation", &Fields::deformation},
+    {"energy", &Fields::energy},
+});
 
-inline constexpr Switches<Fields, 5> fields_kind{{{
-                                                     {"displacement", &Fields::displacement},
-                                                     {"velocity", &Fields::velocity},
-                                                     {"stress", &Fields::stress},
-                                                     {"deformation", &Fields::deformation},
-                                                     {"energy", &Fields::energy},
-                                                 }},
-                                                 5};
+/// The text of Output/Quantities, from the groups' own.
+std::string_view documentation_of_quantities();
+
+/// The laws by name, and the text of Material/Law, from the laws' own.
+std::string_view documentation_of_laws();
+inline Word law_kind() {
+  Word kind;
+  for (const materials::NamedLaw& law : materials::law_table) kind.allowed.push_back(law.name);
+  return kind;
+}
 
 /// The systems by name, the ball first.
 inline Word system_kind(const Catalogue& catalogue) {

@@ -76,40 +76,10 @@ void visit_body(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_material(S& scene, Visit& visit) {
-  auto& [law, shear_modulus, lame_lambda, mooney_fraction, gent_limit] = scene.material;
-  visit(
-      law, law_kind,
-      About{
-          "Material/Law", "",
-          "Stored energy W per undeformed volume, with C = F^T F, I = tr C, II = (I^2 - tr C^2)/2, J = det F, III = "
-          "J^2, mu the shear modulus, lambda Lame lambda, b the Mooney fraction and B = (lambda/4) (III - 1 - ln III), "
-          "a constant where volume is preserved. "
-          "neo-hookean and ciarlet-geymonat: (mu/2) (I - 3 - 2 ln J) + B. "
-          "mooney-rivlin: (mu/2) [(1 - b) (I - 3) + b (II - 3)] - mu (1 + b) ln J + B. "
-          "gent: -(mu/2) J_m ln(1 - (I - 3)/J_m) - mu ln J + B, with J_m the Gent limit. "
-          "saint-venant-kirchhoff: (lambda/8) (I - 3)^2 + (mu/4) (I^2 - 2 II - 2 I + 3); it loses stability in "
-          "compression. none: W = 0, a fluid or, where Incompressible = false, free particles (reduced model only); "
-          "the "
-          "continuum then needs self-gravity or a confining tidal matrix. As Oliva prints them (5.7.9): "
-          "ciarlet-geymonat with 2 B for B; saint-venant-kirchhoff as (lambda/2) (I - 3)^2 + mu (I - 3), which is "
-          "stressed at rest."});
-  visit(shear_modulus, positive,
-        About{"Material/Shear modulus", "pressure",
-              "Shear modulus mu at rest; c = sqrt(mu/density) is the speed of shear waves. The law none does not "
-              "use it."});
-  visit(lame_lambda, positive,
-        About{"Material/Lame lambda", "pressure",
-              "First Lame modulus at rest, which resists changes of volume (mooney-rivlin has 2 b mu more, gent 2 "
-              "mu/J_m, ciarlet-geymonat as printed twice this). On incompressible bodies only the two forms of "
-              "saint-venant-kirchhoff depend on it."});
-  visit(mooney_fraction, Number{0, 1},
-        About{"Material/Mooney fraction", "",
-              "b of mooney-rivlin, the share of the shear modulus that belongs to II; 0 is neo-hookean. Other "
-              "laws ignore it."});
-  visit(gent_limit, positive,
-        About{"Material/Gent limit", "",
-              "J_m of gent, the value of I - 3 that no deformation reaches; a motion that reaches it is stopped. "
-              "The larger J_m, the closer to neo-hookean. Other laws ignore it."});
+  visit(scene.material.law, law_kind(), About{"Material/Law", "", documentation_of_laws()});
+  for (const materials::LawEntry& entry : materials::law_entries)
+    visit(scene.material.*entry.member, Number{entry.low, entry.high, entry.low_excluded},
+          About{entry.path, entry.is_modulus ? Unit("pressure") : Unit(), entry.documentation});
 }
 
 template <SceneOrConst S, class Visit>
@@ -308,17 +278,7 @@ void visit_output(S& scene, Visit& visit) {
         About{"Output/Samples", "",
               "Number of equal intervals of time. The quantities are written at time 0 and at the end of each "
               "interval."});
-  visit(quantities, quantities_kind,
-        About{"Output/Quantities", "",
-              "Groups of columns to compute and write, listed below; the time is always written. state: Q, Qdot, "
-              "centre of mass, mean gradient; energies; momenta: J, Z; multiplier; axes: volume ratio and "
-              "semi-axes; nonaffine: how far the continuum is from an affine motion; all: these six. The other "
-              "groups are written only if named. Of the reduced model, pressure: the pressure at the centre of a "
-              "fluid or a loaded body (central_pressure = 5/2 times the multiplier's force per volume); bipolar: "
-              "Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and Lambda* "
-              "in these frames, and bipolar_residual, the largest entry of the residual of the equation of motion "
-              "in them (Oliva 5.121), by differences along the path. Of both models, stretches: the principal "
-              "stretches of the mean deformation, and of the continuum the largest and the least anywhere."});
+  visit(quantities, quantities_kind, About{"Output/Quantities", "", documentation_of_quantities()});
   visit(graphics, graphics_kind,
         About{"Output/Graphics", "", "Pictures of the motion: none, or vtu files for ParaView."});
   visit(frames, Integer{1},

@@ -122,26 +122,10 @@ void describe_output(const Scene& scene, Needs& needs) {
 
 /// What its user should know of the law.
 std::optional<std::string> warning_of_law(const Scene& scene) {
-  const bool incompressible = scene.body.incompressible;
-  switch (scene.material.law) {
-    case Law::saint_venant_kirchhoff:
-      return "Material/Law: saint-venant-kirchhoff loses stability in compression (it softens below a stretch of "
-             "1/sqrt(3) along one axis and lets volumes vanish); do not trust it where the body is compressed much";
-    case Law::ciarlet_geymonat_as_printed:
-      return std::string(
-                 "Material/Law: as printed in Oliva 5.7.9(2) the energy of ciarlet-geymonat has lambda/2 in "
-                 "place of lambda/4") +
-             (incompressible ? ", which is of no effect on an incompressible body"
-                             : "; the first Lame modulus of the body is twice the entry");
-    case Law::saint_venant_kirchhoff_as_printed:
-      return std::string(
-                 "Material/Law: as printed in Oliva 5.7.9(3) the energy of saint-venant-kirchhoff is another "
-                 "one, with the stress 2 mu Id at rest") +
-             (incompressible ? " (a pressure, which incompressibility carries) and the shear modulus 2 mu there"
-                             : ": the body contracts by itself");
-    default:
-      return std::nullopt;
-  }
+  const materials::NamedLaw& law = materials::find_law(scene.material.law);
+  const std::string_view warning = scene.body.incompressible ? law.warning_incompressible : law.warning_compressible;
+  if (warning.empty()) return std::nullopt;
+  return fmt::format("Material/Law: {}", warning);
 }
 
 void describe_report(const Scene& scene, Needs& needs) {

@@ -19,7 +19,12 @@
 
 namespace pseudorigid::scene {
 
-inline bool is_fluid(const Scene& scene) { return scene.material.law == Law::none; }
+/// The law of the scene, in the user's units.
+inline materials::AnyLaw law_of(const Scene& scene) {
+  return materials::make_law(scene.material.law, scene.material, scene.body.incompressible);
+}
+
+inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
 /// Whether nothing acts on the ball but its elasticity and its pressure.
 inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }

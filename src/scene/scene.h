@@ -10,6 +10,8 @@
 
 #include "entries/entry_kinds.h"
 #include "loads/list.h"
+#include "materials/law_table.h"
+#include "observables/quantities.h"
 #include "scene/sweep.h"
 
 namespace pseudorigid::scene {
@@ -17,16 +19,6 @@ namespace pseudorigid::scene {
 enum class Analysis { motion, modes, equilibrium, manifolds, section };
 /// Which crossings of a section count: with a column that rises, that falls, or both.
 enum class Crossings { up, down, both };
-enum class Law {
-  neo_hookean,
-  mooney_rivlin,
-  gent,
-  ciarlet_geymonat,
-  ciarlet_geymonat_as_printed,
-  saint_venant_kirchhoff,
-  saint_venant_kirchhoff_as_printed,
-  none
-};
 /// Families of relative equilibria (reduced/equilibrium_families.h), and the equilibria at rest, which are no family.
 enum class Family {
   none,
@@ -52,19 +44,7 @@ enum class ErrorEstimate { none, automatic };
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
 /// Groups of columns of the CSV files; `time` is always written.
-struct Quantities {
-  bool state = true;       ///< Q, Qdot, centre of mass, mean gradient
-  bool energies = true;    ///< kinetic … energy
-  bool momenta = true;     ///< J, Z
-  bool multiplier = true;  ///< multiplier
-  bool axes = true;        ///< volume_ratio, a1, a2, a3
-  bool nonaffine = true;   ///< continuum only: non-affine fractions, min_jacobian
-  bool pressure = false;   ///< reduced only: central_pressure
-  bool bipolar = false;    ///< reduced only: A, T, S, Ω*, Λ*, residual of (5.121)
-  bool stretches = false;  ///< principal stretches
-  /// Continuum only, not asked for by name: with the energies, where the volumetric stabilisation is on.
-  bool volumetric = false;
-};
+using mechanics::Quantities;
 
 /// Groups of fields of a picture (io/body_picture.h).
 struct Fields {
@@ -95,9 +75,8 @@ struct Scene {
     std::vector<double> semi_axes{1, 1, 1};  ///< of the reference body, in radii
     std::optional<Matrix3> inertia;          ///< E₀; empty: that of the ellipsoid
   } body;
-  struct Material {
-    Law law = Law::neo_hookean;
-    double shear_modulus = 1, lame_lambda = 1, mooney_fraction = 0.5, gent_limit = 10;
+  struct Material : materials::LawParameters {
+    std::string law{materials::law_table[0].name};
   } material;
   loads::Loads loads;  ///< src/loads/, where their entries are
   struct InitialState {

@@ -182,14 +182,17 @@ class Validator {
 
   /// Of the numbers that the law uses.
   void check_law() const {
-    const auto& [law, mu, lambda, mooney, gent_limit] = scene_.material;
-    const bool is_svk = law == Law::saint_venant_kirchhoff || law == Law::saint_venant_kirchhoff_as_printed;
-    if (law != Law::none && (is_svk || !scene_.body.incompressible) && lambda > largest_condition * mu)
+    const materials::AnyLaw law = law_of(scene_);
+    const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
+    const double gent_limit = scene_.material.gent_limit;
+    const bool is_svk = std::holds_alternative<materials::SaintVenantKirchhoff>(law) ||
+                        std::holds_alternative<materials::SaintVenantKirchhoffAsPrinted>(law);
+    if (!materials::is_fluid(law) && (is_svk || !scene_.body.incompressible) && lambda > largest_condition * mu)
       refuse({"Material/Lame lambda",
               fmt::format("expected at most {} shear moduli, got {}: waves that change the volume are too fast then",
                           print_number(largest_condition), print_number(lambda)),
               {{{"Body/Incompressible", "true"}}}});
-    if (law == Law::gent && gent_limit < 1 / largest_condition)
+    if (std::holds_alternative<materials::Gent>(law) && gent_limit < 1 / largest_condition)
       refuse("Material/Gent limit",
              fmt::format("expected at least {}, got {}: double precision does not tell I - 3 then",
                          print_number(1 / largest_condition), print_number(gent_limit)));

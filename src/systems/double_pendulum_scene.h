@@ -26,7 +26,8 @@ struct DoublePendulumScene {
   static constexpr bool has_equilibria = true, complete = true;
 
   enum class Form { multiplier, lagrange };
-  static constexpr scene::Choice<Form, 2> form_kind{{{{"multiplier", Form::multiplier}, {"lagrange", Form::lagrange}}}};
+  static constexpr auto form_kind =
+      scene::choice<Form>({{"multiplier", Form::multiplier}, {"lagrange", Form::lagrange}});
 
   Form form = Form::multiplier;
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, gravity = 9.81;

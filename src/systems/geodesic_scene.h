@@ -30,11 +30,11 @@ struct GeodesicScene {
   static constexpr bool has_equilibria = false;
 
   enum class Surface { sphere, torus, ellipsoid, paraboloid, hyperbolic_plane };
-  static constexpr scene::Choice<Surface, 5> surface_kind{{{{"sphere", Surface::sphere},
-                                                            {"torus", Surface::torus},
-                                                            {"ellipsoid", Surface::ellipsoid},
-                                                            {"paraboloid", Surface::paraboloid},
-                                                            {"hyperbolic plane", Surface::hyperbolic_plane}}}};
+  static constexpr auto surface_kind = scene::choice<Surface>({{"sphere", Surface::sphere},
+                                                               {"torus", Surface::torus},
+                                                               {"ellipsoid", Surface::ellipsoid},
+                                                               {"paraboloid", Surface::paraboloid},
+                                                               {"hyperbolic plane", Surface::hyperbolic_plane}});
 
   Surface surface = Surface::sphere;
   double R = 3, r = 1, curvature = 1;

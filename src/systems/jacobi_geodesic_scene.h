@@ -116,10 +116,10 @@ struct JacobiGeodesicScene {
   static constexpr bool has_equilibria = false;
 
   enum class Potential { harmonic, kepler, torus, double_pendulum };
-  static constexpr scene::Choice<Potential, 4> potential_kind{{{{"harmonic", Potential::harmonic},
-                                                                {"kepler", Potential::kepler},
-                                                                {"torus", Potential::torus},
-                                                                {"double pendulum", Potential::double_pendulum}}}};
+  static constexpr auto potential_kind = scene::choice<Potential>({{"harmonic", Potential::harmonic},
+                                                                   {"kepler", Potential::kepler},
+                                                                   {"torus", Potential::torus},
+                                                                   {"double pendulum", Potential::double_pendulum}});
 
   Potential potential = Potential::kepler;
   double stiffness = 1, attraction = 1, gravity = 1, R = 3, r = 1, second_mass = 1, second_length = 1, energy = -0.5;

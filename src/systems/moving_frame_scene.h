@@ -26,7 +26,7 @@ struct MovingFrameScene {
   static constexpr bool has_equilibria = false;
 
   enum class Form { moving, inertial };
-  static constexpr scene::Choice<Form, 2> form_kind{{{{"moving", Form::moving}, {"inertial", Form::inertial}}}};
+  static constexpr auto form_kind = scene::choice<Form>({{"moving", Form::moving}, {"inertial", Form::inertial}});
   using Vector3 = std::vector<double>;
 
   Form form = Form::moving;

@@ -16,7 +16,7 @@
 #include <string>
 #include <utility>
 
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/conservative_system.h"
 #include "systems/body_loads.h"
 #include "systems/body_symmetries.h"

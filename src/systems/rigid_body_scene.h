@@ -108,8 +108,8 @@ struct RigidBodyScene {
   static constexpr bool has_equilibria = true;
 
   enum class Form { constrained, euler, lagrange };
-  static constexpr scene::Choice<Form, 3> form_kind{
-      {{{"constrained", Form::constrained}, {"euler", Form::euler}, {"lagrange", Form::lagrange}}}};
+  static constexpr auto form_kind =
+      scene::choice<Form>({{"constrained", Form::constrained}, {"euler", Form::euler}, {"lagrange", Form::lagrange}});
 
   Form form = Form::constrained;
   bool fixed_point = true;

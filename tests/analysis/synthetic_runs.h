@@ -51,6 +51,10 @@ inline Eigen::Vector3d axial(const Eigen::Matrix3d& A) {
 /// Everything that the motion determines; the elastic energy completes the kinetic one to `energy`.
 inline ContinuumObservables observe(const Motion& motion, double t, double energy) {
   ContinuumObservables o;
+  o.center = o.velocity = Eigen::Vector3d::Zero();
+  o.gravitational = o.external = o.dissipated = o.multiplier = 0;
+  o.nonaffine_kinetic_fraction = o.nonaffine_displacement = 0;
+  o.min_jacobian = 1;
   o.Q = motion.Q(t);
   o.Qdot = motion.Qdot(t);
   o.F = o.Q;

@@ -1,9 +1,13 @@
 """Sweeps of the reduced body and of another system: rows, threads, lanes, interruptions, and what they refuse."""
+import json
 import resource
 import unittest
 
-from program_test import BODY_COLUMNS, STOPPED, overrides
+from program_test import BODY_COLUMNS, STOPPED, overrides, words
 from reduced_test import BALL, ReducedTest
+from system_test import distance
+
+BODY_COLUMNS_AT_END = [f"{name}_end" for name in BODY_COLUMNS if name.startswith("Q")]
 
 
 class Sweeps(ReducedTest):
@@ -97,6 +101,32 @@ class Sweeps(ReducedTest):
                       {"Time/Tolerance": "$(1e-6*l)"}):
             _, _, n_in_lanes = self.lanes({**self.RELEASES, **other}, name=next(iter(other)).replace("/", "-"))
             self.assertEqual(n_in_lanes, 0, other)
+
+    def test_every_entry_of_the_material_is_swept_in_lanes_as_alone(self):
+        """Whatever an entry does to whatever law: eight runs together have the rows of eight single runs, and move
+        together only if their rows are equal."""
+        release = {"Models": "reduced", "Time/End": 2, "Output/Samples": 4, "Time/Method": "symmetric-8", "Time/Step": 0.02,
+                   "Output/Quantities": "state", "Initial state/Deformation": "1.2, 0, 0; 0, 1, 0; 0, 0, $(5/6)"}
+        page = json.loads(self.run_done("parameters", "--format", "json").stdout)
+        entries = {about["entry"]: float(about["default"]) for about in page
+                   if about["entry"].startswith("Material/") and about["type"] == "number"}
+        self.assertGreater(len(entries), 4)
+        moved, unmoved = set(), set()
+        for law in words("Material/Law"):
+            for entry, default in entries.items():
+                values = f"{0.7 * default} .. {1.3 * default}" if default else "0 .. 0.2"
+                scene = {**release, "Material/Law": law, entry: "$(x)", "Sweep/Parameters": f"x: {values} in 8"}
+                if default == 0:  # what dissipates
+                    scene["Time/Method"] = "rattle"
+                together, alone, n_in_lanes = self.lanes(scene, "--quiet")
+                with self.subTest(law=law, entry=entry):
+                    self.assertLess(distance(together, alone, BODY_COLUMNS_AT_END), 1e-11)
+                    same = all(column == [column[0]] * 8 for column in map(alone.column, BODY_COLUMNS_AT_END))
+                    (unmoved if same else moved).add(entry)
+                    if not same:
+                        self.assertEqual(n_in_lanes, 0)
+        self.assertEqual(moved, set(entries))
+        self.assertTrue(unmoved)
 
     def test_lanes_do_not_depend_on_threads_or_interruptions(self):
         sweep = {**self.RELEASES, "Sweep/Parameters": "l: 1.02 .. 1.4 in 4003", "Time/End": 100}

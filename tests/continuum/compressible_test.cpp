@@ -45,8 +45,8 @@ TEST(CompressibleBall, StepIsThatOfPressureWaves) {
 TEST(CompressibleBall, KeepsEnergyAndMomentum) {
   for (const char* name : {"neo-hookean", "ciarlet-geymonat", "mooney-rivlin", "saint-venant-kirchhoff"}) {
     SCOPED_TRACE(name);
-    const CompressibleBall ball(
-        half, 3, 0, materials::make_law(name, {.lame_lambda = 2, .incompressible = false, .mooney_fraction = 0.3}));
+    const CompressibleBall ball(half, 3, 0,
+                                materials::make_law(name, {.lame_lambda = 2, .mooney_fraction = 0.3}, false));
     Matrix3d Qdot;
     Qdot << 0, -0.3, 0, 0.3, 0, 0, 0, 0, 0;
     const auto start = affine_state(ball, diagonal(1.1, 1, 0.95), Qdot);
@@ -80,7 +80,7 @@ TEST(CompressibleBall, PressureOfAffineStatesIsThatOfTheLaw) {
 
 /// Driven into collapse, the ball ends in a message.
 TEST(CompressibleBall, InsideOutIsAStatus) {
-  const CompressibleBall ball(octant, 2, 0, materials::make_law("saint-venant-kirchhoff", {.incompressible = false}));
+  const CompressibleBall ball(octant, 2, 0, materials::make_law("saint-venant-kirchhoff", {}, false));
   const auto start = affine_state(ball, Matrix3d::Identity(), -20 * Matrix3d::Identity());
   const auto r = run<mechanics::Rattle>(ball, start, 1, 1, 1000);
   EXPECT_FALSE(r.finished());

@@ -54,7 +54,8 @@ TEST(Failure, ATurnedElementHasNoObservables) {
     auto workspace = ball.make_workspace();
     auto state = affine_state(ball, Matrix3d::Identity(), Matrix3d::Zero());
     mechanics::ContinuumObservables o;
-    const mechanics::ObservableRequest request{.multiplier = false, .nonaffine = false};
+    mechanics::ObservableRequest request;
+    request.multiplier = request.nonaffine = false;
     EXPECT_TRUE(observe(ball, state, workspace, request, o));
     state.q[3] += 0.7;  // a node
     continuum::Vector f = ball.make_vector();

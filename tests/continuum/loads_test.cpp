@@ -97,10 +97,8 @@ TYPED_TEST(LoadedTwin, EveryLawUnderEachLoadAndAllOfThem) {
   });
   for (const auto& law : materials::law_table) {
     if (law.name == "none") continue;
-    const materials::AnyLaw made = law.make({.shear_modulus = 1.3,
-                                             .lame_lambda = 0.8,
-                                             .incompressible = incompressible<TypeParam>,
-                                             .mooney_fraction = 0.3});
+    const materials::AnyLaw made =
+        law.make({.shear_modulus = 1.3, .lame_lambda = 0.8, .mooney_fraction = 0.3}, incompressible<TypeParam>);
     for (const loads::Loads& loads : cases) {
       SCOPED_TRACE(law.name);
       const TypeParam ball(whole, 2, 0, made, loads);

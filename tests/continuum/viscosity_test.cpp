@@ -90,8 +90,8 @@ TYPED_TEST_SUITE(LargestDamping, BothBalls);
 TYPED_TEST(LargestDamping, BoundsTheStepOfTheIteration) {
   constexpr double eta = 0.1, drag = 0.5;
   constexpr int n_lanczos = 24;
-  const materials::AnyLaw law = materials::make_law(
-      "neo-hookean", {.shear_modulus = 1, .lame_lambda = 1e-12, .incompressible = false});  // λ = 0: K is that of shear
+  const materials::AnyLaw law = materials::make_law("neo-hookean", {.shear_modulus = 1, .lame_lambda = 1e-12},
+                                                    false);  // λ = 0: K is that of shear
   const TypeParam ball(octant, 3, 0, law, {loads::Viscosity{eta}, loads::Drag{drag}}), free(octant, 3, 0, law);
   auto workspace = ball.make_workspace(), free_workspace = free.make_workspace();
   const auto free_rest = affine_state(free, Matrix3d::Identity(), Matrix3d::Zero());

@@ -18,6 +18,7 @@ namespace pseudorigid::materials {
 
 struct Yeoh {
   double mu, lambda, s;
+  bool operator==(const Yeoh&) const = default;
 
   /// W(F); F must have J > 0.
   template <class T>

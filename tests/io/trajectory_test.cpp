@@ -37,8 +37,8 @@ ContinuumObservables distinct_observables() {
   o.volume_ratio = 91;
   o.multiplier = 92;
   o.semi_axes << 95, 94, 93;
-  o.min_stretch = 0.5, o.max_stretch = 3;
-  o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
+  o.over_points = {3, 0.5};
+  o.volumetric = 99, o.nonaffine_kinetic_fraction = 96, o.nonaffine_displacement = 97, o.min_jacobian = 98;
   return o;
 }
 
@@ -67,7 +67,9 @@ TEST(Trajectory, EveryGroupCanBeLeftOutAndTimeStays) {
     trajectory.row(7, o, row);
     ASSERT_EQ(columns.size(), row.size());
     for (std::size_t i = 0; i < row.size(); ++i) EXPECT_EQ(row[i], value(all, full_row, columns[i])) << columns[i];
-    Reduced(some).row(7, mechanics::ReducedObservables{o}, row);
+    mechanics::ReducedObservables of_reduced{o};
+    of_reduced.over_points.clear();
+    Reduced(some).row(7, of_reduced, row);
     EXPECT_EQ(row.size(), Reduced(some).names().size());
   }
 }
@@ -108,17 +110,38 @@ TEST(Trajectory, UnitsHaveTheDimensionOfEachColumn) {
 
 /// Of a pure shear with F = diag(3, 1/3, 2), everywhere the same but for one point.
 TEST(Trajectory, StretchesAreSingularValues) {
-  ContinuumObservables o;
-  o.F = diagonal(3, 1.0 / 3, 2);
-  o.min_stretch = 0.2, o.max_stretch = 5;
   std::vector<double> row;
   const scene::Quantities stretches{false, false, false, false, false, false, false, false, true};
   const Continuum trajectory(stretches);
+  ContinuumObservables o;
+  o.F = diagonal(3, 1.0 / 3, 2);
+  o.over_points = mechanics::observe_over_points(trajectory.request(), [](const auto& value) {
+    return std::min(value(diagonal(3, 1.0 / 3, 2)), value(diagonal(5, 0.2, 1)));
+  });
   trajectory.row(0, o, row);
   EXPECT_EQ(trajectory.names(),
             (std::vector<std::string>{"time", "stretch1", "stretch2", "stretch3", "max_stretch", "min_stretch"}));
   const double expected[] = {0, 3, 2, 1.0 / 3, 5, 0.2};
   for (std::size_t i = 0; i < row.size(); ++i) EXPECT_NEAR(row[i], expected[i], 1e-15) << i;
+}
+
+/// A model that forgets an observable has no number for it, not a zero.
+TEST(Trajectory, WhatIsNotObservedIsNoNumber) {
+  std::vector<double> row;
+  Reduced({}).row(0, {}, row);
+  EXPECT_TRUE(std::all_of(row.begin() + 1, row.end(), [](double x) { return std::isnan(x); }));
+  Continuum({}).row(0, {}, row);
+  EXPECT_TRUE(std::all_of(row.begin() + 1, row.end(), [](double x) { return std::isnan(x); }));
+}
+
+/// Who asks for a group has it, whatever else is asked for.
+TEST(Trajectory, EveryGroupIsAskedForByItsWord) {
+  for (const mechanics::QuantityGroup& group : mechanics::quantity_groups) {
+    scene::Quantities alone{false, false, false, false, false, false, false, false, false};
+    alone.*group.member = true;
+    EXPECT_TRUE(Reduced(alone).request().*group.member) << group.name;
+    EXPECT_GT(Reduced(alone).names().size() + Continuum(alone).names().size(), 2u) << group.name;
+  }
 }
 
 /// Each documented column stands for one to nine of the header.

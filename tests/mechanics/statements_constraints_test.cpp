@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "materials/ciarlet_geymonat.h"
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/chart_field.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/sphere_particle.h"

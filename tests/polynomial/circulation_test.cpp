@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "polynomial/motions.h"
 #include "support/order_fit.h"
 

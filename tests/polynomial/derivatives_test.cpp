@@ -43,7 +43,7 @@ TYPED_TEST(Forces, AreMinusTheGradientOfTheEnergyForEveryLawAndLoad) {
     for (const Planes& planes : {no_planes, Planes{false, false, true}, all_planes})
       for (const auto& [name, loads] : single_loads(keeps_volume, planes)) {
         SCOPED_TRACE(std::string(named.name) + ", " + name);
-        const auto body = this->body(planes, named.make(law_parameters(keeps_volume)), loads);
+        const auto body = this->body(planes, generic(named, keeps_volume), loads);
         const VectorXd q = random_position(body, generator), f = this->force(body, this->time, q, body.make_vector());
         VectorXd u = random_direction(body, generator);
         u.tail(u.size() - body.space().n_unknowns()).setZero();

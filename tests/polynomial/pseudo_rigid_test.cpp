@@ -173,7 +173,7 @@ TYPED_TEST(DegreeOne, HasTheForceOfThePseudoRigidBodyForEveryLawAndLoad) {
   for (const Planes& planes : {no_planes, Planes{false, true, false}, all_planes})
     this->for_each_law_and_load(planes, [&](const auto& named, const loads::Loads& loads) {
       const auto twins =
-          Twins<TypeParam>::make(named.make(law_parameters(TypeParam::incompressible)), loads, planes, {1.2, 0.9, 1});
+          Twins<TypeParam>::make(generic(named, TypeParam::incompressible), loads, planes, {1.2, 0.9, 1});
       for (int i = 0; i < 5; ++i) {
         Vector3d c = random_matrix(generator).col(0), c_rate = random_matrix(generator).col(0);
         for (int k = 0; k < 3; ++k)
@@ -188,7 +188,7 @@ TYPED_TEST(DegreeOne, HasTheMultiplierOfThePseudoRigidBody) {
   for (const Planes& planes : {no_planes, all_planes})
     this->for_each_law_and_load(planes, [&](const auto& named, const loads::Loads& loads) {
       const auto twins =
-          Twins<TypeParam>::make(named.make(law_parameters(TypeParam::incompressible)), loads, planes, {1.2, 0.9, 1});
+          Twins<TypeParam>::make(generic(named, TypeParam::incompressible), loads, planes, {1.2, 0.9, 1});
       this->compare_multipliers(twins, random_state<TypeParam>(planes, 0.3, generator));
     });
 }
@@ -198,7 +198,7 @@ TYPED_TEST(DegreeOne, MovesAsThePseudoRigidBodyOverAHundredPeriods) {
   const auto compare = [&](const Planes& planes, const materials::NamedLaw& named, const loads::Loads& loads) {
     // A fluid runs away but for its gravity.
     if (named.name == "none" && loads::constant_forcing(loads).gravity_constant == 0) return;
-    const auto twins = Twins<TypeParam>::make(named.make(law_parameters(TypeParam::incompressible)), loads, planes);
+    const auto twins = Twins<TypeParam>::make(generic(named, TypeParam::incompressible), loads, planes);
     const auto s = random_state<TypeParam>(planes, 0.1, generator);
     const auto other = random_state<TypeParam>(planes, 1, generator);
     this->compare_motions(twins, s, other.A.inverse() * other.velocity);

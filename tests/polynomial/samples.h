@@ -39,9 +39,9 @@ inline Matrix3d admitted(const Planes& planes, Matrix3d M) {
   return M;
 }
 
-/// μ = 1 as everywhere in internal units; a Lamé λ, a Mooney fraction and a limit of Gent's law that are not special.
-inline materials::LawParameters law_parameters(bool incompressible) {
-  return {.shear_modulus = 1, .lame_lambda = 3, .incompressible = incompressible, .mooney_fraction = 0.3};
+/// μ = 1 as everywhere in internal units; a Lamé λ, a Mooney fraction that are not special.
+inline materials::AnyLaw generic(const materials::NamedLaw& law, bool incompressible) {
+  return law.make({.shear_modulus = 1, .lame_lambda = 3, .mooney_fraction = 0.3}, incompressible);
 }
 template <class Body>
 inline constexpr bool incompressible = std::is_same_v<Body, IncompressibleBody>;

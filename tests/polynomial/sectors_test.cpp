@@ -122,14 +122,20 @@ TEST(SectorConstraint, IsThatOfTheWholeBall) {
 /// Asked for, they are numbers of the state that was observed, and stay so when it is gone.
 TEST(Stretches, AreThoseOfTheStateObserved) {
   const IncompressibleBody body({.degree = 3});
+  mechanics::ObservableRequest request;
+  request.multiplier = false;
+  request.over_points = {
+      {.largest = true, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[0]; }},
+      {.largest = false, .value = [](const Matrix3d& F) { return mechanics::singular_values(F)[2]; }}};
   mechanics::ContinuumObservables o;
   {
     const polynomial::BodyState state{0, body.affine(Vector3d(1.25, 1, 0.8).asDiagonal()), body.make_vector()};
     auto workspace = body.make_workspace();
-    ASSERT_TRUE(polynomial::observe(body, state, workspace, {.multiplier = false, .stretches = true}, o));
+    ASSERT_TRUE(polynomial::observe(body, state, workspace, request, o));
   }
-  EXPECT_NEAR(o.max_stretch, 1.25, 1e-14);
-  EXPECT_NEAR(o.min_stretch, 0.8, 1e-14);
+  ASSERT_EQ(o.over_points.size(), 2u);
+  EXPECT_NEAR(o.over_points[0], 1.25, 1e-14);
+  EXPECT_NEAR(o.over_points[1], 0.8, 1e-14);
 }
 
 }  // namespace

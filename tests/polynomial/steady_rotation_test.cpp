@@ -21,9 +21,8 @@ using namespace polynomial;
 using mechanics::SpecialKind;
 
 BodySetup setup_of(std::string_view law, double pi_G_rho, int degree, bool incompressible = true) {
-  BodySetup setup{
-      .degree = degree,
-      .law = materials::make_law(law, {.shear_modulus = 1, .lame_lambda = 3, .incompressible = incompressible})};
+  BodySetup setup{.degree = degree,
+                  .law = materials::make_law(law, {.shear_modulus = 1, .lame_lambda = 3}, incompressible)};
   setup.loads.get<loads::SelfGravity>().constant = pi_G_rho / std::numbers::pi;
   return setup;
 }

@@ -125,11 +125,7 @@ constexpr double lambda = 1.3, mu = 0.8;
 
 /// A law of the program's table, with these moduli.
 materials::AnyLaw law(std::string_view name) {
-  materials::LawParameters parameters;
-  parameters.shear_modulus = mu;
-  parameters.lame_lambda = lambda;
-  parameters.incompressible = false;
-  return materials::make_law(name, parameters);
+  return materials::make_law(name, {.shear_modulus = mu, .lame_lambda = lambda}, false);
 }
 double energy(const materials::AnyLaw& law, const Matrix3d& F) {
   return std::visit([&](const auto& l) { return l.energy(materials::to_tensor(F)); }, law);

@@ -43,14 +43,10 @@ struct LawOfTable {
   materials::AnyLaw law;
 };
 inline std::vector<LawOfTable> laws(bool incompressible) {
-  materials::LawParameters parameters;
-  parameters.shear_modulus = 1;
-  parameters.lame_lambda = 3;
-  parameters.incompressible = incompressible;
-  parameters.mooney_fraction = 0.3;
   std::vector<LawOfTable> result;
   for (const auto& law : materials::law_table)
-    if (incompressible || law.name != "none") result.push_back({law.name, law.make(parameters)});
+    if (incompressible || law.name != "none")
+      result.push_back({law.name, law.make({.lame_lambda = 3, .mooney_fraction = 0.3}, incompressible)});
   return result;
 }
 

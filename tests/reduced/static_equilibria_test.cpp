@@ -248,11 +248,7 @@ TEST(StaticEquilibria, OfACompressibleBallInAPressure) {
 
 /// Saint Venant–Kirchhoff's energy is finite where volumes vanish, and critical at Q = 0: no equilibrium of a body.
 TEST(StaticEquilibria, AreNoCollapsedBodies) {
-  materials::LawParameters parameters;
-  parameters.shear_modulus = 1;
-  parameters.lame_lambda = 2;
-  parameters.incompressible = false;
-  const Potential V(materials::make_law("saint-venant-kirchhoff", parameters), ball);
+  const Potential V(materials::make_law("saint-venant-kirchhoff", {.lame_lambda = 2}, false), ball);
   const CriticalPoints found = equilibria(StaticLandscape(V, ball, {}, false), false, false);
   ASSERT_GE(found.points.size(), 1);
   for (const CriticalPoint& p : found.points) EXPECT_GT(StaticLandscape::matrix(p.q).determinant(), 1e-8);

@@ -21,7 +21,7 @@ struct SteadyBody {
 
   /// of a law and πGρ
   SteadyBody(std::string_view law, double pi_G_rho, bool incompressible = true)
-      : potential(materials::make_law(law, {.incompressible = incompressible}), reduced::ReferenceBody::unit_ball(),
+      : potential(materials::make_law(law, {}, incompressible), reduced::ReferenceBody::unit_ball(),
                   {.gravity_constant = pi_G_rho / std::numbers::pi}) {}
 
   reduced::IsotropicBody<reduced::Potential> isotropic(bool incompressible = true) const {

@@ -96,11 +96,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "scene.prm:2: Output/Frames: expected a whole number >= 1, got \"99999999999\""}));
 
 /// With the words of the table, in its order.
-const std::string at_law = [] {
-  std::string names;
-  for (const auto& [name, law] : law_kind.table) names.append(names.empty() ? "" : ", ").append(name);
-  return "scene.prm:2: Material/Law: expected one of " + names + ", got ";
-}();
+const std::string at_law = "scene.prm:2: Material/Law: expected " + law_kind().expected() + ", got ";
+const std::string at_models =
+    "scene.prm:1: Models: expected " + models_kind(test::test_catalogue()).expected() + ", got ";
 
 INSTANTIATE_TEST_SUITE_P(
     Words, BadInputTest,
@@ -134,17 +132,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "set System = triple pendulum",
                  {},
                  "scene.prm:1: System: expected ball or top, got \"triple pend"},
-        BadInput{"model",
-                 "set Models = reduced, continum",
-                 {},
-                 "scene.prm:1: Models: expected a comma-separated list out of reduced, polynomial, continuum, got "
-                 "\"continum\"; did "
-                 "you mean \"continuum\"?"},
         BadInput{
-            "model_comma",
-            "set Models = reduced,",
-            {},
-            "scene.prm:1: Models: expected a comma-separated list out of reduced, polynomial, continuum, got nothing"},
+            "model", "set Models = reduced, continum", {}, at_models + "\"continum\"; did you mean \"continuum\"?"},
+        BadInput{"model_comma", "set Models = reduced,", {}, at_models + "nothing"},
         BadInput{"quantity",
                  entry("Output", "Quantities = state, energy"),
                  {},

@@ -2,7 +2,9 @@
 
 #include "scene/print_scene.h"
 
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
@@ -78,8 +80,10 @@ Scene any_scene(std::mt19937_64& random) {
   if (random() % 2 == 0)
     scene.sweep = {{"x", {any_number(random), any_number(random)}, 2 + static_cast<int>(random() % 9)},
                    {"y_2", {any_number(random), any_number(random), any_number(random)}, {}}};
-  scene.material = {law_kind.table[random() % law_kind.table.size()].second, positive_number(), positive_number(),
-                    std::uniform_real_distribution<>(0, 1)(random)};
+  scene.material.law = materials::law_table[random() % std::size(materials::law_table)].name;
+  for (const materials::LawEntry& entry : materials::law_entries)
+    scene.material.*entry.member =
+        std::isinf(entry.high) ? positive_number() : std::uniform_real_distribution<>(entry.low, entry.high)(random);
   for (auto* matrix : {&scene.initial_state.deformation, &scene.initial_state.velocity})
     for (auto& row : *matrix)
       for (double& entry : row) entry = random() % 3 ? any_number(random) : -0.0;

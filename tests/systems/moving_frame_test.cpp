@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "support/integrate.h"
 #include "systems/conservative_checks.h"
 

@@ -44,8 +44,8 @@ class ContinuumModel {
         ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree,
               stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points),
         rank_order_(ball_.space()),
-        request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
+        request_(trajectory_.request()),
         nonaffine_(context, name),
         tension_(context, name),
         wrinkling_(context, law_) {
@@ -191,9 +191,9 @@ class ContinuumModel {
   materials::AnyLaw law_;
   System ball_;
   continuum::RankOrder rank_order_;
+  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
-  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
   WrinklingWatch wrinkling_;

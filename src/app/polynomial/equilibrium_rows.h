@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "entries/units.h"
-#include "mechanics/core/body_observables.h"
+#include "observables/body_observables.h"
 #include "polynomial/incompressible_body.h"
 #include "polynomial/rotation_family.h"
 #include "scene/catalogue.h"

@@ -43,8 +43,8 @@ class PolynomialModel {
         context_(context),
         trace_(context, task.trace),
         body_(body_setup(context.scene, context.needs.sector.reflect, task.degree)),
-        request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
+        request_(trajectory_.request()),
         nonaffine_(context, name),
         tension_(context, name) {
     request_.nonaffine |= nonaffine_.watches();
@@ -160,9 +160,9 @@ class PolynomialModel {
   const RunContext& context_;
   TraceRecorder trace_;
   System body_;
+  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;
-  io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
   std::optional<Picture> picture_;                          ///< from the first one on

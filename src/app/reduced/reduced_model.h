@@ -38,8 +38,8 @@ class ReducedModel {
         law_(scene.law),
         start_(start_of<System>(scene)),
         context_(context),
-        request_(context.request()),
         trajectory_(context.needs.quantities, context.units),
+        request_(trajectory_.request()),
         tension_(context, name) {
     request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
   }
@@ -198,8 +198,8 @@ class ReducedModel {
   materials::AnyLaw law_;
   State start_;
   const RunContext& context_;
-  mechanics::ObservableRequest request_;
   io::Trajectory<mechanics::ReducedObservables> trajectory_;
+  mechanics::ObservableRequest request_;
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
   bool knows_motion_ = true;      ///< false where a resumed run has rows without Q

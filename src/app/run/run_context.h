@@ -15,7 +15,6 @@
 #include "io/manifest.h"
 #include "io/run_directory.h"
 #include "io/signals.h"
-#include "mechanics/core/body_observables.h"
 #include "mechanics/core/outcome.h"
 #include "mechanics/methods/methods.h"
 #include "scene/needs.h"
@@ -45,29 +44,19 @@ struct RunContext {
   }
   /// Whether Ctrl-C has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
-  mechanics::ObservableRequest request() const {
-    const scene::Quantities& q = needs.quantities;
-    return {.energies = q.energies,
-            .momenta = q.momenta,
-            .multiplier = q.multiplier,
-            .axes = q.axes,
-            .nonaffine = q.nonaffine,
-            .pressure = q.pressure,
-            .bipolar = q.bipolar,
-            .stretches = q.stretches};
-  }
 };
 
 /// The context of a run of the same scene with other needs or another section Time.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
+  const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks] = context;
   return {.scene = scene,
           .needs = needs,
-          .directory = context.directory,
-          .units = context.units,
-          .log = context.log,
-          .sink_of = context.sink_of,
-          .resumes = context.resumes,
-          .ranks = context.ranks};
+          .directory = directory,
+          .units = units,
+          .log = log,
+          .sink_of = sink_of,
+          .resumes = resumes,
+          .ranks = ranks};
 }
 
 /// What a run steps with.

@@ -57,16 +57,14 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
 
 /// The law in internal units: μ = 1 where the unit of time is that of shear waves, as it is without self-gravity.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
-  const auto& material = scene.material;
+  const scene::Scene::Material& material = scene.material;
   const double stress = units_of(scene).stress();
   const bool has_shear_waves = !scene::is_fluid(scene) && !loads::present(scene.loads.get<loads::SelfGravity>());
   const double mu = has_shear_waves ? 1.0 : material.shear_modulus / stress;
-  return materials::make_law(scene::law_kind.print(material.law),
-                             {.shear_modulus = mu,
-                              .lame_lambda = mu * (material.lame_lambda / material.shear_modulus),
-                              .incompressible = scene.body.incompressible,
-                              .mooney_fraction = material.mooney_fraction,
-                              .gent_limit = material.gent_limit});
+  materials::LawParameters internal = material;
+  for (const materials::LawEntry& entry : materials::law_entries)
+    if (entry.is_modulus) internal.*entry.member = mu * (material.*entry.member / material.shear_modulus);
+  return materials::make_law(material.law, internal, scene.body.incompressible);
 }
 
 }  // namespace pseudorigid::app

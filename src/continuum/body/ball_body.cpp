@@ -115,9 +115,9 @@ Eigen::Matrix3d BallBody::nodal_moment(const Vector& a, const Vector& b) const {
 }
 
 LeastPlace BallBody::least_jacobian(const Vector& x) const { return of_all_ranks(kernels_->locate_least_jacobian(x)); }
-LeastPlace BallBody::least(const Vector& x, double (*value)(const Eigen::Matrix3d& F)) const {
+LeastPlace BallBody::least(const Vector& x, const std::function<double(const Eigen::Matrix3d& F)>& value) const {
   using RowByRow = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
-  return of_all_ranks(kernels_->locate_least(x, [value](const double* F) { return value(RowByRow(F)); }));
+  return of_all_ranks(kernels_->locate_least(x, [&value](const double* F) { return value(RowByRow(F)); }));
 }
 LeastPlace BallBody::least_reserve(const Vector& x) const { return of_all_ranks(kernels_->locate_least_reserve(x)); }
 

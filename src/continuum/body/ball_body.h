@@ -13,6 +13,7 @@
 /// internal units; the system is the computed sector, observables are of the whole ball.
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,7 +23,7 @@
 #include "continuum/body/surface_gravity_forces.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
-#include "mechanics/core/body_observables.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/constrained_system.h"
 
 namespace pseudorigid::continuum {
@@ -77,7 +78,7 @@ class BallBody {
   /// Least det F over the quadrature points of all ranks, with its place.
   LeastPlace least_jacobian(const Vector& x) const;
   /// Likewise the least value of a function of F.
-  LeastPlace least(const Vector& x, double (*value)(const Eigen::Matrix3d& F)) const;
+  LeastPlace least(const Vector& x, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
   /// Likewise the least reserve of the law (materials/law_limits.h).
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "continuum/parallel/ranks.h"
-#include "mechanics/core/observe_stretches.h"
+#include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
 
 namespace pseudorigid::continuum {
@@ -72,7 +72,7 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     o.elastic = n_images * sums.elastic + o.volumetric;
     o.external = ball.loads().potential(state.t, ball.nodal_moment(state.q, state.q), ball.mass() * o.center,
                                         F_integral, n_images * sums.volume);
-    if (ball.gravity()) o.gravitational = n_images * ball.gravity()->energy(state.q);
+    o.gravitational = ball.gravity() ? n_images * ball.gravity()->energy(state.q) : 0;
     if (ball.time_dependent()) o.external -= ball.given(state.v);
     o.dissipated = ball.dissipated(state.v);
   }
@@ -80,7 +80,8 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
     o.angular_momentum = mechanics::axial_vector(ball.nodal_moment(x, v));
     o.circulation = mechanics::axial_vector(ball.whole_ball(to_eigen(sums.X_pulled_back)));
   }
-  if (request.stretches) mechanics::observe_stretches([&](auto value) { return ball.least(state.q, value).value; }, o);
+  o.over_points =
+      mechanics::observe_over_points(request, [&](const auto& value) { return ball.least(state.q, value).value; });
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
     o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
@@ -104,6 +105,7 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace&,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
+  o.multiplier = 0;
   return observe_motion(ball, state, request, o);
 }
 

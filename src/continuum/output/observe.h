@@ -4,6 +4,7 @@
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
+#include "observables/body_observables.h"
 
 namespace pseudorigid::continuum {
 

@@ -1,0 +1,179 @@
+#pragma once
+/// What is observed of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
+/// that show it. A column is declared here, below the observable that it shows: name, group, unit, what it means, and
+/// how it is had. Headers, rows, units and documentation follow (io/trajectory.h).
+///
+///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
+///
+/// Reduced body: J_i = m̄ ε_ijk Q_jA Q̇_kA,  Z_A = m̄ ε_ABC (QᵀQ̇)_CB; a rigid spin ω at Q = Id gives J = Z = 2m̄ω.
+/// All in the program's internal units (length r, mass ρr³, time r/c).
+///
+/// A new observable is a member, set by the models that have it (reduced/observe.h, polynomial/observe.cpp,
+/// continuum/output/observe.cpp). One that nobody sets stays NaN, which ends a run at its first sample.
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "entries/unit.h"
+#include "mechanics/core/principal_axes.h"
+#include "observables/quantities.h"
+
+namespace pseudorigid::mechanics {
+
+inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
+
+/// The least or the largest value of a function of the deformation gradient over the points of integration of the whole
+/// body.
+struct OverPoints {
+  bool largest;
+  double (*value)(const Eigen::Matrix3d& F);
+};
+
+/// What somebody will look at; the rest is not evaluated.
+struct ObservableRequest : Quantities {
+  std::vector<OverPoints> over_points{};
+};
+
+/// The values that are asked for; least(value) is the least value of a function of F over the points of a body.
+template <class Least>
+std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
+  std::vector<double> values;
+  for (const OverPoints& asked : request.over_points)
+    values.push_back(asked.largest ? -least([&](const Eigen::Matrix3d& F) { return -asked.value(F); })
+                                   : least(asked.value));
+  return values;
+}
+
+/// The entries 12, 13 and 23 of an antisymmetric matrix.
+struct AntisymmetricEntries {
+  Eigen::Vector3d values;
+};
+
+template <class Observables>
+struct BodyColumn {
+  std::string_view name;
+  bool Quantities::*group;  ///< the part of Output/Quantities that asks for it
+  scene::Unit unit;
+  std::string_view documentation;
+  /// In internal units: a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), an antisymmetric
+  /// one (name12, name13, name23), or a value over the points of the body.
+  std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
+               Eigen::Matrix3d (*)(const Observables&), AntisymmetricEntries (*)(const Observables&), OverPoints>
+      value;
+};
+
+struct BodyObservables {
+  Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q (reduced) or the mass moment Q_M (continuum)
+  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< its rate
+  Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< its velocity v
+  double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
+         dissipated = not_observed;
+  Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J, about the centre of mass
+  Eigen::Vector3d circulation = Eigen::Vector3d::Constant(not_observed);       ///< Z
+  double volume_ratio = not_observed;                                          ///< current volume / reference volume
+  double multiplier = not_observed;  ///< λ of (5.120) per m̄; continuum: (1/m̄)∫λ_h dV
+  Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);  ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
+  std::vector<double> over_points{};                                    ///< as many as were asked for
+
+  double energy() const { return kinetic + elastic + gravitational + external + dissipated; }
+};
+
+template <class O>
+inline constexpr BodyColumn<O> common_columns[] = {
+    {"Q", &Quantities::state, "", "deformation; of the continuum the mass moment Q_M, the affine motion nearest to it",
+     [](const O& o) { return o.Q; }},
+    {"Qdot", &Quantities::state, "1/time", "its rate", [](const O& o) { return o.Qdot; }},
+    {"x", &Quantities::state, "length", "centre of mass", [](const O& o) { return o.center; }},
+    {"v", &Quantities::state, "length/time", "velocity of the centre of mass", [](const O& o) { return o.velocity; }},
+    {"kinetic", &Quantities::energies, "mass*length^2/time^2", "kinetic energy", [](const O& o) { return o.kinetic; }},
+    {"elastic", &Quantities::energies, "mass*length^2/time^2", "stored energy", [](const O& o) { return o.elastic; }},
+    {"gravitational", &Quantities::energies, "mass*length^2/time^2", "energy of the self-gravity",
+     [](const O& o) { return o.gravitational; }},
+    {"external", &Quantities::energies, "mass*length^2/time^2",
+     "energy of all loads, minus the energy that time-dependent loads have given to the body",
+     [](const O& o) { return o.external; }},
+    {"dissipated", &Quantities::energies, "mass*length^2/time^2", "energy dissipated by viscosity and drag",
+     [](const O& o) { return o.dissipated; }},
+    {"energy", &Quantities::energies, "mass*length^2/time^2", "their sum", [](const O& o) { return o.energy(); }},
+    {"J", &Quantities::momenta, "mass*length^2/time", "angular momentum about the centre of mass",
+     [](const O& o) { return o.angular_momentum; }},
+    {"Z", &Quantities::momenta, "mass*length^2/time",
+     "circulation, the integral of rho X x (F^T v) about the centre of mass; a rigid spin of the undeformed ball has "
+     "J = Z",
+     [](const O& o) { return o.circulation; }},
+    {"volume_ratio", &Quantities::axes, "", "current volume / reference volume",
+     [](const O& o) { return o.volume_ratio; }},
+    {"multiplier", &Quantities::multiplier, "1/time^2",
+     "multiplier of det Q = 1 per tr E0/3 (of the ball, lambda of Oliva 5.120); of the continuum the integral of the "
+     "Kirchhoff pressure per tr E0/3. Positive is pressure",
+     [](const O& o) { return o.multiplier; }},
+    {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
+};
+
+/// What only the reduced body has.
+struct ReducedObservables : BodyObservables {
+  double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
+  Eigen::Vector3d axes =
+      Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, followed along the path, times r
+  Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
+  Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
+  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< likewise of Λ* = ṠSᵀ
+  double bipolar_residual = not_observed;  ///< largest entry of the residual of (5.121), per m̄
+};
+
+inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
+    {"central_pressure", &Quantities::pressure, "pressure", "p_c of p = p_c (1 - |X|^2/r^2), the reaction to det Q = 1",
+     [](const ReducedObservables& o) { return o.central_pressure; }},
+    {"A", &Quantities::bipolar, "length", "semi-axes of Q = T^T A S, followed along the motion, in no order",
+     [](const ReducedObservables& o) { return o.axes; }},
+    {"T", &Quantities::bipolar, "", "rotation T of the bipolar decomposition",
+     [](const ReducedObservables& o) { return o.T; }},
+    {"S", &Quantities::bipolar, "", "rotation S of the bipolar decomposition",
+     [](const ReducedObservables& o) { return o.S; }},
+    {"Omega_star", &Quantities::bipolar, "1/time", "T' T^T",
+     [](const ReducedObservables& o) { return AntisymmetricEntries{o.Omega_star}; }},
+    {"Lambda_star", &Quantities::bipolar, "1/time", "S' S^T",
+     [](const ReducedObservables& o) { return AntisymmetricEntries{o.Lambda_star}; }},
+    {"bipolar_residual", &Quantities::bipolar, "1/time^2",
+     "largest entry of the residual of Oliva (5.121), per tr E0/3",
+     [](const ReducedObservables& o) { return o.bipolar_residual; }},
+    {"stretch", &Quantities::stretches, "", "principal stretches of Q, in descending order",
+     [](const ReducedObservables& o) { return singular_values(o.Q); }},
+};
+
+/// What only a body that bends has.
+struct ContinuumObservables : BodyObservables {
+  Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
+  double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)
+  double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, ρ-weighted L²
+  double volumetric = not_observed;    ///< part of `elastic` that the volumetric stabilisation stores
+  double min_jacobian = not_observed;  ///< least det F over the quadrature points
+};
+
+inline constexpr BodyColumn<ContinuumObservables> continuum_columns[] = {
+    {"F", &Quantities::state, "", "mean deformation gradient", [](const ContinuumObservables& o) { return o.F; }},
+    {"nonaffine_kinetic_fraction", &Quantities::nonaffine, "",
+     "share of the kinetic energy that is not in the affine motion",
+     [](const ContinuumObservables& o) { return o.nonaffine_kinetic_fraction; }},
+    {"nonaffine_displacement", &Quantities::nonaffine, "", "|x - Q X| / |x|, norms weighted with the mass",
+     [](const ContinuumObservables& o) { return o.nonaffine_displacement; }},
+    {"min_jacobian", &Quantities::nonaffine, "", "least det F at the integration points",
+     [](const ContinuumObservables& o) { return o.min_jacobian; }},
+    {"volumetric", &Quantities::volumetric, "mass*length^2/time^2",
+     "part of the elastic energy that the volumetric stabilisation stores; with the energies, where it is on",
+     [](const ContinuumObservables& o) { return o.volumetric; }},
+    {"stretch", &Quantities::stretches, "", "principal stretches of the mean deformation gradient, in descending order",
+     [](const ContinuumObservables& o) { return singular_values(o.F); }},
+    {"max_stretch", &Quantities::stretches, "", "largest principal stretch at the integration points",
+     OverPoints{true, [](const Eigen::Matrix3d& F) { return singular_values(F)[0]; }}},
+    {"min_stretch", &Quantities::stretches, "", "least principal stretch at the integration points",
+     OverPoints{false, [](const Eigen::Matrix3d& F) { return singular_values(F)[2]; }}},
+};
+
+}  // namespace pseudorigid::mechanics

@@ -1,0 +1,55 @@
+#pragma once
+/// The groups of observables, which are the groups of columns in the CSV files. What nobody asks for is not evaluated.
+/// A new group is a member and its line of quantity_groups.
+
+#include <cstddef>
+#include <iterator>
+#include <string_view>
+
+namespace pseudorigid::mechanics {
+
+/// Who does not choose gets the groups that are true here.
+struct Quantities {
+  bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
+  bool pressure = false, bipolar = false, stretches = false;
+  /// Of a model that bends, not asked for by name: with the energies, where the volumetric stabilisation is on.
+  bool volumetric = false;
+};
+
+struct QuantityGroup {
+  std::string_view name;  ///< the word in parameter files
+  bool Quantities::*member;
+  std::string_view documentation;
+};
+
+/// Those that can be asked for by name; the ones that are true by default come first.
+inline constexpr QuantityGroup quantity_groups[] = {
+    {"state", &Quantities::state, "Q, Qdot, centre of mass, mean gradient"},
+    {"energies", &Quantities::energies, "the parts of the energy and their sum"},
+    {"momenta", &Quantities::momenta, "J, Z"},
+    {"multiplier", &Quantities::multiplier, "that of the constraint"},
+    {"axes", &Quantities::axes, "volume ratio and semi-axes"},
+    {"nonaffine", &Quantities::nonaffine, "how far a body that bends is from an affine motion"},
+    {"pressure", &Quantities::pressure,
+     "of the reduced model, the pressure at the centre of a fluid or a loaded body (central_pressure = 5/2 times the "
+     "multiplier's force per volume)"},
+    {"bipolar", &Quantities::bipolar,
+     "of the reduced model, Q = T^T A S followed along the motion (semi-axes A1, A2, A3 in no order, T, S), Omega* and "
+     "Lambda* in these frames, and bipolar_residual, the largest entry of the residual of the equation of motion in "
+     "them (Oliva 5.121), by differences along the path"},
+    {"stretches", &Quantities::stretches,
+     "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
+};
+static_assert(sizeof(Quantities) == std::size(quantity_groups) + 1,
+              "every group but `volumetric` has one line of quantity_groups");
+
+/// How many of the groups are true by default.
+inline constexpr std::size_t n_default_groups = [] {
+  std::size_t n = 0;
+  while (Quantities{}.*quantity_groups[n].member) ++n;
+  for (std::size_t i = n; i < std::size(quantity_groups); ++i)
+    if (Quantities{}.*quantity_groups[i].member) throw "the groups that are true by default come first";
+  return n;
+}();
+
+}  // namespace pseudorigid::mechanics
