@@ -22,10 +22,10 @@ using LoadList = std::tuple<Viscosity,     //
                             Drag,          //
                             SelfGravity,   //
                             Tide,          //
+                            PeriodicTide,  //
                             Acceleration,  //
                             Traction,      //
-                            Pressure,      //
-                            PeriodicTide>;
+                            Pressure>;
 
 namespace detail {
 template <class L, class... Known>

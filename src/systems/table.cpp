@@ -21,9 +21,15 @@ std::vector<AnySystemScene> make_table() {
 }  // namespace
 
 const std::vector<AnySystemScene>& system_table() {
-  static const auto table =
-      make_table<MassPointsScene, DoublePendulumScene, RigidBodyScene, MovingFrameScene, TorusScene, GeodesicScene,
-                 JacobiGeodesicScene, SphericalPendulumScene, FixedAxisScene>();
+  static const auto table = make_table<MassPointsScene,         //
+                                       DoublePendulumScene,     //
+                                       RigidBodyScene,          //
+                                       MovingFrameScene,        //
+                                       TorusScene,              //
+                                       GeodesicScene,           //
+                                       JacobiGeodesicScene,     //
+                                       SphericalPendulumScene,  //
+                                       FixedAxisScene>();
   return table;
 }
 

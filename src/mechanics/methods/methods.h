@@ -38,8 +38,15 @@
 namespace pseudorigid::mechanics {
 
 /// By rising order within each family.
-using MethodTable =
-    std::tuple<Rattle, Rattle4, Rattle6, Rattle8, Symmetric4, Symmetric8, Symmetric12, EnergyMomentum, DormandPrince8>;
+using MethodTable = std::tuple<Rattle,          //
+                               Rattle4,         //
+                               Rattle6,         //
+                               Rattle8,         //
+                               Symmetric4,      //
+                               Symmetric8,      //
+                               Symmetric12,     //
+                               EnergyMomentum,  //
+                               DormandPrince8>;
 
 /// What every method says of itself; one that leaves a trait out does not compile.
 template <class M>
