@@ -17,7 +17,6 @@
 #include "app/commands/program.h"
 #include "app/ranks/launch.h"
 #include "app/ranks/on_all_ranks.h"
-#include "app/reduced/reduced_in_lanes.h"
 #include "app/run/run_models.h"
 #include "continuum/kernels/kernel_table.h"
 #include "io/manifest.h"
@@ -83,12 +82,10 @@ int main(int argc, char** argv) {
   std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
   const MpiRanks several;
   if (Launch().n_ranks != 1) mpi.emplace(argc, argv, 1);
-  return run_program(
-      argc, argv,
-      {.models = {{"reduced", run_reduced}, {"polynomial", run_polynomial}, {"continuum", run_on_all_ranks}},
-       .together = {{"reduced", run_reduced_in_lanes}},
-       .libraries = std::move(libraries),
-       .instructions = [] { return pseudorigid::continuum::chosen_kernels().instructions; },
-       .runs_discretized = true,
-       .ranks = mpi ? &several : &one_rank()});
+  return run_program(argc, argv,
+                     {.models = ball_models(run_on_all_ranks),
+                      .libraries = std::move(libraries),
+                      .instructions = [] { return pseudorigid::continuum::chosen_kernels().instructions; },
+                      .runs_discretized = true,
+                      .ranks = mpi ? &several : &one_rank()});
 }

@@ -13,6 +13,7 @@
 #include "entries/about.h"
 #include "entries/entry_kinds.h"
 #include "entries/unit.h"
+#include "mechanics/core/by_name.h"
 #include "observables/quantities.h"
 
 namespace pseudorigid::scene {
@@ -111,31 +112,33 @@ struct ModelDescription {
   std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
   std::string_view adjective;      ///< of the ball that it computes, in sentences: "elastic"
   std::string_view documentation;  ///< a sentence for people
-  bool by_default = true;          ///< chosen where the scene does not say
+  bool by_default = false;         ///< chosen where the scene does not say
   /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
   /// processes may share it, and it runs in the executable that links deal.II.
-  bool discretized = false;
-  bool has_nonaffine = false;  ///< it moves in other ways than x = QX: sectors and the columns `nonaffine` concern it
+  Required<bool> discretized;
+  /// It moves in other ways than x = QX: sectors and the columns `nonaffine` concern it. A model that does not is the
+  /// pseudo-rigid body, whose exact results hold for it.
+  Required<bool> has_nonaffine;
   bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
   EquilibriaTable equilibria{};                    ///< where they are offered
   /// Columns of equilibria.csv for equilibria at rest, Equilibrium/Family = static, of a body with so many degrees of
   /// freedom; null where the model does not find them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
-  std::vector<Column> columns{};  ///< of all groups, as documented
+  std::vector<Column> columns;  ///< of all groups, as documented
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
   /// first.
   std::vector<std::string> rungs{};
   /// The runs of the model that the scene asks for, the poorest in motions first; empty: one, of the model's name.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// The header of its CSV file.
-  std::function<std::vector<std::string>(const mechanics::Quantities&)> header{};
+  std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
   /// The discretisation of the run by which its error in space is estimated, in words; none of a scene that leaves the
   /// discretisation to a search. Null for a model that has no such error.
   std::function<std::optional<std::string>(const Scene&)> companion{};
   /// The line for people of a scene that runs it, and of one that does not.
-  std::function<std::string(const Scene&)> needed{}, skipped{};
+  std::function<std::string(const Scene&)> needed, skipped;
   /// What is wrong with a sound scene for this model, if anything.
-  std::function<std::optional<Refusal>(const Scene&)> refuses{};
+  std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
 inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene& scene) {

@@ -22,8 +22,8 @@ ModelOutcome run_copy(const RunContext& context) {
   return ModelRun(model, context).run();
 }
 
-scene::ModelDescription copy_description() {
-  scene::ModelDescription copy = reduced_description();
+BallModel copy_model() {
+  scene::ModelDescription copy = reduced_model().description;
   copy.name = CopyModel::name;
   copy.adjective = "copied";
   copy.documentation = "The pseudo-rigid body once more.";
@@ -32,7 +32,7 @@ scene::ModelDescription copy_description() {
   copy.static_equilibria = nullptr;
   copy.needed = [](const scene::Scene&) { return "copy: the pseudo-rigid body once more"; };
   copy.skipped = [](const scene::Scene&) { return "copy: not among Models"; };
-  return copy;
+  return {copy, run_copy};
 }
 
 }  // namespace
@@ -40,12 +40,7 @@ scene::ModelDescription copy_description() {
 
 int main(int argc, char** argv) {
   using namespace pseudorigid::app;
-  pseudorigid::scene::Catalogue catalogue = program_catalogue();
-  catalogue.models.insert(catalogue.models.begin() + 1, copy_description());
-  return run_program(argc, argv,
-                     {.models = {{"reduced", run_reduced}, {"copy", run_copy}, {"continuum", run_continuum}},
-                      .together = {},
-                      .libraries = {},
-                      .runs_discretized = true,
-                      .catalogue = &catalogue});
+  std::vector<BallModel> models = ball_models(run_continuum);
+  models.insert(models.begin(), copy_model());
+  return run_program(argc, argv, {.models = models, .libraries = {}, .runs_discretized = true});
 }

@@ -72,8 +72,8 @@ analysis::Comparison compare(const RunContext& context, const Run& run, const Ru
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
   const bool is_free_ball = scene.body.incompressible && scene::is_free(scene) && !scene::has_mesh_file(scene);
-  // The exact value is that of nine unknowns beside all: the first model and one with elements.
-  if (is_free_ball && run.model == &scene.catalogue->models.front() && reference.model->discretized)
+  // The exact value is that of nine unknowns beside all.
+  if (is_free_ball && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
   options.surface_limit_time = counter(*reference.statistics, "surface_limit_time");
   const auto named = [&](const Run& r) {

@@ -18,6 +18,7 @@
 #include "app/commands/scene_to_run.h"
 #include "app/commands/stack_limit.h"
 #include "app/commands/sweep.h"
+#include "app/models/catalogue.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/launch.h"
 #include "app/ranks/on_all_ranks.h"
@@ -51,8 +52,8 @@ void go_on(scene::Scene& scene, const Options& options) {
   }
 }
 
-Input read_and_validate(const Options& options, const Executable& executable, int n_ranks) {
-  Input input{scene::read_scene(options.scene, options.overrides, *executable.catalogue, scene_text_handed_over()), {}};
+Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
+  Input input{scene::read_scene(options.scene, options.overrides, catalogue, scene_text_handed_over()), {}};
   input.read = input.raw;
   scene::Scene scene = input.raw.scene;
   if (options.resume) go_on(scene, options);
@@ -96,12 +97,13 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
   return lines;
 }
 
-int run(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
+int run(const Options& options, int argc, char** argv, const Executable& executable, const scene::Catalogue& catalogue,
+        const Launch& launch) {
   const Ranks& ranks = *executable.ranks;
   Input input;
   on_all_ranks(ranks, [&] {
     executable.instructions();
-    input = read_and_validate(options, executable, n_ranks_known(executable, launch));
+    input = read_and_validate(options, catalogue, n_ranks_known(executable, launch));
   });
   scene::ReadScene& read = input.read;
   require_same_on_all_ranks(ranks, identity_of(options, read));
@@ -124,11 +126,12 @@ int run(const Options& options, int argc, char** argv, const Executable& executa
 }
 
 int dispatch(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
+  const scene::Catalogue catalogue = catalogue_with(executable.models);
   switch (options.command) {
     case Command::run:
-      return run(options, argc, argv, executable, launch);
+      return run(options, argc, argv, executable, catalogue, launch);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options, executable, n_ranks_known(executable, launch)).read;
+      const scene::ReadScene read = read_and_validate(options, catalogue, n_ranks_known(executable, launch)).read;
       scene::Needs needs = needs_with_effort(read.scene);
       describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
@@ -136,7 +139,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
       return exit_done;
     }
     case Command::parameters:
-      io::print(scene::parameters(options.format, *executable.catalogue));
+      io::print(scene::parameters(options.format, catalogue));
       return exit_done;
     case Command::report:
       if (launch.rank == 0) report_run(options);

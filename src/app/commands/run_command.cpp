@@ -82,8 +82,7 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
   };
   if (const auto* system = context.needs.system) run(system->file, run_system, context);
   for (const scene::ModelDescription* model : context.needs.models)
-    if (last.end == finished)
-      run(model->name, executable.models.at(model->name), context_of(*model, context, executable));
+    if (last.end == finished) run(model->name, executable.model(*model).run, context_of(*model, context, executable));
   std::string not_printed = quiet ? "" : print(results);
   if (context.needs.comparison && last.end != interrupted)
     not_printed = compare_models(context, manifest.content(), others, quiet);
@@ -102,13 +101,9 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
 int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                     io::ManifestFile& manifest, bool shows_progress) {
   using enum mechanics::Outcome;
-  const RunModel run = context.needs.system ? run_system : executable.models.at(context.needs.models.front()->name);
-  RunTogether together = nullptr;
-  if (!context.needs.system)
-    if (const auto found = executable.together.find(context.needs.models.front()->name);
-        found != executable.together.end())
-      together = found->second;
-  const ModelOutcome sweep = run_sweep(raw, run, together, context, shows_progress);
+  const BallModel* model = context.needs.system ? nullptr : &executable.model(*context.needs.models.front());
+  const ModelOutcome sweep =
+      run_sweep(raw, model ? model->run : run_system, model ? model->together : nullptr, context, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
   // A sweep fails where the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
@@ -261,7 +256,7 @@ int assist_scene(const scene::ReadScene& read, const Options& options, const Exe
   int code = exit_done;
   auto model = std::ranges::find_if(needs.models, &scene::ModelDescription::discretized);
   while (executable.ranks->of_first(false)) try {
-      if (executable.models.at((*model)->name)(context).end != mechanics::Outcome::finished) code = exit_stopped;
+      if (executable.model(**model).run(context).end != mechanics::Outcome::finished) code = exit_stopped;
       model = std::find_if(model + 1, needs.models.end(), [](const auto* next) { return next->discretized; });
     } catch (const FailureOnAllRanks& error) {
       code = error.failure().exit_code;

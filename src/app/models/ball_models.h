@@ -1,20 +1,43 @@
 #pragma once
-/// The models of the ball. A model is one source file with its description, one line in the table below, and the
-/// function that runs it (run_models.h, Executable).
+/// The models of the ball. A model is one source file of this folder, which says what it is and what runs it, and its
+/// two lines below.
 
-#include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "app/run/run_context.h"
 #include "scene/catalogue.h"
 
 namespace pseudorigid::app {
 
-scene::ModelDescription reduced_description();
-scene::ModelDescription polynomial_description();
-scene::ModelDescription continuum_description();
+using RunModel = ModelOutcome (*)(const RunContext&);
+/// Runs at the same time, as a sweep has many; nothing where each has to run by itself.
+using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
-/// The poorest in motions first, as the catalogue has them.
-inline constexpr std::array ball_models{reduced_description, polynomial_description, continuum_description};
+struct BallModel {
+  /// `run` may be null for a discretized model, in an executable that does not link what runs it. Throws
+  /// std::logic_error if anything else is missing.
+  BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
+
+  scene::ModelDescription description;
+  RunModel run;
+  RunTogether together;  ///< null: one by one
+};
+
+BallModel reduced_model();
+BallModel polynomial_model();
+BallModel continuum_model(RunModel run);
+
+/// The poorest in motions first, as the catalogue has them. `continuum`: what runs the finite elements, if anything
+/// here does.
+inline std::vector<BallModel> ball_models(RunModel continuum) {
+  return {
+      reduced_model(),
+      polynomial_model(),
+      continuum_model(continuum),
+  };
+}
 
 /// Why the method of the scene cannot integrate it, or the law cannot have its start, if so. It is asked of the
 /// pseudo-rigid body, of which every model of the ball is a finer one.

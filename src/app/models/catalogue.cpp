@@ -1,6 +1,10 @@
 #include "app/models/catalogue.h"
 
-#include "app/models/ball_models.h"
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <utility>
+
 #include "app/reduced/reduced_scene.h"
 #include "app/systems/equilibria.h"
 #include "app/systems/manifolds.h"
@@ -17,7 +21,21 @@ template <class Method>
 constexpr bool for_discretized =
     mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, ElasticBody<true>>();
 
-scene::Catalogue make_catalogue() {
+bool is_complete(const scene::ModelDescription& m) {
+  return !m.name.empty() && !m.adjective.empty() && !m.documentation.empty() && !m.columns.empty() && m.header &&
+         m.needed && m.skipped && m.refuses;
+}
+
+}  // namespace
+
+BallModel::BallModel(scene::ModelDescription d, RunModel run_model, RunTogether run_together)
+    : description(std::move(d)), run(run_model), together(run_together) {
+  if (!is_complete(description) || (!run && !description.discretized))
+    throw std::logic_error(
+        fmt::format("the model \"{}\" leaves out a part of its description, or what runs it", description.name));
+}
+
+scene::Catalogue catalogue_with(const std::vector<BallModel>& models) {
   scene::Catalogue catalogue{.methods = {},
                              .models = {},
                              .systems = {},
@@ -26,15 +44,13 @@ scene::Catalogue make_catalogue() {
   mechanics::for_each_method([&]<class Method>(Method) {
     catalogue.methods.push_back({Method::name, Method::documentation, for_discretized<Method>});
   });
-  for (const auto describe : ball_models) catalogue.models.push_back(describe());
+  for (const BallModel& model : models) catalogue.models.push_back(model.description);
   for (const auto& system : systems::system_table()) catalogue.systems.push_back(describe_system(system));
   return catalogue;
 }
 
-}  // namespace
-
 const scene::Catalogue& program_catalogue() {
-  static const scene::Catalogue catalogue = make_catalogue();
+  static const scene::Catalogue catalogue = catalogue_with(ball_models(nullptr));
   return catalogue;
 }
 

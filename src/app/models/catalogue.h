@@ -1,12 +1,17 @@
 #pragma once
-/// Methods and systems as parameter files and `pseudorigid parameters` know them, from their tables
-/// (mechanics/methods/methods.h, systems/table.h).
+/// Models, methods and systems as parameter files and `pseudorigid parameters` know them, from their tables
+/// (ball_models.h, mechanics/methods/methods.h, systems/table.h).
 
+#include <vector>
+
+#include "app/models/ball_models.h"
 #include "scene/catalogue.h"
 
 namespace pseudorigid::app {
 
-/// Lives as long as the program.
+scene::Catalogue catalogue_with(const std::vector<BallModel>& models);
+
+/// That of the program's own models; it lives as long as the program.
 const scene::Catalogue& program_catalogue();
 
 }  // namespace pseudorigid::app

@@ -114,22 +114,24 @@ std::optional<Refusal> refuses(const Scene& scene) {
 
 }  // namespace
 
-scene::ModelDescription continuum_description() {
+BallModel continuum_model(RunModel run) {
   using Observables = mechanics::ContinuumObservables;
-  return {.name = "continuum",
-          .adjective = "elastic",
-          .documentation =
-              "Finite elements, with a pressure that preserves volume where the body is incompressible: the ball "
-              "itself, to the error of its mesh.",
-          .discretized = true,
-          .has_nonaffine = true,
-          .has_modes = true,
-          .columns = io::documented_columns<Observables>(),
-          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-          .companion = continuum_companion,
-          .needed = continuum_needed,
-          .skipped = continuum_skipped,
-          .refuses = refuses};
+  return {{.name = "continuum",
+           .adjective = "elastic",
+           .documentation =
+               "Finite elements, with a pressure that preserves volume where the body is incompressible: the ball "
+               "itself, to the error of its mesh.",
+           .by_default = true,
+           .discretized = true,
+           .has_nonaffine = true,
+           .has_modes = true,
+           .columns = io::documented_columns<Observables>(),
+           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+           .companion = continuum_companion,
+           .needed = continuum_needed,
+           .skipped = continuum_skipped,
+           .refuses = refuses},
+          run};
 }
 
 }  // namespace pseudorigid::app

@@ -6,6 +6,7 @@
 #include "app/models/ball_models.h"
 #include "app/polynomial/equilibrium_rows.h"
 #include "app/polynomial/run_equilibria.h"
+#include "app/run/run_models.h"
 #include "io/trajectory.h"
 #include "scene/discretization.h"
 #include "scene/models.h"
@@ -92,30 +93,31 @@ std::optional<Refusal> refuses(const Scene& scene) {
 
 }  // namespace
 
-scene::ModelDescription polynomial_description() {
+BallModel polynomial_model() {
   using Observables = mechanics::ContinuumObservables;
   return {
-      .name = "polynomial",
-      .adjective = "polynomial",
-      .documentation =
-          "A body whose positions are polynomials of degree N in the reference positions: between the pseudo-rigid "
-          "body, N = 1, and the continuum.",
-      .by_default = false,
-      .has_nonaffine = true,
-      .has_modes = true,
-      .has_equilibria = true,
-      .equilibria = {"equilibria-polynomial",
-                     "Of polynomial bodies: a family of figures that turn as a whole (Equilibrium/Family), for each "
-                     "degree of the scene, a row each.",
-                     polynomial_equilibria_columns()},
-      .columns = io::documented_columns<Observables>(),
-      .rungs = rungs(),
-      .runs = runs,
-      .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-      .companion = polynomial_companion,
-      .needed = polynomial_needed,
-      .skipped = polynomial_skipped,
-      .refuses = refuses};
+      {.name = "polynomial",
+       .adjective = "polynomial",
+       .documentation =
+           "A body whose positions are polynomials of degree N in the reference positions: between the pseudo-rigid "
+           "body, N = 1, and the continuum.",
+       .discretized = false,
+       .has_nonaffine = true,
+       .has_modes = true,
+       .has_equilibria = true,
+       .equilibria = {"equilibria-polynomial",
+                      "Of polynomial bodies: a family of figures that turn as a whole (Equilibrium/Family), for each "
+                      "degree of the scene, a row each.",
+                      polynomial_equilibria_columns()},
+       .columns = io::documented_columns<Observables>(),
+       .rungs = rungs(),
+       .runs = runs,
+       .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+       .companion = polynomial_companion,
+       .needed = polynomial_needed,
+       .skipped = polynomial_skipped,
+       .refuses = refuses},
+      run_polynomial};
 }
 
 }  // namespace pseudorigid::app

@@ -1,8 +1,10 @@
 #include "app/models/ball_models.h"
 #include "app/reduced/ball_equilibria.h"
+#include "app/reduced/reduced_in_lanes.h"
 #include "app/reduced/reduced_scene.h"
 #include "app/reduced/static_equilibria.h"
 #include "app/run/refuses_method.h"
+#include "app/run/run_models.h"
 #include "io/trajectory.h"
 #include "materials/eigen_tensor.h"
 
@@ -41,20 +43,26 @@ std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene) {
   return scene.body.incompressible ? refuses_body<true>(scene) : refuses_body<false>(scene);
 }
 
-scene::ModelDescription reduced_description() {
+BallModel reduced_model() {
   using Observables = mechanics::ReducedObservables;
-  return {.name = "reduced",
-          .adjective = "pseudo-rigid",
-          .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 where it is incompressible.",
-          .has_equilibria = true,
-          .equilibria = {"equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
-                         ball_equilibria_columns()},
-          .static_equilibria = static_equilibria_columns,
-          .columns = io::documented_columns<Observables>(),
-          .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-          .needed = reduced_needed,
-          .skipped = reduced_skipped,
-          .refuses = refuses_motion};
+  return {
+      {.name = "reduced",
+       .adjective = "pseudo-rigid",
+       .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 where it is incompressible.",
+       .by_default = true,
+       .discretized = false,
+       .has_nonaffine = false,
+       .has_equilibria = true,
+       .equilibria = {"equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
+                      ball_equilibria_columns()},
+       .static_equilibria = static_equilibria_columns,
+       .columns = io::documented_columns<Observables>(),
+       .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+       .needed = reduced_needed,
+       .skipped = reduced_skipped,
+       .refuses = refuses_motion},
+      run_reduced,
+      run_reduced_in_lanes};
 }
 
 }  // namespace pseudorigid::app

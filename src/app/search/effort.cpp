@@ -76,24 +76,24 @@ double viscosity(const scene::Scene& scene) { return loads::constant_forcing(int
 /// (mechanics/steps/step_size.h). Measured for η = 1 … 100, RATTLE's iteration converges at 0.06/η and not at 0.08/η.
 constexpr double reduced_chosen_step = 0.04, reduced_largest_step = 0.07;  // times 1/η
 
-/// Of the pseudo-rigid body, the poorest of the models: evaluations of the force by a method of order 8, measured as 73
-/// per unit of time at a tolerance of 1e-6, of steps that viscosity bounds, and of those that are given.
+/// Of the pseudo-rigid body: evaluations of the force by a method of order 8, measured as 73 per unit of time at a
+/// tolerance of 1e-6, of steps that viscosity bounds, and of those that are given.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
-  const bool runs = !needs.models.empty() && needs.models.front() == &scene.catalogue->models.front();
-  if (!runs || scene.analysis != scene::Analysis::motion) return;
+  const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
+  if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;
   constexpr double seconds_of_force = 1e-7;
   const double end = scene.time.end / units_of(scene).time, eta = viscosity(scene);
   double n = 73 * std::pow(scene.time.tolerance / 1e-6, -1.0 / 8) * end;
   if (scene.time.step) n = std::max(n, scene.time.end / *scene.time.step);
   n = std::max(n, end * eta / reduced_chosen_step);
   needs.needed.push_back(fmt::format("effort of the {} model: roughly {:.1g} evaluations of the force, {:.1g} s",
-                                     needs.models.front()->name, n, n * seconds_of_force));
+                                     (*model)->name, n, n * seconds_of_force));
   const double limit = reduced_largest_step / eta * units_of(scene).time;
   if (scene.time.method == mechanics::Rattle::name && scene.time.step.value_or(0) > limit)
     needs.warnings.push_back(
         fmt::format("Time/Step: with this viscosity RATTLE's iteration converges up to steps of about {:.3g}; the {} "
                     "model will stop at once with a step of {:.3g}",
-                    limit, needs.models.front()->name, *scene.time.step));
+                    limit, (*model)->name, *scene.time.step));
 }
 
 }  // namespace
