@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "polynomial/observe.h"
-#include "systems/system_scene.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -116,11 +115,10 @@ std::vector<scene::Column> polynomial_equilibria_columns() {
 }
 
 EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
-                                 const polynomial::RotationSpectrum& spectrum, const io::Units& units)
+                                 const polynomial::RotationSpectrum& spectrum)
     : body_(incompressible ? Body(polynomial::IncompressibleBody(of_whole_body(setup, true)))
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
-      spectrum_(spectrum),
-      units_(units) {}
+      spectrum_(spectrum) {}
 
 /// Of the figure as it turns, in space.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
@@ -167,9 +165,6 @@ mechanics::Status EquilibriumRows::row(int index, const RotationMember& member,
        motions ? static_cast<double>(motions->m) : -1.0});
   for (const mechanics::Rate& rate : slowest_rates(member)) row.insert(row.end(), {rate.s.real(), rate.s.imag()});
   row.push_back(member.rotation.residual);
-  const systems::Scales scales{units_.length, units_.mass, units_.time};
-  static const std::vector<scene::Column> columns = polynomial_equilibria_columns();
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
   return {};
 }
 

@@ -5,7 +5,6 @@
 #include <variant>
 #include <vector>
 
-#include "entries/units.h"
 #include "observables/body_observables.h"
 #include "polynomial/incompressible_body.h"
 #include "polynomial/rotation_family.h"
@@ -23,10 +22,10 @@ const polynomial::ClassStability* fastest_growing(const polynomial::RotationMemb
 
 class EquilibriumRows {
  public:
-  EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible, const polynomial::RotationSpectrum& spectrum,
-                  const io::Units& units);
+  EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
+                  const polynomial::RotationSpectrum& spectrum);
 
-  /// `special`: null for a member. The parameter is in the unit of the family.
+  /// In internal units, but for the parameter, which is in the unit of the family. `special`: null for a member.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 
@@ -37,7 +36,6 @@ class EquilibriumRows {
 
   Body body_;
   const polynomial::RotationSpectrum& spectrum_;
-  io::Units units_;
 };
 
 }  // namespace pseudorigid::app

@@ -12,7 +12,7 @@
 #include "app/polynomial/body_setup.h"
 #include "app/polynomial/equilibrium_rows.h"
 #include "app/reduced/ball_equilibria.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 #include "reduced/equilibrium_families.h"
 #include "scene/choices.h"
 #include "scene/models.h"
@@ -77,22 +77,18 @@ std::vector<double> parameters_of(const scene::Scene::Equilibria& asked) {
   return values;
 }
 
-io::CsvWriter create_table(const RunContext& context) {
-  std::vector<std::string> names;
-  for (const scene::Column& column : polynomial_equilibria_columns()) names.push_back(column.name);
-  return io::CsvWriter::create(context.directory.csv("equilibria-polynomial"), names);
-}
-
 class EquilibriaRun {
  public:
-  explicit EquilibriaRun(const RunContext& context) : context_(context), csv_(create_table(context)) {}
+  explicit EquilibriaRun(const RunContext& context)
+      : context_(context),
+        table_(context.directory.csv("equilibria-polynomial"), polynomial_equilibria_columns(), context.scales()) {}
 
   ModelOutcome run() {
     for (const int degree : context_.scene.polynomial.degrees) {
       add_degree(degree);
       if (outcome_.end != mechanics::Outcome::finished) break;
     }
-    csv_.flush();
+    table_.flush();
     auto& [counters, timers] = outcome_.statistics;
     counters["equilibria"] = n_members_;
     counters["special_points"] = n_special_;
@@ -119,7 +115,7 @@ class EquilibriaRun {
     for (const auto& missing : family.missing)
       context_.log->warn("no equilibrium of degree {} at {} = {:.9g}: {}", degree, name, missing.parameter,
                          missing.reason);
-    write(family, EquilibriumRows(setup, scene.body.incompressible, finder.spectrum(), context_.units));
+    write(family, EquilibriumRows(setup, scene.body.incompressible, finder.spectrum()));
     report(degree, family, described.figure, name);
     const auto n_values = static_cast<int>(family.members.size() + family.missing.size());
     if (n_values < scene.equilibria.number && outcome_.end == mechanics::Outcome::finished)
@@ -138,7 +134,7 @@ class EquilibriaRun {
       std::vector<double> row;
       if (const auto status = rows.row(++index_, *member, special, row); !status)
         return end(mechanics::Outcome::failed, status.reason());
-      csv_.append(row);
+      table_.append(row);
     }
   }
 
@@ -157,7 +153,7 @@ class EquilibriaRun {
 
   const RunContext& context_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  io::CsvWriter csv_;
+  io::ColumnTable table_;
   ModelOutcome outcome_;
   int index_ = 0;
   double n_members_ = 0, n_special_ = 0;

@@ -7,11 +7,10 @@
 
 #include "app/reduced/reduced_scene.h"
 #include "app/run/scene_to_model.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 #include "reduced/equilibrium_families.h"
 #include "scene/entries.h"
 #include "scene/user_error.h"
-#include "systems/system_scene.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -71,13 +70,10 @@ constexpr int most_rates = 10;  // a spheroid has 10, others 8; 0 fills the rest
 
 enum Kind { member = 0 };  // special points: 1 + SpecialKind
 
-std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p,
-                                   const std::vector<scene::Column>& columns, const systems::Scales& scales,
-                                   double parameter) {
+std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;
-  std::vector<double> row{static_cast<double>(index), static_cast<double>(kind)};
+  std::vector<double> row{static_cast<double>(index), static_cast<double>(kind), p.parameter};
   const auto add = [&](const Eigen::Vector3d& v) { row.insert(row.end(), {v[0], v[1], v[2]}); };
-  row.push_back(0);  // the parameter, whose unit depends on the family
   add(m.omega);
   add(m.Lambda);
   add(p.semi_axes);
@@ -96,29 +92,21 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
   for (std::size_t k = 0; k < most_rates; ++k)
     row.insert(row.end(), {k < rates.size() ? rates[k].s.real() : 0, k < rates.size() ? rates[k].s.imag() : 0});
   row.push_back(p.residual);
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
-  row[2] = parameter;
   for (double& value : row)
     if (!std::isfinite(value)) value = 0;  // a ratio without meaning
   return row;
 }
 
 void write_family(const EquilibriumFamily& family, const RunContext& context) {
-  const std::vector<scene::Column> columns = ball_equilibria_columns();
-  std::vector<std::string> names;
-  for (const scene::Column& column : columns) names.push_back(column.name);
-  const systems::Scales scales{context.units.length, context.units.mass, context.units.time};
-
   std::vector<std::pair<int, const EquilibriumPoint*>> rows;
   for (const EquilibriumPoint& point : family.points) rows.emplace_back(member, &point);
   for (const auto& special : family.special) rows.emplace_back(1 + static_cast<int>(special.kind), &special.point);
   std::stable_sort(rows.begin(), rows.end(),
                    [](const auto& a, const auto& b) { return a.second->parameter < b.second->parameter; });
-  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
+  io::ColumnTable table(context.directory.csv("equilibria"), ball_equilibria_columns(), context.scales());
   int index = 0;
-  for (const auto& [kind, point] : rows)
-    csv.append(equilibria_row(++index, kind, *point, columns, scales, point->parameter));
-  csv.flush();
+  for (const auto& [kind, point] : rows) table.append(equilibria_row(++index, kind, *point));
+  table.flush();
 }
 
 }  // namespace

@@ -9,11 +9,10 @@
 
 #include "app/reduced/reduced_scene.h"
 #include "app/run/critical_point_rows.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 #include "mechanics/core/dense_algebra.h"
 #include "mechanics/core/principal_axes.h"
 #include "reduced/static_equilibria.h"
-#include "systems/system_scene.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -99,19 +98,12 @@ ModelOutcome run_static_equilibria(const RunContext& context) {
                               : fmt::format("no equilibrium at rest was found from {} starts", found.n_starts);
     return outcome;
   }
-  const std::vector<scene::Column> columns = static_equilibria_columns(incompressible ? 8 : 9);
-  const systems::Scales scales{context.units.length, context.units.mass, context.units.time};
-  std::vector<std::string> names;
-  for (const scene::Column& column : columns) names.push_back(column.name);
-  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
+  io::ColumnTable table(context.directory.csv("equilibria"), static_equilibria_columns(incompressible ? 8 : 9),
+                        context.scales());
   int index = 0;
-  for (const mechanics::CriticalPoint& point : found.points) {
-    std::vector<double> row = static_row(++index, point, s, potential);
-    for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
-    csv.append(row);
-  }
-  csv.flush();
-  report_search(found, scales("mass*length^2/time^2"), context, outcome);
+  for (const mechanics::CriticalPoint& point : found.points) table.append(static_row(++index, point, s, potential));
+  table.flush();
+  report_search(found, context.scales()("mass*length^2/time^2"), context, outcome);
   if (found.misses_points)
     context.log->warn(
         "equilibria are missing among these: by Morse's count there is at least one each of index 0, 1, 2 and 3, and "

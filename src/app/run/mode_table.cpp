@@ -7,7 +7,7 @@
 #include <string>
 
 #include "analysis/sphere_frequencies.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 
 namespace pseudorigid::app {
 namespace {
@@ -52,10 +52,11 @@ std::string instability(const std::vector<ModeFrequency>& frequencies, const io:
 
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
-  const std::vector<std::string> columns{"index",        "omega",  "kind",  "degree", "overtone",
-                                         "multiplicity", "spread", "exact", "reduced"};
   constexpr double spheroidal = 1, toroidal = 2;  // the column kind
-  auto csv = io::CsvWriter::create(context.directory.csv(file), columns);
+  const std::vector<scene::Column> columns{{"index", "", ""},  {"omega", "1/time", ""}, {"kind", "", ""},
+                                           {"degree", "", ""}, {"overtone", "", ""},    {"multiplicity", "", ""},
+                                           {"spread", "", ""}, {"exact", "1/time", ""}, {"reduced", "1/time", ""}};
+  io::ColumnTable table(context.directory.csv(file), columns, context.scales());
   add_result(outcome, context,
              fmt::format("{:>3}  {:<14} {:>16} {:>6} {:>9} {:>16} {:>10} {:>16}", "", "mode", "omega", "copies",
                          "spread", "exact sphere", "difference", "pseudo-rigid"));
@@ -63,16 +64,16 @@ void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallA
   for (const ModeFrequency& f : frequencies) {
     const double time = context.units.time, spread = f.spread();
     const double exact = exact_frequency(f, ball), reduced = reduced_frequency(f, ball);
-    csv.append(std::vector<double>{static_cast<double>(++index), f.omega / time, f.spheroidal ? spheroidal : toroidal,
-                                   static_cast<double>(f.degree), static_cast<double>(f.overtone),
-                                   static_cast<double>(f.multiplicity), spread, exact / time, reduced / time});
+    table.append({static_cast<double>(++index), f.omega, f.spheroidal ? spheroidal : toroidal,
+                  static_cast<double>(f.degree), static_cast<double>(f.overtone), static_cast<double>(f.multiplicity),
+                  spread, exact, reduced});
     add_result(outcome, context,
                fmt::format("{:>3}  {:<14} {:>16.10g} {:>6} {:>9.1e} {:>16} {:>10} {:>16}", index, name_of(f),
                            f.omega / time, f.multiplicity, spread, fmt::format("{:.10g}", exact / time),
                            fmt::format("{:.1e}", f.omega / exact - 1),
                            reduced == 0 ? "" : fmt::format("{:.10g}", reduced / time)));
   }
-  csv.flush();
+  table.flush();
 }
 
 }  // namespace pseudorigid::app

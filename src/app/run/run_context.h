@@ -19,6 +19,7 @@
 #include "mechanics/methods/methods.h"
 #include "scene/needs.h"
 #include "scene/scene.h"
+#include "systems/system_scene.h"
 
 namespace pseudorigid::app {
 
@@ -39,6 +40,8 @@ struct RunContext {
 
   /// The scene's times in internal units.
   double internal_time(double physical) const { return physical / units.time; }
+  /// The factors by which the columns of tables come into the user's units.
+  systems::Scales scales() const { return {units.length, units.mass, units.time}; }
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }

@@ -3,19 +3,17 @@
 #include <string>
 
 #include "app/run/critical_point_rows.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 #include "mechanics/equilibria/critical_points.h"
 
 namespace pseudorigid::app {
 namespace {
 
-std::vector<double> equilibria_row(int index, const mechanics::CriticalPoint& p,
-                                   const std::vector<scene::Column>& columns, const systems::Scales& scales) {
+std::vector<double> equilibria_row(int index, const mechanics::CriticalPoint& p) {
   std::vector<double> row{static_cast<double>(index)};
   row.insert(row.end(), p.q.begin(), p.q.end());
   row.push_back(p.V);
   append_critical_point(p, row);
-  for (std::size_t i = 0; i < row.size(); ++i) row[i] *= scales(columns[i].unit);
   return row;
 }
 
@@ -45,14 +43,10 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
     return outcome;
   }
   const int n_modes = found.points.empty() ? 0 : static_cast<int>(found.points.front().hessian_eigenvalues.size());
-  const std::vector<scene::Column> columns = equilibria_columns(coordinates, n_modes);
-  std::vector<std::string> names;
-  for (const scene::Column& column : columns) names.push_back(column.name);
-  auto csv = io::CsvWriter::create(context.directory.csv("equilibria"), names);
+  io::ColumnTable table(context.directory.csv("equilibria"), equilibria_columns(coordinates, n_modes), scales);
   int index = 0;
-  for (const mechanics::CriticalPoint& point : found.points)
-    csv.append(equilibria_row(++index, point, columns, scales));
-  csv.flush();
+  for (const mechanics::CriticalPoint& point : found.points) table.append(equilibria_row(++index, point));
+  table.flush();
   if (points) *points = found;
   report_search(found, scales("mass*length^2/time^2"), context, outcome);
   return outcome;

@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "app/systems/equilibria.h"
-#include "io/csv.h"
+#include "io/column_table.h"
 #include "mechanics/core/field_of.h"
 #include "mechanics/equilibria/manifold_starts.h"
 #include "mechanics/equilibria/phase_distance.h"
@@ -38,9 +38,11 @@ struct End {
   Status step{};  ///< of the last step: why it goes on no further
 };
 
-std::vector<std::string> names_of(const std::vector<scene::Column>& columns, std::vector<std::string> names) {
-  for (const scene::Column& column : columns) names.push_back(column.name);
-  return names;
+/// Of manifolds.csv: the motion's number, its critical point and side, then the columns of the system.
+std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
+  std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
+  columns.insert(columns.end(), of_system.begin(), of_system.end());
+  return columns;
 }
 
 class ManifoldRun {
@@ -48,19 +50,14 @@ class ManifoldRun {
   ManifoldRun(const systems::AnySystemScene& system, const systems::AnyModel& model, const systems::Scales& scales,
               const RunContext& context, const std::vector<CriticalPoint>& points, ModelOutcome& outcome)
       : model_(model),
-        scales_(scales),
         context_(context),
         points_(points),
         landscape_(model.landscape()),
         periods_(landscape_.periods()),
         length_(context.internal_time(std::abs(context.scene.time.end))),
-        rows_(io::CsvWriter::create(
-            context.directory.csv("manifolds"),
-            names_of(system.description.columns_of(context.scene), {"curve", "point", "stable", "time"}))),
-        ends_(io::CsvWriter::create(context.directory.csv("connections"), names_of(connections_columns(), {}))),
+        rows_(context.directory.csv("manifolds"), curve_columns(system.description.columns_of(context.scene)), scales),
+        ends_(context.directory.csv("connections"), connections_columns(), scales),
         outcome_(outcome) {
-    for (const scene::Column& column : system.description.columns_of(context.scene))
-      units_.push_back(scales(column.unit));
     if (points.empty()) return;
     const double depth = points.back().V - points.front().V;  // by rising V
     if (depth > 0) highest_energy_ = points.back().V + depth;
@@ -106,9 +103,7 @@ class ManifoldRun {
         continue;
       }
       ++n_ends[static_cast<std::size_t>(end.to)];
-      const double values[] = {double(curve.number), double(from), double(stable),
-                               double(end.to),       end.distance, end.time * context_.units.time};
-      ends_.append(values);
+      ends_.append({double(curve.number), double(from), double(stable), double(end.to), end.distance, end.time});
     }
     std::string text;
     for (std::size_t to = 1; to < n_ends.size(); ++to)
@@ -188,24 +183,20 @@ class ManifoldRun {
 
   template <class State, class Workspace>
   Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
-    row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t * context_.units.time});
+    row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t});
     if (Status status = at_rest.row({state.t, state.q, state.v}, workspace, row_); !status) return status;
-    for (std::size_t i = 0; i < units_.size(); ++i) row_[i + 4] *= units_[i];
-    if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
-      return Status::failure("a motion has grown beyond what numbers can hold");
-    rows_.append(row_);
+    if (!rows_.append_if_finite(row_)) return Status::failure("a motion has grown beyond what numbers can hold");
     return {};
   }
 
   const systems::AnyModel& model_;
-  const systems::Scales& scales_;
   const RunContext& context_;
   const std::vector<CriticalPoint>& points_;
   mechanics::AnyLandscape landscape_;
   Eigen::VectorXd periods_, offset_;  ///< of the landscape's coordinates from those of the motion
   double length_, highest_energy_ = HUGE_VAL;
-  std::vector<double> units_, row_;
-  io::CsvWriter rows_, ends_;
+  std::vector<double> row_;
+  io::ColumnTable rows_, ends_;
   ModelOutcome& outcome_;  ///< gets the results
   int n_curves_ = 0;
   Status stopped_;  ///< the first motion that cannot be followed

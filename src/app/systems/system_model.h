@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/column_table.h"
 #include "io/manifest.h"
 #include "scene/scene.h"
 #include "systems/any_model.h"
@@ -25,12 +26,10 @@ class SystemModel {
 
   SystemModel(const scene::SystemDescription& description, const Form& form, systems::AnyModel& model,
               const systems::Scales& scales, const scene::Scene& scene)
-      : name(description.file.data()), form_(form), model_(model), columns_{"time"} {
-    for (const scene::Column& column : description.columns_of(scene)) {
-      columns_.push_back(column.name);
-      units_.push_back(scales(column.unit));
-    }
-  }
+      : name(description.file.data()),
+        form_(form),
+        model_(model),
+        columns_(time_and(description.columns_of(scene)), scales) {}
 
   const System& system() const { return form_; }
   State initial_state() const { return model_.start(); }
@@ -40,13 +39,13 @@ class SystemModel {
   /// Of most runs the whole, in a fraction of a second: a window does not know what a motion does later.
   double pilot_window(double end) const { return std::min(end, 1000.0); }
 
-  const std::vector<std::string>& columns() const { return columns_; }
+  const std::vector<std::string>& columns() const { return columns_.names; }
 
   mechanics::Status row(double time, const State& state, systems::AnyModel::Workspace& workspace,
                         std::vector<double>& row) {
     row.assign(1, model_.reversed() ? -time : time);
     if (mechanics::Status status = model_.row(state, workspace, row); !status) return status;
-    for (std::size_t i = 0; i < units_.size(); ++i) row[i + 1] *= units_[i];
+    columns_.convert(row);
     return {};
   }
 
@@ -54,10 +53,15 @@ class SystemModel {
   void report(const MethodWorkspace&, io::Manifest::Model&) const {}
 
  private:
+  /// The time of a row is in the user's units.
+  static std::vector<scene::Column> time_and(std::vector<scene::Column> columns) {
+    columns.insert(columns.begin(), {"time", "", ""});
+    return columns;
+  }
+
   const System& form_;
   systems::AnyModel& model_;
-  std::vector<std::string> columns_;
-  std::vector<double> units_;
+  io::ColumnUnits columns_;
 };
 
 }  // namespace pseudorigid::app
