@@ -15,20 +15,17 @@
 #include <vector>
 
 #include "mechanics/core/conservative_system.h"
+#include "mechanics/core/unconstrained.h"
 #include "systems/central_force.h"
 #include "systems/invariant_axes.h"
 
 namespace pseudorigid::systems {
 
-class MassPoints {
+class MassPoints : public mechanics::Unconstrained {
  public:
   using Vector = Eigen::Matrix3Xd;  // a column is a point
   using In = const Eigen::Ref<const Vector>&;
   using Out = Eigen::Ref<Vector>;
-  using Multiplier = mechanics::NoMultiplier;
-  struct Workspace {};
-  static constexpr int n_constraints = 0;
-
   struct Spring {
     int i = 0, j = 1;
     SpringLaw law;
@@ -72,16 +69,7 @@ class MassPoints {
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
   void apply_mass(In v, Out f) const { f = v * p_.masses.asDiagonal(); }
 
-  mechanics::Status constraint(In, Multiplier&) const { return {}; }
-  void constraint_rate(In, In, Multiplier&) const {}
-  void constraint_curvature(In, In, Multiplier&) const {}
-  void add_reaction(In, const Multiplier&, Out) const {}
-  void add_reaction_rate(In, In, const Multiplier&, Out) const {}
-  mechanics::SolveReport solve_gram(In, In, const Multiplier&, Workspace&, Multiplier&) const { return {}; }
-  double constraint_tolerance() const { return 0; }
   Vector make_vector() const { return Vector::Zero(3, n()); }
-  Multiplier make_multiplier() const { return {}; }
-  Workspace make_workspace() const { return {}; }
 
   bool velocity_dependent() const { return p_.drag != 0 || !p_.dashpots.empty(); }
   bool dissipative() const { return velocity_dependent(); }

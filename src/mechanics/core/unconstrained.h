@@ -1,0 +1,24 @@
+#pragma once
+/// What a system without constraints has of ConstrainedSystem, as its base.
+
+#include "mechanics/core/constrained_system.h"
+
+namespace pseudorigid::mechanics {
+
+struct Unconstrained {
+  using Multiplier = NoMultiplier;
+  struct Workspace {};
+  static constexpr int n_constraints = 0;
+
+  Status constraint(const auto&, Multiplier&) const { return {}; }
+  void constraint_rate(const auto&, const auto&, Multiplier&) const {}
+  void constraint_curvature(const auto&, const auto&, Multiplier&) const {}
+  void add_reaction(const auto&, const Multiplier&, auto&&) const {}
+  void add_reaction_rate(const auto&, const auto&, const Multiplier&, auto&&) const {}
+  SolveReport solve_gram(const auto&, const auto&, const Multiplier&, Workspace&, Multiplier&) const { return {}; }
+  double constraint_tolerance() const { return 0; }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {}; }
+};
+
+}  // namespace pseudorigid::mechanics
