@@ -1,21 +1,11 @@
 #include "polynomial/fields.h"
 
-#include <Eigen/Dense>
-#include <cmath>
 #include <cstddef>
-#include <cstdio>
-#include <variant>
 
-#include "materials/eigen_tensor.h"
+#include "materials/point_fields.h"
 
 namespace pseudorigid::polynomial {
 namespace {
-
-mechanics::Status inverted(double J, const Eigen::Vector3d& X) {
-  char text[160];
-  std::snprintf(text, sizeof text, "no stress to draw: det F = %.3g at X/r = (%.3f, %.3f, %.3f)", J, X[0], X[1], X[2]);
-  return mechanics::Status::failure(text);
-}
 
 /// λ at a point.
 double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& functions, const Eigen::VectorXd& lambda) {
@@ -48,19 +38,12 @@ mechanics::Status FieldsAtPoints::fields(const PolynomialBody& body, const Eigen
   }
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Eigen::Vector3d X = space.semi_axes().cwiseProduct(points_[i]);
-    const Eigen::Matrix3d F = space.gradient(functions_[i], x);
-    const double J = F.determinant();
-    if (!(J > 0 && std::isfinite(J))) return inverted(J, X);
     double pressure = lambda.size() > 0 ? multiplier_at(space, functions_[i], lambda) : 0;
     if (body.gravity()) pressure -= fields.potential[i] - mean_potential;
-    const auto [P, W] = std::visit(
-        [&](const auto& law) {
-          const auto f = materials::to_tensor(F);
-          return std::pair{materials::to_matrix(law.stress(f)), law.energy(f)};
-        },
-        body.law());
-    const Eigen::Matrix3d stress = (P * F.transpose() - pressure * Eigen::Matrix3d::Identity()) / J;
-    fields.add(X, space.value(functions_[i], x), space.value(functions_[i], u), F, stress, W);
+    if (auto status = materials::add_point(body.law(), X, space.value(functions_[i], x), space.value(functions_[i], u),
+                                           space.gradient(functions_[i], x), pressure, fields);
+        !status)
+      return status;
   }
   return {};
 }

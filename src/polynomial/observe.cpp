@@ -5,28 +5,18 @@
 
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/whole_body.h"
 #include "polynomial/dense_kernels.h"
 #include "polynomial/scratch.h"
 
 namespace pseudorigid::polynomial {
 namespace {
 
-double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
-
 /// Integrals over the body of F, J and X ⊗ Fᵀẋ.
 struct Integrals {
   Eigen::Matrix3d F = Eigen::Matrix3d::Zero(), X_pulled_back = Eigen::Matrix3d::Zero();
   double volume = 0;
 };
-
-/// A 3×3 integral over the whole body from that over the computed part: entries that are odd under one of its
-/// reflections cancel.
-Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (i != j && (reflect[i] || reflect[j])) integral(i, j) = 0;
-  return integral;
-}
 
 Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v) {
   const int n = space.n_points();
@@ -46,8 +36,8 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
     sums.volume += w * F_p.determinant();
     sums.X_pulled_back += w * X * (F_p.transpose() * velocity.row(p).transpose()).transpose();
   }
-  sums.F = without_odd_entries(sums.F, space.reflect());
-  sums.X_pulled_back = without_odd_entries(sums.X_pulled_back, space.reflect());
+  sums.F = mechanics::without_odd_entries(sums.F, space.reflect());
+  sums.X_pulled_back = mechanics::without_odd_entries(sums.X_pulled_back, space.reflect());
   return sums;
 }
 
@@ -102,8 +92,8 @@ void observe_motion(const PolynomialBody& body, const BodyState& state, const me
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q * Eigen::Matrix3d(space.semi_axes().asDiagonal()));
   if (request.nonaffine) {
     const Parts of_x = parts(space, x), of_u = parts(space, u);
-    o.nonaffine_kinetic_fraction = ratio(of_u.nonaffine, of_u.whole);
-    o.nonaffine_displacement = std::sqrt(ratio(of_x.nonaffine, of_x.whole));
+    o.nonaffine_kinetic_fraction = mechanics::share(of_u.nonaffine, of_u.whole);
+    o.nonaffine_displacement = std::sqrt(mechanics::share(of_x.nonaffine, of_x.whole));
     o.min_jacobian = body.least(state.q, [](const Eigen::Matrix3d& F) { return F.determinant(); });
   }
 }

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "continuum/parallel/ranks.h"
+#include "observables/whole_body.h"
 
 namespace pseudorigid::continuum {
 
@@ -149,11 +150,7 @@ void BallBody::fill_irregular(Vector& x) const {
 
 Eigen::Matrix3d BallBody::whole_ball(const Eigen::Matrix3d& sector_integral) const {
   const Sector& sector = space_.mesh().sector();
-  Eigen::Matrix3d result = sector.n_images() * sector_integral;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (i != j && (sector.reflect[i] || sector.reflect[j])) result(i, j) = 0;
-  return result;
+  return mechanics::without_odd_entries(sector.n_images() * sector_integral, sector.reflect);
 }
 
 Eigen::Matrix3d BallBody::mass_moment(const Vector& x) const {

@@ -2,14 +2,11 @@
 
 #include <Eigen/Dense>
 #include <array>
-#include <cmath>
-#include <cstdio>
 #include <span>
-#include <variant>
 
 #include "continuum/kernels/node_gradients.h"
 #include "continuum/parallel/ghost_values.h"
-#include "materials/eigen_tensor.h"
+#include "materials/point_fields.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -43,19 +40,6 @@ void reflect(std::vector<double>& values, int n_components, const Sector& sector
       const double sign = n_components == 3 ? signs[i % 3] : n_components == 9 ? signs[i / 3 % 3] * signs[i % 3] : 1;
       values.push_back(sign * of_sector[i]);
     }
-}
-
-mechanics::Status inverted(double J, const Eigen::Vector3d& X) {
-  char text[160];
-  std::snprintf(text, sizeof text, "no stress to draw: det F = %.3g at the node X/r = (%.3f, %.3f, %.3f)", J, X[0],
-                X[1], X[2]);
-  return mechanics::Status::failure(text);
-}
-
-Eigen::Matrix3d cauchy_stress(const materials::AnyLaw& law, const Eigen::Matrix3d& F, double lambda) {
-  const Eigen::Matrix3d P =
-      std::visit([&](const auto& l) { return materials::to_matrix(l.stress(materials::to_tensor(F))); }, law);
-  return (P * F.transpose() - lambda * Eigen::Matrix3d::Identity()) / F.determinant();
 }
 
 /// φ at the nodes of all cells; empty without self-gravity. Collective.
@@ -94,9 +78,8 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   for (int i = 0; i < n_nodes; ++i) {
     const Eigen::Matrix3d F =
         reference_gradient(space.reference_cell(), x, i) * reference_gradient(space.reference_cell(), X, i).inverse();
-    if (const double J = F.determinant(); !(J > 0 && std::isfinite(J))) return inverted(J, X.col(i));
-    const double energy = std::visit([&](const auto& l) { return l.energy(materials::to_tensor(F)); }, law);
-    fields.add(X.col(i), x.col(i), v.col(i), F, cauchy_stress(law, F, lambda[i]), energy);
+    if (auto status = materials::add_point(law, X.col(i), x.col(i), v.col(i), F, lambda[i], fields); !status)
+      return status;
   }
   return {};
 }

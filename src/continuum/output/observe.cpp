@@ -6,6 +6,7 @@
 #include "continuum/parallel/ranks.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/principal_axes.h"
+#include "observables/whole_body.h"
 
 namespace pseudorigid::continuum {
 namespace {
@@ -24,8 +25,6 @@ double squared_distance_from_affine(const BallBody& ball, const Vector& x, const
 double squared_norm(const BallBody& ball, const Vector& x) {
   return squared_distance_from_affine(ball, x, Eigen::Matrix3d::Zero());
 }
-
-double ratio(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 /// x − c at every node.
 Vector relative(const BallBody& ball, const Vector& x, const Eigen::Vector3d& c) {
@@ -84,8 +83,10 @@ mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
       mechanics::observe_over_points(request, [&](const auto& value) { return ball.least(state.q, value).value; });
   if (request.axes) o.semi_axes = mechanics::singular_values(o.Q);
   if (request.nonaffine) {
-    o.nonaffine_kinetic_fraction = ratio(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
-    o.nonaffine_displacement = std::sqrt(ratio(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
+    o.nonaffine_kinetic_fraction =
+        mechanics::share(squared_distance_from_affine(ball, v, o.Qdot), squared_norm(ball, v));
+    o.nonaffine_displacement =
+        std::sqrt(mechanics::share(squared_distance_from_affine(ball, x, o.Q), squared_norm(ball, x)));
     o.min_jacobian = ball.least_jacobian(x).value;
   }
   return {};

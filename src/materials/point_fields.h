@@ -1,0 +1,37 @@
+#pragma once
+/// What a picture shows at a point, of the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density.
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <cstdio>
+#include <variant>
+
+#include "materials/eigen_tensor.h"
+#include "materials/law_table.h"
+#include "mechanics/core/body_fields.h"
+#include "mechanics/core/status.h"
+
+namespace pseudorigid::materials {
+
+/// Appends a point. Fails where det F ≤ 0.
+inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
+                                   const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
+                                   mechanics::BodyFields& fields) {
+  const double J = F.determinant();
+  if (!(J > 0 && std::isfinite(J))) {
+    char text[160];
+    std::snprintf(text, sizeof text, "no stress to draw: det F = %.3g at X/r = (%.3f, %.3f, %.3f)", J, X[0], X[1],
+                  X[2]);
+    return mechanics::Status::failure(text);
+  }
+  std::visit(
+      [&](const auto& l) {
+        const Tensor<double> f = to_tensor(F);
+        const Eigen::Matrix3d P = to_matrix(l.stress(f));
+        fields.add(X, x, v, F, (P * F.transpose() - pressure * Eigen::Matrix3d::Identity()) / J, l.energy(f));
+      },
+      law);
+  return {};
+}
+
+}  // namespace pseudorigid::materials

@@ -1,0 +1,21 @@
+#pragma once
+/// From the computed sector of a body to the whole.
+
+#include <Eigen/Core>
+#include <array>
+
+namespace pseudorigid::mechanics {
+
+/// A 3×3 integral over the whole body from that over the computed part: its (i, j) entry is odd under a reflection of
+/// exactly one of x_i and x_j, and then cancels.
+inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (i != j && (reflect[i] || reflect[j])) integral(i, j) = 0;
+  return integral;
+}
+
+/// Of a part and the whole; 0/0 = 0.
+inline double share(double part, double whole) { return whole == 0 ? 0 : part / whole; }
+
+}  // namespace pseudorigid::mechanics
