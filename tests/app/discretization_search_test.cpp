@@ -22,6 +22,7 @@ struct Call {
   scene::Discretization discretization;
   bool written, stepping_is_known;
   double step, time_tolerance;
+  std::size_t n_columns;
 };
 
 /// An error by the discretisation, and whether even and odd degrees meet it at the same time.
@@ -46,8 +47,9 @@ struct Continuum {
   ModelOutcome operator()(const RunContext& context, const ContinuumTask& task) {
     const scene::Discretization d = task.discretization;
     const bool written = context.sink_of(context, "continuum")->keeps_states();
-    calls.push_back(
-        {d, written, task.stepping.has_value(), task.stepping ? task.stepping->step : 0, context.scene.time.tolerance});
+    calls.push_back({d, written, task.stepping.has_value(), task.stepping ? task.stepping->step : 0,
+                     context.scene.time.tolerance,
+                     context.needs.models.back()->header(context.needs.quantities).size()});
     ModelOutcome outcome{.end = end(d), .message = "stopped", .statistics = {}};
     outcome.statistics.counters = {{"unknowns", unknowns(d)}, {"forces", forces(d)}};
     outcome.stepping = Stepping{mechanics::id_of<mechanics::Rattle4>, 0.1};
@@ -85,6 +87,17 @@ class DiscretizationSearchTest : public ::testing::Test {
   scene::Needs needs_;
   pseudorigid::testing::ScratchDirectory folder_;
 };
+
+/// Not even the energy of the volumetric stabilisation, which no word asks for: what is not observed is not a number,
+/// and ends a run that has a column for it.
+TEST_F(DiscretizationSearchTest, RunsWithoutFilesObserveNothing) {
+  scene_.loads.get<loads::SelfGravity>().constant = 1;
+  Continuum continuum{.law = {[](const auto& d) { return 0.1 * std::pow(scene::resolution(d), -3.5); }}};
+  search(continuum, 1e-3);
+  ASSERT_TRUE(needs_.quantities.volumetric);
+  ASSERT_GE(continuum.calls.size(), 2u);
+  for (const Call& call : continuum.calls) EXPECT_EQ(call.n_columns == 1, !call.written);
+}
 
 double work_of(const scene::Discretization& d) { return Continuum::unknowns(d) * Continuum::forces(d); }
 

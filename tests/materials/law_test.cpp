@@ -262,7 +262,9 @@ TEST(RestModuli, AreThoseOfWaves) {
       const bool is_stressed = law.name == "saint-venant-kirchhoff (as printed)";
       const RestModuli moduli = moduli_at_rest(made, incompressible);
       EXPECT_NEAR(moduli.shear, is_stressed ? 2 * mu : mu, 1e-14);
-      if (const auto lame = lame_of_waves(law.name, incompressible)) EXPECT_NEAR(moduli.lame, *lame, 1e-13);
+      if (const auto lame = lame_of_waves(law.name, incompressible)) {
+        EXPECT_NEAR(moduli.lame, *lame, 1e-13);
+      }
       EXPECT_NEAR(pressure_at_rest(made), is_stressed ? 2 * mu : 0, 1e-14);
     }
   }

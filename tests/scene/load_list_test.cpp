@@ -146,7 +146,8 @@ TEST(ErrorOfRate, IsSmallForEveryScaleOfTimeAndOnlyForTheRightRate) {
   for (const double scale : {0.01, 0.1, 1.0, 10.0, 1000.0}) {
     EXPECT_LT(error_of_rate(QuickTide{scale}, 0.7), 1e-9) << scale;
     EXPECT_GT(error_of_rate(QuickTide{scale, 1.001}, 0.7), 9e-4) << scale;
-    EXPECT_GT(error_of_rate(QuickTide{scale, -1}, 0.7), 1) << scale;
+    // 2 of small steps, and somewhat below 1 of those so large that the difference is nearly 0.
+    EXPECT_GT(error_of_rate(QuickTide{scale, -1}, 0.7), 0.5) << scale;
   }
 }
 
