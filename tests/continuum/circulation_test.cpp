@@ -83,8 +83,8 @@ TEST_P(Circulation, OfAnAffineMotionIsThatOfThePseudoRigidBody) {
       const Matrix3d Qdot = admissible(sector, random_matrix(generator));
       reduced::PseudoRigidBody<CiarletGeymonat, true>::Workspace workspace;
       mechanics::ReducedObservables expected;
-      ASSERT_TRUE(reduced::observe(body, {0, Q, Qdot}, workspace, {.multiplier = false}, expected));
-      const auto o = observed(ball, affine_state(ball, Q, Qdot), {.multiplier = false});
+      ASSERT_TRUE(reduced::observe(body, {0, Q, Qdot}, workspace, {{.multiplier = false}}, expected));
+      const auto o = observed(ball, affine_state(ball, Q, Qdot), {{.multiplier = false}});
       EXPECT_LT((o.circulation - expected.circulation).norm(), 1e-12);
       if (sector.n_images() == 1) {
         EXPECT_GT(expected.circulation.norm(), 1e-2);
@@ -108,7 +108,7 @@ TEST(CirculationOfAnyMotion, IsTheIntegralOverTheBall) {
     const auto o = observed(ball,
                             {0, at_nodes(ball, [&](const Vector3d& X) { return motion.position(X); }),
                              at_nodes(ball, [&](const Vector3d& X) { return motion.velocity(X); })},
-                            {.multiplier = false});
+                            {{.multiplier = false}});
     EXPECT_LT((o.circulation - exact).norm(), error) << "degree " << degree;
   }
 }

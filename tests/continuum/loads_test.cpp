@@ -70,9 +70,9 @@ class LoadedTwin : public ::testing::Test {
         ball.mass() * (0.5 * center.dot(rate.quadratic * center) - rate.acceleration.dot(center));
     EXPECT_NEAR(ball.given(f), expected(1, 3) + given_to_center, tolerance * (1 + std::abs(expected(1, 3))));
 
-    const auto o = observed(ball, state, {.multiplier = false});
+    const auto o = observed(ball, state, {{.multiplier = false}});
     mechanics::ReducedObservables of_twin;
-    ASSERT_TRUE(reduced::observe(twin, twin_state, twin_workspace, {.multiplier = false}, of_twin));
+    ASSERT_TRUE(reduced::observe(twin, twin_state, twin_workspace, {{.multiplier = false}}, of_twin));
     const reduced::CenterOfMass at_center{
         .position = center, .velocity = velocity, .acceleration = forcing.acceleration, .quadratic = forcing.quadratic};
     EXPECT_NEAR(o.elastic, of_twin.elastic, tolerance * (1 + std::abs(of_twin.elastic)));

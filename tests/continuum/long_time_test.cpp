@@ -39,7 +39,7 @@ Series observed_run(const ElasticBall& ball, const State<ElasticBall>& start, do
   const auto r = run<Method>(ball, start, end, n_samples, n_steps);
   EXPECT_TRUE(r.finished()) << r.result.reason;
   Series series;
-  for (const auto& state : r.states) series.samples.push_back(observed(ball, state, {.multiplier = false}));
+  for (const auto& state : r.states) series.samples.push_back(observed(ball, state, {{.multiplier = false}}));
   return series;
 }
 

@@ -109,7 +109,7 @@ TEST(MeshFile, AffineRestrictionIsThePseudoRigidBody) {
     const Body body(ciarlet_geymonat, {ball.E0(), ball.volume()});
     EXPECT_GT(std::abs(ball.E0()(0, 1)), 1e-3) << "the body has no symmetry that hides an error";
     const Matrix3d Q = Matrix3d::Identity() + 0.3 * random_matrix(generator), Qdot = random_matrix(generator);
-    const auto o = observed(ball, affine_state(ball, Q, Qdot), {.multiplier = false});
+    const auto o = observed(ball, affine_state(ball, Q, Qdot), {{.multiplier = false}});
     Body::Workspace body_workspace;
     mechanics::ReducedObservables expected;
     ASSERT_TRUE(reduced::observe(body, {0, Q, Qdot}, body_workspace, {}, expected));

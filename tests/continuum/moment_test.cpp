@@ -106,7 +106,7 @@ struct MomentIdentity : ::testing::TestWithParam<int> {
     const Vector& X = ball.space().reference_positions();
     ball.constraint_rate(X, X, one);
     one /= 3;  // tr Id
-    return ball.volume() * observed(ball, state, {.multiplier = false}).F - pressure_moment(state.q, one);
+    return ball.volume() * observed(ball, state, {{.multiplier = false}}).F - pressure_moment(state.q, one);
   }
 };
 

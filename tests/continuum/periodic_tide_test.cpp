@@ -34,8 +34,8 @@ TYPED_TEST(BallUnderATide, KeepsItsBalanceOfEnergy) {
   for (const long n : {40, 80, 160}) {
     const auto r = run<mechanics::Rattle>(ball, start, 1, 1, n);
     ASSERT_TRUE(r.finished()) << r.result.reason;
-    const double change = observed(ball, r.last(), {.multiplier = false}).energy() -
-                          observed(ball, start, {.multiplier = false}).energy();
+    const double change = observed(ball, r.last(), {{.multiplier = false}}).energy() -
+                          observed(ball, start, {{.multiplier = false}}).energy();
     points.push_back({1.0 / static_cast<double>(n), std::abs(change)});
     given = ball.given(r.last().v);
   }

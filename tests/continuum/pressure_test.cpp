@@ -47,7 +47,7 @@ TEST_F(PressedBall, FeelsMinusTheGradientOfPressureTimesVolume) {
       h);
   EXPECT_NEAR(-(f * direction), by_difference, 1e-11 * (1 + std::abs(by_difference)));
   EXPECT_GT(std::abs(by_difference), 1e-3);
-  const auto o = observed(ball, {0, x, ball.make_vector()}, {.multiplier = false});
+  const auto o = observed(ball, {0, x, ball.make_vector()}, {{.multiplier = false}});
   EXPECT_NEAR(o.external, p * ball.volume() * o.volume_ratio, 1e-13);
 }
 

@@ -38,7 +38,7 @@ class Twin : public ::testing::TestWithParam<int> {
 
   void compare_energies_and_momenta(const ElasticBall& ball, const Body& body, const Matrix3d& Q,
                                     const Matrix3d& Qdot) {
-    const auto o = observed(ball, affine_state(ball, Q, Qdot), {.multiplier = false});
+    const auto o = observed(ball, affine_state(ball, Q, Qdot), {{.multiplier = false}});
     Body::Workspace workspace;
     mechanics::ReducedObservables expected;
     ASSERT_TRUE(reduced::observe(body, {0, Q, Qdot}, workspace, {}, expected));

@@ -189,13 +189,13 @@ TYPED_TEST_SUITE(EnergyBalance, BothBalls);
 TYPED_TEST(EnergyBalance, HasTheOrderOfTheMethod) {
   const TypeParam ball(octant, 2, 0, ciarlet_geymonat, all_loads(octant));
   const auto start = affine_state(ball, diagonal(1.2, 1, 1 / 1.2), diagonal(0.24, 0.1, -0.3 / 1.2));
-  const double energy = observed(ball, start, {.multiplier = false}).energy();
+  const double energy = observed(ball, start, {{.multiplier = false}}).energy();
   std::vector<ErrorPoint> points;
   constexpr double T = 0.4;
   for (const long n : {40, 80, 160}) {
     const auto r = run<mechanics::Rattle>(ball, start, T, 1, n);
     ASSERT_TRUE(r.finished()) << r.result.reason;
-    const auto o = observed(ball, r.last(), {.multiplier = false});
+    const auto o = observed(ball, r.last(), {{.multiplier = false}});
     EXPECT_GT(o.dissipated, 0.05);
     points.push_back({T / static_cast<double>(n), std::abs(o.energy() - energy)});
     std::printf("%ld steps: energy changes by %.2e, dissipated %.4f\n", n, points.back().error, o.dissipated);

@@ -7,10 +7,13 @@
 #include <atomic>
 #include <exception>
 #include <iterator>
+#include <mutex>
+#include <new>
 #include <optional>
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "analysis/motion.h"
 #include "app/commands/kept_trajectories.h"
@@ -228,7 +231,8 @@ class SweepRun {
 };
 
 /// All runs that have no row yet, by several threads that take the next group each. Groups are the same whatever the
-/// threads are and wherever a sweep was interrupted, and so are the rows.
+/// threads are and wherever a sweep was interrupted, and so are the rows. A thread that finds no memory leaves its
+/// group to the others; the last goes on alone.
 class Workers {
  public:
   Workers(const SweepRun& sweep, const scene::Sweep& parameters, const RunContext& context, SweepRows& rows)
@@ -237,18 +241,21 @@ class Workers {
         context_(context),
         rows_(rows),
         first_(rows.n_written()),
+        n_runs_(scene::n_runs(parameters)),
         next_(first_ / group * group) {}
 
   /// Returns the number of threads that the system has given.
   int work(int n_threads) {
+    left_.reserve(static_cast<std::size_t>(n_threads));  // later there may be no room
     std::vector<std::jthread> threads;
     try {
-      while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { work_alone(); });
+      while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { take_groups(true); });
     } catch (const std::exception& refusal) {  // of a system call or for want of memory
       context_.log->warn("sweep: {} threads in place of {}: {}", threads.size() + 1, n_threads, refusal.what());
     }
-    work_alone();
+    take_groups(true);
     for (std::jthread& thread : threads) thread.join();
+    take_groups(false);
     if (error_) std::rethrow_exception(error_);
     return static_cast<int>(threads.size()) + 1;
   }
@@ -261,33 +268,62 @@ class Workers {
  private:
   static constexpr int group = 8;
 
-  void work_alone() {
-    const int n = scene::n_runs(parameters_);
-    int k = 0;
-    try {
-      for (int begin = next_.fetch_add(group); begin < n; begin = next_.fetch_add(group)) {
-        const int end = std::min(begin + group, n);
-        k = std::max(begin, first_);
-        if (io::interrupt_requested()) return;
-        if (const auto results = sweep_.run_together(begin, end)) {
-          n_together_ += end - begin;
-          for (; k < end; ++k) deliver(k, (*results)[k - begin]);
-        }
-        for (; k < end && !io::interrupt_requested(); ++k) {
-          const RunResult result = sweep_.run(k);
-          if (result.outcome.end == mechanics::Outcome::interrupted) return;
-          deliver(k, result);
-        }
-      }
-    } catch (const UserError& error) {
-      const std::lock_guard lock(mutex_);
-      if (!wrong_input_ || k < wrong_input_->first) wrong_input_ = {k, error.what()};
-      next_ = n;
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!error_) error_ = std::current_exception();
-      next_ = n;
+  /// Runs of which those from `next` on have no row.
+  struct Group {
+    int begin, next, end;
+  };
+
+  std::optional<Group> take() {
+    const std::lock_guard lock(mutex_);
+    if (io::interrupt_requested()) return {};
+    if (!left_.empty()) {
+      const Group taken = left_.back();
+      left_.pop_back();
+      return taken;
     }
+    if (next_ >= n_runs_) return {};
+    const int begin = std::exchange(next_, next_ + group);
+    return Group{begin, std::max(begin, first_), std::min(begin + group, n_runs_)};
+  }
+
+  void take_groups(bool has_others) {
+    while (std::optional<Group> mine = take()) try {
+        work_on(*mine);
+      } catch (const std::bad_alloc&) {
+        const std::lock_guard lock(mutex_);
+        if (has_others) {
+          left_.push_back(*mine);
+          return;
+        }
+        end_with(std::current_exception());
+      } catch (const UserError& error) {
+        const std::lock_guard lock(mutex_);
+        if (!wrong_input_ || mine->next < wrong_input_->first) wrong_input_ = {mine->next, error.what()};
+        end_with({});
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        end_with(std::current_exception());
+      }
+  }
+
+  void work_on(Group& mine) {
+    int& k = mine.next;
+    if (const auto results = sweep_.run_together(mine.begin, mine.end)) {
+      n_together_ += mine.end - mine.begin;
+      for (; k < mine.end; ++k) deliver(k, (*results)[k - mine.begin]);
+    }
+    for (; k < mine.end && !io::interrupt_requested(); ++k) {
+      const RunResult result = sweep_.run(k);
+      if (result.outcome.end == mechanics::Outcome::interrupted) return;
+      deliver(k, result);
+    }
+  }
+
+  /// Nobody takes a group after it. Called with the lock.
+  void end_with(std::exception_ptr error) {
+    if (!error_) error_ = std::move(error);
+    left_.clear();
+    next_ = n_runs_;
   }
 
   void deliver(int k, const RunResult& result) {
@@ -306,9 +342,11 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  int first_;              ///< run without a row
-  std::atomic<int> next_;  ///< first run of the next group
-  std::mutex mutex_;
+  int first_;  ///< run without a row
+  int n_runs_;
+  std::mutex mutex_;         ///< of what follows
+  int next_;                 ///< first run of the next group
+  std::vector<Group> left_;  ///< by threads without memory
   std::exception_ptr error_;
   std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
