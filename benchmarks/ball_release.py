@@ -70,7 +70,7 @@ class Release:
                    "Time/Tolerance": tolerance}
         result = program.run(self.executable, self.scene, self.folder / "out", entries)
         # Beside each run: in the course of minutes it changes by more than a small run takes.
-        start_up = program.start_up(self.executable.with_name("pseudorigid-continuum"))
+        start_up = program.start_up(self.executable)
         model = result.manifest["models"]["continuum"]
         times = result.cpu - start_up, model["timers"]["run"]
         return result.table("continuum.csv")["Q33"], model["counters"], times

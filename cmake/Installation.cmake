@@ -5,10 +5,9 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(data ${CMAKE_INSTALL_DATADIR}/pseudorigid)
 
 if(PSEUDORIGID_PROGRAM)
-  # The first becomes the second, which stands beside it.
   install(TARGETS pseudorigid)
-  if(PSEUDORIGID_CONTINUUM)
-    install(TARGETS pseudorigid-continuum)
+  if(PSEUDORIGID_CONTINUUM)  # the program opens it
+    install(TARGETS pseudorigid-continuum DESTINATION ${CMAKE_INSTALL_LIBDIR}/pseudorigid)
   endif()
   install(DIRECTORY params meshes tools DESTINATION ${data}
     FILES_MATCHING PATTERN "*.prm" PATTERN "*.msh" PATTERN "*.py" PATTERN "README.md"

@@ -100,7 +100,7 @@ function(pseudorigid_add_build target table options)
   add_library(${table} OBJECT EXCLUDE_FROM_ALL ${ARGN})
   target_link_libraries(${table} PRIVATE pseudorigid_options Eigen3::Eigen)
   # objcopy leaves names visible that are unique in a process, as those of static variables of inline functions.
-  target_compile_options(${table} PRIVATE ${options} $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
+  target_compile_options(${table} PRIVATE ${options} -fPIC $<$<CXX_COMPILER_ID:GNU>:-fno-gnu-unique>)
   target_compile_definitions(${table} PRIVATE PSEUDORIGID_KERNEL_TABLE=${table})
   set(object ${CMAKE_CURRENT_BINARY_DIR}/${table}.o)
   add_custom_command(OUTPUT ${object}

@@ -14,8 +14,6 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 if(PSEUDORIGID_SANITIZE)
   target_compile_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE} -fno-omit-frame-pointer)
-  # Checks multiply with what [[gnu::flatten]] inlines, and compile times with them.
-  target_compile_definitions(pseudorigid_options INTERFACE flatten=unused)
   target_link_options(pseudorigid_options INTERFACE -fsanitize=${PSEUDORIGID_SANITIZE})
 endif()
 
@@ -31,50 +29,53 @@ function(pseudorigid_target variable name)
   set(${variable} ${name} PARENT_SCOPE)
 endfunction()
 
-# pseudorigid_layer(NAME [INSTALL] [SOURCES file…] [LIBS layer or target…]): the library of one folder of src/.
-#
-# It has two targets: pseudorigid::NAME_headers are the headers and what they include, pseudorigid::NAME has the compiled
-# sources too, where there are any. Who only uses templates links the first and compiles nothing. Names without "::" in
-# LIBS are layers. INSTALL: the layer is part of the installed library, and so is what it links.
+# pseudorigid::headers: all headers of the library, and Eigen. Who only uses templates links it and compiles nothing else.
+add_library(pseudorigid_headers INTERFACE)
+target_compile_features(pseudorigid_headers INTERFACE cxx_std_20)
+target_include_directories(pseudorigid_headers INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src;${PROJECT_BINARY_DIR}/include>"
+  "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pseudorigid;${CMAKE_INSTALL_INCLUDEDIR}>")
+target_link_libraries(pseudorigid_headers INTERFACE Eigen3::Eigen)
+# pseudorigid::pseudorigid: the whole library.
+add_library(pseudorigid_library INTERFACE)
+target_link_libraries(pseudorigid_library INTERFACE pseudorigid_headers)
+
+# pseudorigid_export(TARGET NAME): the target is pseudorigid::NAME, here and for those who find the installed library.
+function(pseudorigid_export target name)
+  add_library(pseudorigid::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  if(PSEUDORIGID_INSTALL)
+    install(TARGETS ${target} EXPORT pseudorigid COMPONENT development)
+  endif()
+endfunction()
+pseudorigid_export(pseudorigid_headers headers)
+pseudorigid_export(pseudorigid_library pseudorigid)
+
+# pseudorigid_layer(NAME [INSTALL] [SOURCES file…] [LIBS layer or target…]): the library of one folder of src/,
+# pseudorigid::NAME. Names without "::" in LIBS are layers. INSTALL: the layer is part of the installed library.
 function(pseudorigid_layer name)
   cmake_parse_arguments(LAYER "INSTALL" "" "SOURCES;LIBS" ${ARGN})
-  set(headers pseudorigid_${name}_headers)
   set(library pseudorigid_${name})
-  add_library(${headers} INTERFACE)
-  target_compile_features(${headers} INTERFACE cxx_std_20)
-  target_include_directories(${headers} INTERFACE
-    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src;${PROJECT_BINARY_DIR}/include>"
-    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/pseudorigid;${CMAKE_INSTALL_INCLUDEDIR}>")
+  list(TRANSFORM LAYER_LIBS PREPEND pseudorigid:: REGEX "^[^:]+$")
   if(LAYER_SOURCES)
     add_library(${library} STATIC ${LAYER_SOURCES})
     set_target_properties(${library} PROPERTIES UNITY_BUILD ${PSEUDORIGID_UNITY} UNITY_BUILD_BATCH_SIZE 12)
-    target_link_libraries(${library} PUBLIC ${headers} PRIVATE $<BUILD_INTERFACE:pseudorigid_options>)
+    target_link_libraries(${library} PUBLIC pseudorigid_headers ${LAYER_LIBS} PRIVATE $<BUILD_INTERFACE:pseudorigid_options>)
     # A project that adds this one compiles the layers that it links, and no others.
     if(NOT PSEUDORIGID_PROGRAM AND NOT PSEUDORIGID_INSTALL)
       set_target_properties(${library} PROPERTIES EXCLUDE_FROM_ALL ON)
     endif()
-    set(scope PUBLIC)
   else()
     add_library(${library} INTERFACE)
-    target_link_libraries(${library} INTERFACE ${headers})
-    set(scope INTERFACE)
+    target_link_libraries(${library} INTERFACE pseudorigid_headers ${LAYER_LIBS})
   endif()
-  foreach(lib ${LAYER_LIBS})
-    if(lib MATCHES "::")
-      target_link_libraries(${headers} INTERFACE ${lib})
-      target_link_libraries(${library} ${scope} ${lib})
-    else()
-      target_link_libraries(${headers} INTERFACE pseudorigid::${lib}_headers)
-      target_link_libraries(${library} ${scope} pseudorigid::${lib})
-    endif()
-  endforeach()
-  foreach(target ${headers} ${library})
-    string(REPLACE "pseudorigid_" "" exported ${target})
-    set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported})
-    add_library(pseudorigid::${exported} ALIAS ${target})
-  endforeach()
+  if(LAYER_INSTALL)
+    target_link_libraries(pseudorigid_library INTERFACE ${library})
+    pseudorigid_export(${library} ${name})
+  else()
+    add_library(pseudorigid::${name} ALIAS ${library})
+  endif()
   if(LAYER_INSTALL AND PSEUDORIGID_INSTALL)
-    install(TARGETS ${headers} ${library} EXPORT pseudorigid COMPONENT development)
     install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/pseudorigid/${name}
       COMPONENT development FILES_MATCHING PATTERN "*.h")
   endif()
@@ -87,20 +88,27 @@ function(pseudorigid_link target)
 endfunction()
 
 # pseudorigid_use_dealii(TARGET): links deal.II. Its own macro deal_ii_setup_target would put -g -O2 on the target after
-# ours, so only include directories, definitions and the library are taken from the package.
+# ours; deal.II 9.6 has a target for that, and of others include directories, definitions and the library are taken.
 function(pseudorigid_use_dealii target)
   if(NOT TARGET pseudorigid_dealii)
-    include(${DEAL_II_TARGET_CONFIG})
     add_library(pseudorigid_dealii INTERFACE)
-    target_include_directories(pseudorigid_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
-    set(flavour RELEASE)
-    if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND DEAL_II_BUILD_TYPE MATCHES "Debug")
-      set(flavour DEBUG)
+    if(TARGET dealii::dealii)
+      target_link_libraries(pseudorigid_dealii INTERFACE dealii::dealii)
+    else()
+      include(${DEAL_II_TARGET_CONFIG})
+      target_include_directories(pseudorigid_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+      set(flavour RELEASE)
+      if(CMAKE_BUILD_TYPE STREQUAL "Debug" AND DEAL_II_BUILD_TYPE MATCHES "Debug")
+        set(flavour DEBUG)
+      endif()
+      target_compile_definitions(pseudorigid_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS} ${DEAL_II_USER_DEFINITIONS_${flavour}})
+      # Under --as-needed, which Debian's g++ passes, ld.bfd saves all names that it knows and restores them for each of
+      # the 200 libraries behind deal.II that is not needed. Before deal.II it knows few names: 3 s a link, not 16.
+      get_target_property(behind ${DEAL_II_TARGET_${flavour}} INTERFACE_LINK_LIBRARIES)
+      target_link_libraries(pseudorigid_dealii INTERFACE ${behind} $<TARGET_FILE:${DEAL_II_TARGET_${flavour}}>)
     endif()
-    target_compile_definitions(pseudorigid_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS} ${DEAL_II_USER_DEFINITIONS_${flavour}})
-    target_link_libraries(pseudorigid_dealii INTERFACE ${DEAL_II_TARGET_${flavour}})
-    get_target_property(library ${DEAL_II_TARGET_${flavour}} LOCATION)
-    pseudorigid_name_first(pseudorigid_dealii ${library})
+    # The program opens it as a library, in which nobody replaces a function.
+    target_compile_options(pseudorigid_dealii INTERFACE -fPIC -fno-semantic-interposition)
   endif()
   pseudorigid_target(target ${target})
   target_link_libraries(${target} PUBLIC pseudorigid_dealii)

@@ -2,7 +2,7 @@
 # Builds the packages pseudorigid and pseudorigid-dev for Debian: scripts/package.sh [DIRECTORY]
 #
 # Installs what is missing (Debian 12 or 13; as root or with sudo), builds the program for all processors
-# (PSEUDORIGID_NATIVE=OFF, docs/install.md) and writes the two packages to DIRECTORY, or to build/package.
+# (docs/install.md) and writes the two packages to DIRECTORY, or to build/package.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

@@ -1,4 +1,5 @@
 #include "app/commands/libraries.h"
+#include "app/commands/open_continuum.h"
 #include "app/commands/program.h"
 #include "io/standard_streams.h"
 #include "polynomial/dense_kernels.h"
@@ -8,7 +9,12 @@ int main(int argc, char** argv) {
   using namespace pseudorigid::app;
   return run_program(
       argc, argv,
-      {.models = ball_models(nullptr), .libraries = common_libraries(), .instructions = [] {
-         return pseudorigid::mechanics::choose_build(pseudorigid::polynomial::builds_of_dense_kernels()).instructions;
-       }});
+      {.models = ball_models(),
+       .libraries = common_libraries(),
+       .instructions =
+           [] {
+             return pseudorigid::mechanics::choose_build(pseudorigid::polynomial::builds_of_dense_kernels())
+                 .instructions;
+           },
+       .open_continuum = open_continuum});
 }

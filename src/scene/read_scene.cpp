@@ -118,10 +118,9 @@ std::string Origins::of(const std::string& path) const {
 bool Origins::is_override(const std::string& path) const { return of(path) == override_origin; }
 
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                     const Catalogue& catalogue, std::optional<std::string> text) {
+                     const Catalogue& catalogue) {
   ReadScene read{default_scene(catalogue), Origins(file.string()), scene_name(file)};
-  read.text = text ? std::move(*text) : text_of_prm(file);
-  read_prm_text(read.text, file, [&](const Statement& statement) {
+  read_prm_text(text_of_prm(file), file, [&](const Statement& statement) {
     if (statement.value)
       set_entry(statement, read);
     else

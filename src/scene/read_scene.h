@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,15 +36,14 @@ struct ReadScene {
   Scene scene;
   Origins origins;
   std::string name;                     ///< of the scene: the file's name without ".prm"
-  std::string text{};                   ///< of the file
   std::vector<std::string> warnings{};  ///< a sentence each
 };
 
 /// Reads the file, then the overrides ("Section/Entry=value"); the last setting of an entry wins. Throws UserError, one
 /// sentence that begins with file:line or --set, for what cannot be read, for unknown names and for values out of
-/// range. The catalogue must outlive the scene. `text` is that of the file where it has been read already.
+/// range. The catalogue must outlive the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
-                     const Catalogue& catalogue, std::optional<std::string> text = {});
+                     const Catalogue& catalogue);
 
 /// The scene with its expressions evaluated for these parameters. Throws UserError as read_scene does.
 Scene with_parameters(Scene scene, const ParameterValues& parameters, const Origins& origins = {});

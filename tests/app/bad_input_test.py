@@ -337,13 +337,13 @@ class BadInput(RefusedInputTest):
 
     # Processes.
 
-    def test_missing_continuum_executable(self):
+    def test_missing_continuum_library(self):
         alone = self.scratch / "bin"
         alone.mkdir()
         shutil.copy(self.program, alone)
         self.program = alone / self.program.name
         self.scene({**BASE, "Models": "continuum"})
-        self.refused("run", "scene.prm", fragments=("pseudorigid-continuum", "cannot be started", "Models = reduced"))
+        self.refused("run", "scene.prm", fragments=("libpseudorigid-continuum", "Models = reduced"))
         self.scene(BASE)
         self.run_done("run", "scene.prm", "--quiet")
 

@@ -40,7 +40,7 @@ class Installation(ProgramTest):
         scenes = self.shares / "pseudorigid" / "params"
         self.assertEqual({path.name for path in scenes.iterdir()}, {path.name for path in (SOURCE / "params").iterdir()})
         self.assertIn(str(scenes), self.run_done("--help").stdout)
-        # Both programs, and both models.
+        # Both models: the program finds the library of the finite elements from where it stands.
         self.run_done("run", scenes / "quickstart.prm", "--set", "Time/End=0.5", cwd=self.home)
         manifest = json.loads((self.home / "output" / "quickstart" / "manifest.json").read_text())
         self.assertEqual((manifest["state"], sorted(manifest["models"])), ("done", ["continuum", "reduced"]))
@@ -102,15 +102,17 @@ class Installation(ProgramTest):
             endforeach()
             add_subdirectory({SOURCE} pseudorigid)
             add_executable(pendulum {SOURCE}/examples/spherical_pendulum/spherical_pendulum.cpp)
-            target_link_libraries(pendulum PRIVATE pseudorigid::mechanics_headers)
+            target_link_libraries(pendulum PRIVATE pseudorigid::headers)
             target_compile_options(pendulum PRIVATE -Wall -Wextra -Wpedantic -Werror)
             add_library(everything INTERFACE)
-            target_link_libraries(everything INTERFACE pseudorigid::reduced pseudorigid::polynomial)
+            target_link_libraries(everything INTERFACE pseudorigid::pseudorigid pseudorigid::reduced pseudorigid::polynomial)
             get_target_property(options pseudorigid::mechanics INTERFACE_COMPILE_OPTIONS)
-            message(STATUS "build type [${{CMAKE_BUILD_TYPE}}] [${{CMAKE_RUNTIME_OUTPUT_DIRECTORY}}] [${{options}}]")
+            get_target_property(extensions pseudorigid_mechanics CXX_EXTENSIONS)
+            message(STATUS "build type [${{CMAKE_BUILD_TYPE}}] [${{CMAKE_RUNTIME_OUTPUT_DIRECTORY}}] [${{options}}] "
+              "[${{extensions}}]")
             """)
         configured = self.shell("cmake", "-G", "Ninja", "-S", ".", "-B", "build")
-        self.assertIn("build type [] [] [options-NOTFOUND]", configured)
+        self.assertIn("build type [] [] [options-NOTFOUND] [extensions-NOTFOUND]", configured)
         built = self.shell("cmake", "--build", "build")
         self.assertEqual(built.count("Building CXX object"), 1, built)
         self.check_pendulum(self.home / "build" / "pendulum")

@@ -200,7 +200,7 @@ class Messages(RefusedInputTest):
     # Processes.
 
     def test_scenes_from_pipes(self):
-        """The program reads them once, also where it becomes pseudorigid-continuum: used.prm has what they say."""
+        """The program reads them once: used.prm has what they say."""
         for models in ("reduced", "continuum"):
             text = (f"set Models = {models}\nsubsection Continuum\n set Degree = 2\nend\nsubsection Time\n set End = 0.125\n"
                     "set Step = 0.0625\nset Method = rattle\nend\nsubsection Output\nset Samples = 2\nend\n")

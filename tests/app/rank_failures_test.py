@@ -79,7 +79,7 @@ class RankFailures(RanksTest):
     def test_scene_that_one_rank_does_not_find(self):
         self.scene(SCENE)
         self.scene({**SCENE, "Continuum/Degree": 99}, "other.prm")
-        program = str(self.program.parent / "pseudorigid-continuum")
+        program = str(self.program)
         for scenes in ("scene.prm", "other.prm"), ("other.prm", "scene.prm"):
             command = [*MPIRUN, "-np", "1", program, "run", scenes[0], "--output", "out", ":",
                        "-np", "1", program, "run", scenes[1], "--output", "out"]

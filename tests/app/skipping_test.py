@@ -2,9 +2,8 @@
 the two runs are compared. Method and step are given, since their choice looks at the largest frequency, which a full ball
 may have where its octant has not. reduced_run_test.py looks at quantities and pictures of the reduced model alone and at
 the libraries in its process, continuum/sectors_test.cpp at single steps in the sectors."""
-import subprocess
 
-from program_test import DONE, SOURCE, ProgramTest, largest_difference, main, overrides
+from program_test import SOURCE, ProgramTest, largest_difference, main, overrides
 
 RELEASE = {
     "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6",
@@ -81,14 +80,11 @@ class Skipping(ProgramTest):
             self.assertEqual(counters["images"], n_images)
             self.close("continuum.csv", "octant", symmetry)
 
-    def test_a_reduced_scene_in_the_program_with_finite_elements(self):
+    def test_a_reduced_model_beside_finite_elements(self):
         """With deal.II in the process, and the same numbers to the last bit."""
         self.scene({**RELEASE, "Models": "reduced"})
         self.run_scene("without")
-        program = self.program.with_name("pseudorigid-continuum")
-        result = subprocess.run([program, "run", "scene.prm", "--quiet", "--output", "with"], cwd=self.scratch,
-                                stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=100)
-        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.run_scene("with", {"Models": "reduced, continuum"})
         self.same_bytes("reduced.csv", "without", "with")
 
     def test_diagonal_form(self):

@@ -40,7 +40,7 @@ BallModel copy_model() {
 
 int main(int argc, char** argv) {
   using namespace pseudorigid::app;
-  std::vector<BallModel> models = ball_models(run_continuum);
+  std::vector<BallModel> models = ball_models();
   models.insert(models.begin(), copy_model());
-  return run_program(argc, argv, {.models = models, .libraries = {}, .runs_discretized = true});
+  return run_program(argc, argv, {.models = models, .open_continuum = pseudorigid_continuum});
 }

@@ -4,12 +4,12 @@
 
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/commands/command_line.h"
-#include "app/commands/continuum_executable.h"
 #include "app/commands/disk_use.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
@@ -28,6 +28,7 @@
 #include "io/build_info.h"
 #include "io/standard_streams.h"
 #include "mechanics/core/kernel_builds.h"
+#include "scene/advice.h"
 #include "scene/models.h"
 #include "scene/print_scene.h"
 #include "scene/read_scene.h"
@@ -53,7 +54,7 @@ void go_on(scene::Scene& scene, const Options& options) {
 }
 
 Input read_and_validate(const Options& options, const scene::Catalogue& catalogue, int n_ranks) {
-  Input input{scene::read_scene(options.scene, options.overrides, catalogue, scene_text_handed_over()), {}};
+  Input input{scene::read_scene(options.scene, options.overrides, catalogue), {}};
   input.read = input.raw;
   scene::Scene scene = input.raw.scene;
   if (options.resume) go_on(scene, options);
@@ -68,12 +69,6 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
   return input;
 }
 
-/// Of several processes pseudorigid, which has no MPI, leaves it to pseudorigid-continuum to say how many they are.
-int n_ranks_known(const Executable& executable, const Launch& launch) {
-  if (executable.runs_discretized) return executable.ranks->size();
-  return launch.n_ranks == 1 ? 1 : Launch::unknown;
-}
-
 /// Processes that were started together compute together only if MPI knows of all of them.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
@@ -82,6 +77,33 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   "pseudorigid is linked with (its mpirun, or srun --mpi=pmix)",
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
+
+/// The process, with what it opens on the way.
+struct Process {
+  Executable executable;
+  Launch launch{};
+  bool has_continuum = false;
+  std::unique_ptr<Ranks> several{};  ///< those of MPI, once it has been started
+
+  /// Opens the finite elements, and starts MPI if the process may be one of several: MPI takes 0.3 s. Throws
+  /// NoContinuum.
+  void open_continuum(int argc, char** argv) {
+    if (has_continuum) return;
+    const ContinuumModule& module = *executable.open_continuum();
+    has_continuum = true;
+    for (BallModel& model : executable.models)
+      if (model.description.discretized) model.run = module.run;
+    executable.libraries.merge(module.libraries());
+    executable.instructions = module.instructions;
+    if (launch.n_ranks == 1) return;
+    several = module.start_ranks(argc, argv);
+    executable.ranks = several.get();
+    require_mpi_of(launch, *several);
+  }
+
+  /// How many they are says MPI, if the launcher does not.
+  int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
+};
 
 /// All that decides what a process does: the scene with what it includes and the options change, the options, the file
 /// of the mesh and the environment.
@@ -97,41 +119,53 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
   return lines;
 }
 
-int run(const Options& options, int argc, char** argv, const Executable& executable, const scene::Catalogue& catalogue,
-        const Launch& launch) {
-  const Ranks& ranks = *executable.ranks;
+/// For a scene that has been read and checked. Throws UserError with models that there are.
+void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Process& process) try {
+  process.open_continuum(argc, argv);
+} catch (const NoContinuum& error) {
+  scene::Refusal refusal{
+      "Models", fmt::format("the scene needs the continuum model, but {}; build the preset release", error.what())};
+  for (const auto name : scene::names_where(read.scene, [](const auto& model) { return !model.discretized; }))
+    refusal.remedies.push_back({{refusal.path, std::string(name)}});
+  throw UserError(scene::sentence_with_advice(
+      refusal, read.scene, [&](scene::Scene trial) { return is_accepted(std::move(trial), read.origins); }));
+}
+
+int run(const Options& options, int argc, char** argv, Process& process, const scene::Catalogue& catalogue) {
   Input input;
-  on_all_ranks(ranks, [&] {
-    executable.instructions();
-    input = read_and_validate(options, catalogue, n_ranks_known(executable, launch));
+  on_all_ranks(*process.executable.ranks, [&] {
+    process.executable.instructions();
+    input = read_and_validate(options, catalogue, process.n_ranks());
   });
   scene::ReadScene& read = input.read;
-  require_same_on_all_ranks(ranks, identity_of(options, read));
+  require_same_on_all_ranks(*process.executable.ranks, identity_of(options, read));
+  const bool is_first = process.launch.rank == 0;
   if (!scene::is_discretized(read.scene)) {
-    if (launch.rank > 0) return exit_done;
-    if (launch.n_ranks != 1 && !executable.runs_discretized)
+    if (!is_first) return exit_done;
+    if (process.launch.n_ranks != 1 && !process.has_continuum)
       read.warnings.push_back(
           "one of the processes that were started together runs the scene; those of the others "
-          "have not been compared with it, which needs pseudorigid-continuum");
-    return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+          "have not been compared with it, which needs the library of the finite elements");
+    return run_scene(input.raw, read, options, {argv, argv + argc}, process.executable);
   }
-  if (!executable.runs_discretized) become_continuum_executable(argv, input.raw);
-  if (launch.rank > 0) return assist_scene(read, options, executable);
+  open_continuum_for(input.raw, argc, argv, process);
+  process.executable.instructions();
+  if (!is_first) return assist_scene(read, options, process.executable);
   // However the run ends, the other ranks are told.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
-  } const dismissal{ranks};
-  return run_scene(input.raw, read, options, {argv, argv + argc}, executable);
+  } const dismissal{*process.executable.ranks};
+  return run_scene(input.raw, read, options, {argv, argv + argc}, process.executable);
 }
 
-int dispatch(const Options& options, int argc, char** argv, const Executable& executable, const Launch& launch) {
-  const scene::Catalogue catalogue = catalogue_with(executable.models);
+int dispatch(const Options& options, int argc, char** argv, Process& process) {
+  const scene::Catalogue catalogue = catalogue_with(process.executable.models);
   switch (options.command) {
     case Command::run:
-      return run(options, argc, argv, executable, catalogue, launch);
+      return run(options, argc, argv, process, catalogue);
     case Command::check: {
-      const scene::ReadScene read = read_and_validate(options, catalogue, n_ranks_known(executable, launch)).read;
+      const scene::ReadScene read = read_and_validate(options, catalogue, process.n_ranks()).read;
       scene::Needs needs = needs_with_effort(read.scene);
       describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
@@ -142,7 +176,7 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
       io::print(scene::parameters(options.format, catalogue));
       return exit_done;
     case Command::report:
-      if (launch.rank == 0) report_run(options);
+      if (process.launch.rank == 0) report_run(options);
       return exit_done;
     case Command::version: {
       const io::BuildInfo build = io::build_info();
@@ -159,22 +193,24 @@ int dispatch(const Options& options, int argc, char** argv, const Executable& ex
 }  // namespace
 
 int run_program(int argc, char** argv, const Executable& executable) {
-  const Launch launch;
-  const bool is_run = argc > 1 && std::string_view(argv[1]) == "run";
-  // Whether all were given the same scene is seen with MPI alone.
-  if (is_run && launch.n_ranks != 1 && !executable.runs_discretized) try_to_become_continuum_executable(argv);
+  Process process{executable};
+  const Launch& launch = process.launch;
   try {
     require_stack();
-    if (is_run && executable.runs_discretized) require_mpi_of(launch, *executable.ranks);
+    // Whether all were given the same scene is seen with MPI alone.
+    if (argc > 1 && std::string_view(argv[1]) == "run" && launch.n_ranks != 1) try {
+        process.open_continuum(argc, argv);
+      } catch (const NoContinuum&) {  // matters to a scene that needs it
+      }
     Options options;
-    on_all_ranks(*executable.ranks, [&] { options = parse_command_line(argc, argv); });
-    return dispatch(options, argc, argv, executable, launch);
+    on_all_ranks(*process.executable.ranks, [&] { options = parse_command_line(argc, argv); });
+    return dispatch(options, argc, argv, process);
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
-    const Ranks& ranks = *executable.ranks;
+    const Ranks& ranks = *process.executable.ranks;
     // What all ranks have the first says; what another has alone would leave the first waiting.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
-    const bool unconnected = executable.runs_discretized && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
+    const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;
     if (is_first || unconnected || alone) std::fprintf(stderr, "error: %s\n", failure.message.c_str());
     if (alone) ranks.abort(failure.exit_code);

@@ -1,6 +1,5 @@
 #pragma once
-/// The program behind both executables: `pseudorigid` (no deal.II, no MPI in the process) and `pseudorigid-continuum`,
-/// which it becomes for a scene with a discretized model.
+/// The program: its command line, and the models that it can run.
 
 #include <algorithm>
 #include <map>
@@ -10,16 +9,20 @@
 
 #include "app/models/ball_models.h"
 #include "app/ranks/ranks.h"
+#include "app/run/continuum_module.h"
 
 namespace pseudorigid::app {
 
-/// What an executable was linked with.
+/// What an executable was linked with, and what it opens.
 struct Executable {
-  std::vector<BallModel> models;                 ///< all that scenes may name; the poorest in motions first
-  std::map<std::string, std::string> libraries;  ///< name → version, for the manifest
+  std::vector<BallModel> models;                   ///< all that scenes may name; the poorest in motions first
+  std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
   /// Those that its kernels are compiled for, "" without kernels. Throws mechanics::NoKernels.
   std::string_view (*instructions)() = [] { return std::string_view(); };
-  bool runs_discretized = false;  ///< it is pseudorigid-continuum
+  /// What runs the finite elements. Throws NoContinuum.
+  const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
+    throw NoContinuum("this program has none");
+  };
   const Ranks* ranks = &one_rank();
 
   const BallModel& model(const scene::ModelDescription& description) const {

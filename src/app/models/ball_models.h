@@ -16,8 +16,8 @@ using RunModel = ModelOutcome (*)(const RunContext&);
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {
-  /// `run` may be null for a discretized model, in an executable that does not link what runs it. Throws
-  /// std::logic_error if anything else is missing.
+  /// `run` is null for a discretized model, until the library that runs it is opened. Throws std::logic_error if
+  /// anything else is missing.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
   scene::ModelDescription description;
@@ -27,15 +27,14 @@ struct BallModel {
 
 BallModel reduced_model();
 BallModel polynomial_model();
-BallModel continuum_model(RunModel run);
+BallModel continuum_model();
 
-/// The poorest in motions first, as the catalogue has them. `continuum`: what runs the finite elements, if anything
-/// here does.
-inline std::vector<BallModel> ball_models(RunModel continuum) {
+/// The poorest in motions first, as the catalogue has them.
+inline std::vector<BallModel> ball_models() {
   return {
       reduced_model(),
       polynomial_model(),
-      continuum_model(continuum),
+      continuum_model(),
   };
 }
 

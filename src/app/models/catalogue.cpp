@@ -50,7 +50,7 @@ scene::Catalogue catalogue_with(const std::vector<BallModel>& models) {
 }
 
 const scene::Catalogue& program_catalogue() {
-  static const scene::Catalogue catalogue = catalogue_with(ball_models(nullptr));
+  static const scene::Catalogue catalogue = catalogue_with(ball_models());
   return catalogue;
 }
 

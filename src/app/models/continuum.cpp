@@ -114,7 +114,7 @@ std::optional<Refusal> refuses(const Scene& scene) {
 
 }  // namespace
 
-BallModel continuum_model(RunModel run) {
+BallModel continuum_model() {
   using Observables = mechanics::ContinuumObservables;
   return {{.name = "continuum",
            .adjective = "elastic",
@@ -131,7 +131,7 @@ BallModel continuum_model(RunModel run) {
            .needed = continuum_needed,
            .skipped = continuum_skipped,
            .refuses = refuses},
-          run};
+          nullptr};
 }
 
 }  // namespace pseudorigid::app

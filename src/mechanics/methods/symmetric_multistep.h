@@ -32,6 +32,7 @@
 #include <utility>
 
 #include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/flatten.h"
 #include "mechanics/methods/composition.h"
 #include "mechanics/methods/multistep_coefficients.h"
 #include "mechanics/methods/multistep_start.h"
@@ -188,7 +189,7 @@ struct SymmetricMultistep {
   /// d_{n+1}, q_{n+1} with a_n from the extrapolated multiplier, and then from the one that makes g(q_{n+1}) = 0.
   /// Flattened: calls kept the temporaries of small systems in memory, a sixth of the step of an SL(3) body.
   template <class S>
-  [[gnu::flatten]] static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
+  PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
     auto& a = w.a[w.newest];
     a = w.acceleration;

@@ -1,3 +1,5 @@
+#include "app/run/continuum_module.h"
+
 #ifdef PSEUDORIGID_CHOLMOD
 #include <cholmod.h>
 #endif
@@ -10,26 +12,21 @@
 
 #include <cstdio>
 #include <new>
-#include <optional>
 #include <string>
 
-#include "app/commands/libraries.h"
-#include "app/commands/program.h"
-#include "app/ranks/launch.h"
 #include "app/ranks/on_all_ranks.h"
 #include "app/run/run_models.h"
 #include "continuum/kernels/kernel_table.h"
 #include "io/manifest.h"
 #include "io/run_lock.h"
-#include "io/standard_streams.h"
 
+namespace pseudorigid::app {
 namespace {
-
-using namespace pseudorigid::app;
 
 /// The processes that mpirun has started.
 class MpiRanks final : public Ranks {
  public:
+  MpiRanks(int argc, char** argv) : session_(argc, argv, 1) {}
   int rank() const override { return static_cast<int>(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD)); }
   int size() const override { return static_cast<int>(dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD)); }
   bool any(bool mine) const override { return dealii::Utilities::MPI::max(mine ? 1 : 0, MPI_COMM_WORLD) != 0; }
@@ -46,6 +43,9 @@ class MpiRanks final : public Ranks {
     return mine;
   }
   void abort(int exit_code) const override { MPI_Abort(MPI_COMM_WORLD, exit_code); }
+
+ private:
+  dealii::Utilities::MPI::MPI_InitFinalize session_;
 };
 
 /// deal.II has an exception of its own for memory that cannot be had.
@@ -67,25 +67,27 @@ ModelOutcome run_on_all_ranks(const RunContext& context) {
       });
 }
 
-}  // namespace
+std::map<std::string, std::string> libraries() {
+  std::map<std::string, std::string> versions{{"deal.II", DEAL_II_PACKAGE_VERSION}};
+#ifdef PSEUDORIGID_CHOLMOD
+  versions["CHOLMOD"] = fmt::format("{}.{}.{}", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
+#endif
+  return versions;
+}
 
-int main(int argc, char** argv) {
-  pseudorigid::io::open_standard_descriptors();
+}  // namespace
+}  // namespace pseudorigid::app
+
+const pseudorigid::app::ContinuumModule* pseudorigid_continuum() {
+  using namespace pseudorigid::app;
   // The kernels are SIMD within one process; threads in the library's vectors would only make sums irreproducible.
   dealii::MultithreadInfo::set_thread_limit(1);
-  auto libraries = common_libraries();
-  libraries["deal.II"] = DEAL_II_PACKAGE_VERSION;
-#ifdef PSEUDORIGID_CHOLMOD
-  libraries["CHOLMOD"] = fmt::format("{}.{}.{}", CHOLMOD_MAIN_VERSION, CHOLMOD_SUB_VERSION, CHOLMOD_SUBSUB_VERSION);
-#endif
-  // One process starts MPI only if something needs it, which takes 0.3 s; so does one that may be one of several.
-  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> mpi;
-  const MpiRanks several;
-  if (Launch().n_ranks != 1) mpi.emplace(argc, argv, 1);
-  return run_program(argc, argv,
-                     {.models = ball_models(run_on_all_ranks),
-                      .libraries = std::move(libraries),
-                      .instructions = [] { return pseudorigid::continuum::chosen_kernels().instructions; },
-                      .runs_discretized = true,
-                      .ranks = mpi ? &several : &one_rank()});
+  static constexpr ContinuumModule module{
+      .run = run_on_all_ranks,
+      .libraries = libraries,
+      .instructions = [] { return pseudorigid::continuum::chosen_kernels().instructions; },
+      .start_ranks = [](int argc, char** argv) -> std::unique_ptr<Ranks> {
+        return std::make_unique<MpiRanks>(argc, argv);
+      }};
+  return &module;
 }
