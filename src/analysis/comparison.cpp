@@ -88,14 +88,16 @@ FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
   // The largest of (a ± δa)/(b ± δb) is at b − δb; a larger δb than b/2 leaves nothing of the ratio in any case.
-  const double least = b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0), b / 2);
+  const double least =
+      b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
-  FrequencyRatio ratio{a / b, {.fit = of_parts(of_a.fit, of_b.fit), .time = {}, .space = {}}};
+  FrequencyRatio ratio{a / b, {.fit = of_parts(of_a.fit, of_b.fit)}};
   const auto both = [&](std::optional<double> ErrorBar::*part) {
     return of_a.*part && of_b.*part ? std::optional(of_parts(*(of_a.*part), *(of_b.*part))) : std::nullopt;
   };
   ratio.error.time = both(&ErrorBar::time);
   ratio.error.space = both(&ErrorBar::space);
+  ratio.error.quadrature = both(&ErrorBar::quadrature);
   return ratio;
 }
 
@@ -142,8 +144,12 @@ void compare_states(Workshop& w) {
   const std::vector<double> sizes = norms(r.Q);
   w.add("q_difference", 1, each(ratio_or_zero, apart, sizes));
   out.error.space = w.of_reference.space;
-  if (w.of_model.time && w.of_reference.time)
-    out.error.time = ratio_or_zero(3 * (*w.of_model.time + *w.of_reference.time), std::ranges::min(sizes));
+  const auto of_both = [&](std::optional<double> RunErrors::*part) {
+    const auto &a = w.of_model.*part, &b = w.of_reference.*part;
+    return a && b ? std::optional(ratio_or_zero(3 * (*a + *b), std::ranges::min(sizes))) : std::nullopt;
+  };
+  out.error.time = of_both(&RunErrors::time);
+  out.error.quadrature = of_both(&RunErrors::quadrature);
   // Where nothing moves, what is left to divide by is the resolution itself.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =

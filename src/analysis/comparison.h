@@ -68,7 +68,8 @@ struct Comparison {
   std::string signal;         ///< "C33"
   std::string signal_reason;  ///< why this one
   /// What of q_difference may be the models' discretisations: |δQ|/|Q|, largest over the samples. `space` is that of
-  /// the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together.
+  /// the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together, `quadrature`
+  /// the same with those of their rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< none if one of the lines is that of a load
   std::optional<double> exact_ratio;    ///< only where it applies: the body does not spin

@@ -21,11 +21,12 @@ void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool
   if (is_fitted) json[prefix + "fit_error"] = bar.fit;
   json[prefix + "time_error"] = to_json(bar.time);
   json[prefix + "space_error"] = to_json(bar.space);
+  json[prefix + "quadrature_error"] = to_json(bar.quadrature);
   json[prefix + "uncertainty"] = to_json(bar.total());
 }
 
 void add_ratio_errors(Json& json, const Comparison& c) {
-  add_errors(json, "ratio_", c.ratio ? c.ratio->error : ErrorBar{}, true);
+  add_errors(json, "ratio_", c.ratio ? c.ratio->error : ErrorBar{.quadrature = {}}, true);
   if (!c.ratio) json["ratio_fit_error"] = nullptr;
 }
 

@@ -3,10 +3,12 @@
 /// bar is printed in its place.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/other_resolution.h"
 
@@ -15,9 +17,12 @@ namespace pseudorigid::analysis {
 struct ErrorBar {
   double fit = 0;  ///< how well the samples determine the number; 0: it is read off without a fit
   std::optional<double> time{}, space{};  ///< by the discretisation in time, in space
+  std::optional<double> quadrature = 0;   ///< by the rule of a polynomial body; of others it is a part of space
 
   /// The sum.
-  std::optional<double> total() const { return time && space ? std::optional(fit + *time + *space) : std::nullopt; }
+  std::optional<double> total() const {
+    return time && space && quadrature ? std::optional(fit + *time + *space + *quadrature) : std::nullopt;
+  }
 };
 
 /// An error to one digit, rounded up: what is printed is a bound as well. "0.003", "2e-06".
@@ -30,17 +35,24 @@ inline std::string printed_error(double error) {
 
 /// "error in space not known"; empty if every part is known.
 inline std::string unknown_parts(const ErrorBar& bar) {
-  if (bar.total()) return {};
-  if (bar.time || bar.space) return fmt::format("error in {} not known", bar.time ? "space" : "time");
-  return "errors in time and space not known";
+  std::vector<std::string> names;
+  if (!bar.time) names.emplace_back("time");
+  if (!bar.space) names.emplace_back("space");
+  if (!bar.quadrature) names.emplace_back("quadrature");
+  if (names.empty()) return {};
+  if (names.size() == 1) return fmt::format("error in {} not known", names[0]);
+  const std::string last = names.back();
+  names.pop_back();
+  return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// "fit 3e-03, time 2e-06, space not known".
+/// "fit 3e-03, time 2e-06, space not known", and of polynomial bodies ", quadrature 4e-06".
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? name + (" " + printed_error(*value)) : fmt::format("{} not known", name);
   };
-  return (bar.fit > 0 ? part("fit", bar.fit) + ", " : "") + part("time", bar.time) + ", " + part("space", bar.space);
+  return (bar.fit > 0 ? part("fit", bar.fit) + ", " : "") + part("time", bar.time) + ", " + part("space", bar.space) +
+         (bar.quadrature == 0.0 ? "" : ", " + part("quadrature", bar.quadrature));
 }
 
 /// " +- 0.003", or " (error in space not known)".
@@ -51,8 +63,9 @@ inline std::string in_short(const ErrorBar& bar) {
 
 /// The estimated errors of a run's samples.
 struct RunErrors {
-  std::optional<double> time{};   ///< largest entry of the error of Q
-  std::optional<double> space{};  ///< largest |δQ|/|Q|; 0: the model has no discretisation in space
+  std::optional<double> time{};          ///< largest entry of the error of Q
+  std::optional<double> space{};         ///< largest |δQ|/|Q|; 0: the model has no discretisation in space
+  std::optional<double> quadrature = 0;  ///< largest entry of the error of Q
   const OtherResolution* other = nullptr;
 };
 

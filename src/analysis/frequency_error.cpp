@@ -9,7 +9,7 @@ namespace {
 
 double record_length(const FrequencyFit& fit) { return 2 * std::numbers::pi * fit.cycles / fit.dominant().frequency; }
 
-double error_in_time(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
+double error_of_phase(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry, double e) {
   constexpr double of_growing_phase = 1.5;
   const auto [i, j] = entry;
   double columns = 0;
@@ -36,7 +36,11 @@ ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation
   if (!fit) return bar;
   const Line& own = fit.dominant();
   bar.fit = own.uncertainty;
-  if (errors.time) bar.time = error_in_time(fit, deformation, entry, *errors.time);
+  const auto of_phase = [&](const std::optional<double>& e) {
+    return e ? std::optional(error_of_phase(fit, deformation, entry, *e)) : std::nullopt;
+  };
+  bar.time = of_phase(errors.time);
+  bar.quadrature = of_phase(errors.quadrature);
   if (const auto other = other_line(entry, time, errors)) {
     bar.fit = std::max(bar.fit, other->uncertainty);
     bar.space = errors.other->factor * std::abs(own.frequency - other->frequency);

@@ -1,5 +1,5 @@
 #pragma once
-/// The error of a fitted frequency ω of C = QᵀQ, as the sum of three parts:
+/// The error of a fitted frequency ω of C = QᵀQ, as the sum of its parts:
 ///
 ///   fit     the standard error of the fit (frequency.h), or that of the fit on another discretisation if it is larger:
 ///           a poor model has few lines, and its fit does not show how little a short record determines;
@@ -13,6 +13,8 @@
 ///             δω = (12/T³) ∫ (t − T/2) φ(t) dt ≤ (3/2) ε/(A T),
 ///
 ///           with equality if φ jumps at T/2; a phase that grows as any power of t gives at most 1.03 ε/(A T);
+///   quadrature  the same with the error of Q by the rule of a polynomial body in place of e;
+///
 ///   space   the difference from the frequency on another discretisation, times the factor of an error that falls as
 ///           the slowest power of the resolution that is measured (space_error.h). Both runs have the same steps, so
 ///           the error in time cancels.

@@ -48,9 +48,9 @@ BodyGravity::BodyGravity(double gravity_constant, std::shared_ptr<const Polynomi
     : constant_(gravity_constant),
       space_(std::move(space)),
       ellipsoid_{0.6 * gravity_constant * space_->volume() * space_->volume()},
-      tables_(space_->surface_tables(n_points.value_or(space_->degree() + 4))),
+      tables_(space_->surface_tables(n_points.value_or(usual_points(space_->degree())))),
       rest_volume_(0) {
-  const int q = n_points.value_or(space_->degree() + 4);
+  const int q = n_points.value_or(usual_points(space_->degree()));
   const std::vector<SurfacePoint> octant = octant_surface_points(q);
   for (int image = 0; image < space_->n_images(); ++image)
     for (std::size_t p = 0; p < octant.size(); ++p) {

@@ -41,7 +41,7 @@ double sum_of_products(const std::vector<double>& w, const double* y, int n) {
 }  // namespace
 
 PolynomialBody::PolynomialBody(const BodySetup& s)
-    : space_(std::make_shared<PolynomialSpace>(s.degree, s.reflect, s.semi_axes)),
+    : space_(std::make_shared<PolynomialSpace>(s.degree, s.reflect, s.semi_axes, s.n_points)),
       law_(s.law),
       volumetric_stiffness_(s.volumetric_stiffness),
       loads_(s.loads),

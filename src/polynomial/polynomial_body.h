@@ -40,6 +40,7 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
+  std::optional<int> n_points{};          ///< of the integrals over the body, in a direction of an octant
 };
 
 struct PotentialEnergies {

@@ -11,8 +11,6 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-int quadrature_order(int degree) { return (degree + 4) / 2; }  // ⌈(N + 3)/2⌉
-
 /// R ξ, with the reflections of the slot's bits.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
@@ -39,8 +37,10 @@ PointGrid octant_grid(int q) { return {half_gauss_rule(q).nodes, octant_surface_
 
 }  // namespace
 
-PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect, const Eigen::Vector3d& semi_axes)
+PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect, const Eigen::Vector3d& semi_axes,
+                                 std::optional<int> n_points)
     : degree_(degree),
+      grid_(octant_grid(n_points.value_or(least_points(degree)))),
       reflect_(reflect),
       semi_axes_(semi_axes),
       volume_(4.0 / 3.0 * std::numbers::pi * semi_axes.prod()),
@@ -49,12 +49,11 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
       functions_(ball_polynomials(degree)),
       blocks_(make_blocks(3, degree, places_, n_unknowns_)),
       pressure_blocks_(make_blocks(1, degree - 1, pressure_places_, n_pressures_)),
-      gradients_(make_tables(Fields::gradient, octant_grid(quadrature_order(degree)), blocks_)),
-      values_(make_tables(Fields::value, octant_grid(quadrature_order(degree)), blocks_)),
-      pressures_(
-          make_tables(Fields::value, octant_grid(quadrature_order(degree)), pressure_blocks_)) {  // ψ = φ as ρ = 1
+      gradients_(make_tables(Fields::gradient, blocks_)),
+      values_(make_tables(Fields::value, blocks_)),
+      pressures_(make_tables(Fields::value, pressure_blocks_)) {  // ψ = φ as ρ = 1
   inertia_ = volume_ / 5 * semi_axes.cwiseAbs2();
-  std::vector<WeightedPoint> octant = octant_points(quadrature_order(degree));
+  std::vector<WeightedPoint> octant = octant_points(n_points_in_direction());
   fill_up(octant);
   for (int slot = 0; slot < n_images_; ++slot)
     for (const WeightedPoint& point : octant) {
@@ -93,12 +92,12 @@ std::vector<Block> PolynomialSpace::make_blocks(int n_components, int degree, st
   return blocks;
 }
 
-PointTables PolynomialSpace::make_tables(Fields fields, const PointGrid& grid, const std::vector<Block>& blocks) const {
-  return {degree_, fields, semi_axes_, grid, free_axes_, blocks};
+PointTables PolynomialSpace::make_tables(Fields fields, const std::vector<Block>& blocks) const {
+  return {degree_, fields, semi_axes_, grid_, free_axes_, blocks};
 }
 
 PointTables PolynomialSpace::surface_tables(int q) const {
-  return make_tables(Fields::surface, {{1.0}, octant_surface_points(q)}, blocks_);
+  return {degree_, Fields::surface, semi_axes_, {{1.0}, octant_surface_points(q)}, free_axes_, blocks_};
 }
 
 std::vector<Jet> PolynomialSpace::functions_at(const std::array<double, 3>& xi) const {

@@ -26,11 +26,16 @@ using PointValues = Eigen::MatrixX3d;
 
 class PolynomialSpace {
  public:
-  /// Degree 1 … 13. `reflect`: the symmetry planes ξ_i = 0 of the motion.
+  /// Degree 1 … 13. `reflect`: the symmetry planes ξ_i = 0 of the motion. `n_points`: q of the points of integration,
+  /// in each direction of an octant; least_points(degree) unless given.
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
-                  const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones());
+                  const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
+  /// ⌈(N + 3)/2⌉: exact for what is quadratic in a motion, and 3 degrees beyond (octant_quadrature.h).
+  static int least_points(int degree) { return (degree + 4) / 2; }
 
   int degree() const { return degree_; }
+  /// q
+  int n_points_in_direction() const { return grid_.n_radii(); }
   const std::array<bool, 3>& reflect() const { return reflect_; }
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
   /// Of the computed part: 1 for the whole body, 8 for an octant.
@@ -85,11 +90,12 @@ class PolynomialSpace {
   PointTables surface_tables(int q) const;
 
  private:
-  PointTables make_tables(Fields fields, const PointGrid& grid, const std::vector<Block>& blocks) const;
+  PointTables make_tables(Fields fields, const std::vector<Block>& blocks) const;
   std::vector<Block> make_blocks(int n_components, int degree, std::vector<std::vector<int>>& places, int& size) const;
   int linear_function(int axis) const;
 
   int degree_;
+  PointGrid grid_;
   std::array<bool, 3> reflect_;
   Eigen::Vector3d semi_axes_, inertia_;
   double volume_;

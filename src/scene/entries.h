@@ -205,7 +205,7 @@ void visit_time(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_polynomial(S& scene, Visit& visit) {
-  auto& [degrees, tolerance, gravity_points] = scene.polynomial;
+  auto& [degrees, tolerance, gravity_points, quadrature_points] = scene.polynomial;
   visit(degrees, AutoOrIntegers{{1, largest_polynomial_degree}},
         About{"Polynomial/Degree", "",
               "Degree N of the polynomials in which the positions are written; degree 1 is the pseudo-rigid body. "
@@ -219,6 +219,13 @@ void visit_polynomial(S& scene, Visit& visit) {
         About{"Polynomial/Gravity points", "",
               "Points per direction on an octant of the surface for self-gravity, which sums over their pairs. auto: "
               "four more than Degree. The cost of gravity grows as the fourth power of this number."});
+  visit(
+      quadrature_points, AutoOrInteger{{2, 24}},
+      About{"Polynomial/Quadrature points", "",
+            "Points per direction on an octant of the body for all its integrals but self-gravity; never fewer than "
+            "(Degree + 3)/2, rounded up, which integrate the forces of small motions exactly. auto: these, and if "
+            "the step is found from a Time/Tolerance below 1e-6, as many as that asks for. The log has their estimated "
+            "error of Q. The cost grows as the third power."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -90,6 +90,8 @@ void describe_models(const Scene& scene, Needs& needs) {
                : fmt::format("comparison of {} runs with the last", n_runs_of_models(scene, needs) - 1),
            "comparison: only one model runs");
   describe_error_estimate(scene, needs);
+  if (needs.quadrature_error)
+    needs.needed.push_back("error of the quadrature of polynomial bodies: estimated by pilot runs with another rule");
 }
 
 void describe_output(const Scene& scene, Needs& needs) {
@@ -187,6 +189,9 @@ Needs needs(const Scene& scene) {
   const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;
   needs.surface_watch = needs.discretized && needs.constraint;
+  needs.quadrature_error =
+      scene.analysis == Analysis::motion && scene.sweep.empty() &&
+      std::ranges::any_of(needs.models, [](const ModelDescription* m) { return m->has_nonaffine && !m->discretized; });
   if (nonaffine) needs.sector = sector(scene);
   describe_models(scene, needs);
   sort_out(needs, scene.analysis == Analysis::equilibrium,

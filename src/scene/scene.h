@@ -114,7 +114,8 @@ struct Scene {
   struct Polynomial {
     std::vector<int> degrees{5};  ///< rising; empty: auto
     double tolerance = 1e-3;
-    std::optional<int> gravity_points;  ///< empty: auto (polynomial/body_gravity.h)
+    std::optional<int> gravity_points;     ///< empty: auto (polynomial/body_gravity.h)
+    std::optional<int> quadrature_points;  ///< empty: auto (app/polynomial/run_quadrature.h)
   } polynomial;
   struct Continuum {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto

@@ -91,8 +91,12 @@ TEST(ErrorBars, RatioHoldsTheCornersOfItsFrequencies) {
 TEST(ErrorBars, PartsAreNamed) {
   EXPECT_EQ(*ErrorBar({.fit = 1, .time = 2, .space = 4}).total(), 7);
   EXPECT_FALSE(ErrorBar({.fit = 1, .time = 2}).total());
+  EXPECT_EQ(*ErrorBar({.time = 1, .space = 2, .quadrature = 4}).total(), 7);
+  EXPECT_FALSE(ErrorBar({.time = 1, .space = 2, .quadrature = {}}).total());
   EXPECT_EQ(in_short({.time = 0.5, .space = 1}), " +- 2");
   EXPECT_NE(in_short({.time = 1}).find("space not known"), std::string::npos);
+  EXPECT_NE(in_short({.time = 1, .space = 1, .quadrature = {}}).find("quadrature not known"), std::string::npos);
+  EXPECT_NE(parts_in_words({.time = 1, .space = 1, .quadrature = 2}).find("quadrature 2"), std::string::npos);
   EXPECT_NE(parts_in_words({.fit = 0.1, .space = 1}).find("time not known"), std::string::npos);
 }
 

@@ -56,7 +56,7 @@ class ErrorBars(ProgramTest):
 
     @staticmethod
     def parts(frequency):
-        return [frequency[f"ratio_{part}_error"] for part in ("fit", "time", "space")]
+        return [frequency[f"ratio_{part}_error"] for part in ("fit", "time", "space", "quadrature")]
 
     def check(self, comparison, true_ratio):
         frequency = comparison["frequency"]
@@ -80,8 +80,9 @@ class ErrorBars(ProgramTest):
         scene = {**axial(1e-5), "Time/End": 60, "Time/Tolerance": 1e-6, "Output/Samples": 1200}
         comparison = self.compare(scene)
         self.check(comparison, EXACT)
-        fit, time, space = self.parts(comparison["frequency"])
+        fit, time, space, quadrature = self.parts(comparison["frequency"])
         self.assertGreater(time, max(fit, space))
+        self.assertEqual(quadrature, 0)
 
     def test_coarse_elements_and_polynomials(self):
         self.scene((SOURCE / "params/lamb.prm").read_text(), "lamb.prm")
@@ -107,9 +108,24 @@ class ErrorBars(ProgramTest):
             self.assertNotIn("+-", self.text)
 
     def test_a_resumed_run_knows_its_errors(self):
-        whole = self.compare({**axial(0.1), "Continuum/Degree": 2})
-        self.run_done("run", "scene.prm", "--output", "scene", "--resume")
-        self.assertEqual(self.json("scene/comparison.json"), whole)
+        for reference in "N = 3", "k = 2":
+            whole = self.compare({**axial(0.1), **REFERENCES[reference]})
+            self.run_done("run", "scene.prm", "--output", "scene", "--resume")
+            self.assertEqual(self.json("scene/comparison.json"), whole)
+
+    def test_the_quadrature_of_a_polynomial_body_has_a_part(self):
+        """Both bars grow by it, and hold the numbers of the same body with many more points."""
+        scene = {**axial(0.3), **REFERENCES["N = 3"], "Time/End": 5}
+        own = self.compare(scene)
+        self.assertIn("quadrature", self.text)
+        fine = self.compare({**scene, "Polynomial/Quadrature points": 9}, "fine")
+        for of, value, prefix in ("frequency", "ratio", "ratio_"), ("model_difference", "value", ""):
+            part = own[of][prefix + "quadrature_error"]
+            self.assertGreater(part, 1e-6)
+            self.assertGreater(part, abs(own[of][value] - fine[of][value]))
+            self.assertLess(fine[of][prefix + "quadrature_error"], part / 1000)
+            rest = (own[of].get(f"{prefix}{name}_error", 0) for name in ("fit", "time", "space"))
+            self.assertAlmostEqual(own[of][prefix + "uncertainty"], part + sum(rest))
 
     def test_a_motion_that_follows_a_load_has_no_ratio(self):
         comparison = self.compare({"Models": "reduced, polynomial", "Polynomial/Degree": 3, "Time/End": 40,

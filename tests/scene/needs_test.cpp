@@ -135,6 +135,20 @@ TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMe
   EXPECT_TRUE(mentions(needs(scene).skipped, "discretisation error: no comparison to set it beside"));
 }
 
+TEST(QuadratureErrorOfNeeds, IsThatOfPolynomialBodiesWhoseMotionIsPrinted) {
+  Scene scene = test::ball_scene();
+  EXPECT_FALSE(needs(scene).quadrature_error);
+  scene.models = {"reduced", "polynomial"};
+  EXPECT_TRUE(needs(scene).quadrature_error);
+  EXPECT_TRUE(mentions(needs(scene).needed, "error of the quadrature"));
+  scene.analysis = Analysis::modes;
+  EXPECT_FALSE(needs(scene).quadrature_error);
+  scene.analysis = Analysis::motion;
+  scene.models = {"polynomial"};
+  scene.sweep = {{"x", {0, 1}, 3}};
+  EXPECT_FALSE(needs(scene).quadrature_error);
+}
+
 TEST(DiscretizationErrorOfNeeds, IsThatOfTheRichestModel) {
   Scene scene = test::ball_scene();
   scene.models = {"reduced", "polynomial"};

@@ -116,9 +116,11 @@ Scene any_scene(std::mt19937_64& random) {
   for (const auto& [name, member] : fields_kind.table) scene.output.fields.*member = coin();
   scene.polynomial = {{1 + static_cast<int>(random() % 3), 4, 5 + static_cast<int>(random() % 9)},
                       std::uniform_real_distribution<>(1e-10, 0.1)(random),
+                      static_cast<int>(2 + random() % 23),
                       static_cast<int>(2 + random() % 23)};
   if (coin()) scene.polynomial.degrees.clear();
   if (coin()) scene.polynomial.gravity_points.reset();
+  if (coin()) scene.polynomial.quadrature_points.reset();
   return scene;
 }
 

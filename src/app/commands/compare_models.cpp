@@ -51,13 +51,16 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// What a model's run knows of its errors. A model that moves as x = QX is what it is: it has no error in space.
+/// What a model's run knows of its errors. A model that moves as x = QX is what it is: it has no error in space. The
+/// quadrature of elements is a part of that.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
-  return {.time = counter(statistics, "estimated_time_error"),
-          .space = model.has_nonaffine ? counter(statistics, "relative_space_error") : 0,
-          .other = other == others.end() ? nullptr : &other->second};
+  return {
+      .time = counter(statistics, "estimated_time_error"),
+      .space = model.has_nonaffine ? counter(statistics, "relative_space_error") : 0,
+      .quadrature = model.has_nonaffine && !model.discretized ? counter(statistics, "estimated_quadrature_error") : 0,
+      .other = other == others.end() ? nullptr : &other->second};
 }
 
 analysis::SceneFacts facts_of(const RunContext& context) {

@@ -1,6 +1,7 @@
 #pragma once
 /// A run of the polynomial model: one body of one degree.
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -20,6 +21,12 @@ struct PolynomialTask {
   std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
 };
 
+/// Those of the scene, but at least those that the degree needs.
+inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
+  if (!scene.polynomial.quadrature_points) return std::nullopt;
+  return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));
+}
+
 /// In internal units.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
   return {.degree = degree,
@@ -28,7 +35,8 @@ inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::ar
           .law = internal_law(scene),
           .volumetric_stiffness = scene::volumetric_stiffness(scene) / units_of(scene).stress(),
           .loads = internal_loads(scene),
-          .n_gravity_points = scene.polynomial.gravity_points};
+          .n_gravity_points = scene.polynomial.gravity_points,
+          .n_points = quadrature_points(scene, degree)};
 }
 
 ModelOutcome run_incompressible_polynomial(const RunContext& context, const PolynomialTask& task);

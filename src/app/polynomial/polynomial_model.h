@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/polynomial/body_setup.h"
+#include "app/polynomial/run_quadrature.h"
 #include "app/run/nonaffine_watch.h"
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
@@ -46,7 +47,8 @@ class PolynomialModel {
         trajectory_(context.needs.quantities, context.units),
         request_(trajectory_.request()),
         nonaffine_(context, name),
-        tension_(context, name) {
+        tension_(context, name),
+        quadrature_(context, name, body_setup(context.scene, context.needs.sector.reflect, task.degree)) {
     request_.nonaffine |= nonaffine_.watches();
     request_.multiplier |= tension_.watches();
   }
@@ -93,10 +95,19 @@ class PolynomialModel {
   }
 
   std::vector<double> remarks() const {
-    const auto remarks = nonaffine_.remarks();
-    return {remarks.begin(), remarks.end()};
+    const auto of_motion = nonaffine_.remarks();
+    const auto of_quadrature = quadrature_.numbers(body_);
+    std::vector<double> remarks(of_motion.begin(), of_motion.end());
+    remarks.insert(remarks.end(), of_quadrature.begin(), of_quadrature.end());
+    return remarks;
   }
-  void take_remarks(std::span<const double> remarks) { nonaffine_.take_remarks(remarks.first<3>()); }
+  void take_remarks(std::span<const double> remarks) {
+    nonaffine_.take_remarks(remarks.first<3>());
+    quadrature_.take_numbers(remarks.subspan<3, RunQuadrature<System>::n_numbers>(), body_);
+  }
+
+  void choose_quadrature(const State& state) { quadrature_.choose(body_, state); }
+  void estimate_quadrature(const State& state, double stable_step) { quadrature_.estimate(body_, state, stable_step); }
 
   mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
                                 Workspace& workspace) {
@@ -144,6 +155,7 @@ class PolynomialModel {
     }
     nonaffine_.report(statistics);
     tension_.report(statistics);
+    quadrature_.report(body_, statistics);
   }
 
  private:
@@ -165,6 +177,7 @@ class PolynomialModel {
   mechanics::ContinuumObservables observables_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
+  RunQuadrature<System> quadrature_;
   std::optional<Picture> picture_;                          ///< from the first one on
   mutable std::optional<polynomial::MaterialFaces> faces_;  ///< likewise
 };

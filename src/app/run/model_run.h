@@ -122,6 +122,10 @@ class ModelRun {
     if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
     return false;
   }();
+  static constexpr bool has_quadrature = requires(Model & model, const State& state) {
+    model.choose_quadrature(state);
+    model.estimate_quadrature(state, 0.0);
+  };
   static constexpr bool has_shapes = requires(const Model& model) { model.shape_columns(); };
   static constexpr std::chrono::seconds seconds_between_checkpoints{5};
 
@@ -216,7 +220,7 @@ class ModelRun {
         if (n_samples > 0) model_.take_up(sink_->rows_so_far());
       context_.log->info("{}: resumed at t = {:.6g}", model_.name, state_.t * context_.units.time);
     } else {
-      const Status status = stepping_.choose(state_, position_, statistics_);
+      const Status status = choose_stepping();
       sink_->create(columns);
       if constexpr (has_shapes)
         if (sink_->has_shapes()) sink_->create_shapes(model_.shape_file(), model_.shape_columns());
@@ -227,6 +231,15 @@ class ModelRun {
     }
     last_save_ = Clock::now();
     return {};
+  }
+
+  /// Of a run that begins: also the rule of quadrature.
+  Status choose_stepping() {
+    if constexpr (has_quadrature) model_.choose_quadrature(state_);
+    Status status = stepping_.choose(state_, position_, statistics_);
+    if constexpr (has_quadrature)
+      if (status) model_.estimate_quadrature(state_, position_.looks.stable_step);
+    return status;
   }
 
   template <class Workspace>
@@ -253,6 +266,9 @@ class ModelRun {
       state_.t = good_.state.t = at;
     const bool complete = position_.cursor.sample == times_.n_samples;
     const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
+    if (!has_step && state_.t == 0) return choose_stepping();
+    if constexpr (has_quadrature)
+      if (state_.t == 0) model_.estimate_quadrature(state_, position_.looks.stable_step);  // unless it is known
     if (complete || (has_step && file.get_string("stepping") == identity_.stepping)) return {};
     // A given step that makes the run's own shorter needs no search.
     const bool keeps_method =

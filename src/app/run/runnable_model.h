@@ -4,6 +4,8 @@
 ///
 ///   void take_up(rows)                        what the rows of an interrupted run know of the past
 ///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
+///   void choose_quadrature(state), estimate_quadrature(state, stable step of RATTLE, or 0)
+///                                             its rule, and what that errs, before and after the search for the step
 ///   Status judge(state) const                 states with which a run ends, asked after every step
 ///   double constraint_scale() const           with constraints
 ///   Status write_frame(path, time, state, system workspace)                   pictures, picture.h

@@ -13,7 +13,7 @@ namespace pseudorigid::app {
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;
-  needs.graphics = needs.surface_watch = false;
+  needs.graphics = needs.surface_watch = needs.quadrature_error = false;
   for (const auto& [name, member] : scene::quantities_kind.table) needs.quantities.*member = false;
   needs.quantities.volumetric = false;
   RunContext silent = derived(context, scene, needs);

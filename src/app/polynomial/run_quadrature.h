@@ -1,0 +1,111 @@
+#pragma once
+/// The rule of quadrature of a polynomial body in a run: the number of its points, and their error of Q
+/// (polynomial/quadrature_error.h).
+///
+/// The least rule costs least, and its error is far below what the degree leaves of the continuum. Who asks for less
+/// than 1e-6, the default of Time/Tolerance, asks for the motion of this body itself: then points are added until the
+/// estimate is half of the tolerance. Those of gravity on the surface, whose cost grows as the fourth power, are the
+/// scene's.
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "app/run/run_context.h"
+#include "polynomial/quadrature_error.h"
+
+namespace pseudorigid::app {
+
+template <class Body>
+class RunQuadrature {
+ public:
+  RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
+      : context_(context), model_(model), setup_(std::move(setup)) {}
+
+  /// Before the step is looked for: adds points to the body if the scene asks for them.
+  void choose(Body& body, const polynomial::BodyState& state) {
+    if (!follows()) return;
+    take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
+  }
+  /// After that: what the rule errs, if it is not known yet. `stable_step` is RATTLE's, 0 if it is not known.
+  void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
+    if (is_known_ || !context_.needs.quadrature_error) return;
+    take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
+  }
+
+  /// For a run that goes on, which keeps its rule whatever its end is now.
+  static constexpr std::size_t n_numbers = 3;
+  std::array<double, n_numbers> numbers(const Body& body) const {
+    return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
+            length_};
+  }
+  void take_numbers(std::span<const double, n_numbers> numbers, Body& body) {
+    set_points(static_cast<int>(numbers[0]), body);
+    if (numbers[1] >= 0) error_ = numbers[1];
+    is_known_ = error_ || numbers[1] == failed;
+    length_ = numbers[2];
+  }
+
+  void report(const Body& body, io::Manifest::Model& statistics) const {
+    auto& counters = statistics.counters;
+    counters["quadrature_points"] = body.space().n_points_in_direction();
+    if (n_force_ > 0) counters["quadrature_pilot_forces"] = static_cast<double>(n_force_);
+    if (!error_) return;
+    const double longer = std::max(1.0, context_.internal_time(context_.scene.time.end) / length_);
+    counters["estimated_quadrature_error"] = *error_ * std::pow(longer, polynomial::quadrature_growth);
+  }
+
+ private:
+  static constexpr double failed = -2;
+
+  bool follows() const {
+    const scene::Scene& scene = context_.scene;
+    return !scene.polynomial.quadrature_points && !scene.time.step &&
+           scene.time.tolerance < scene::Scene::Time{}.tolerance;
+  }
+
+  polynomial::QuadratureRequest request(const polynomial::BodyState& state, double stable_step,
+                                        bool adds_points) const {
+    return {.end = context_.internal_time(context_.scene.time.end) - state.t,
+            .stable_step = stable_step,
+            .tolerance = context_.scene.time.tolerance,
+            .adds_points = adds_points,
+            .give_up = [this] { return context_.interrupted(); }};
+  }
+
+  void take(const polynomial::QuadratureChoice& choice, double t, Body& body) {
+    if (context_.interrupted()) return;  // it begins again
+    error_ = choice.error;
+    is_known_ = true;
+    length_ = context_.internal_time(context_.scene.time.end) - t;
+    n_force_ += choice.n_force;
+    set_points(choice.n_points, body);
+    if (setup_.degree == 1) return;
+    if (!error_)
+      context_.log->warn("{}: the error of the quadrature is not known: {}", model_, choice.reason);
+    else
+      context_.log->info("{}: {} points of quadrature in a direction of an octant, estimated error of Q {:.1e}", model_,
+                         choice.n_points, *error_);
+    if (follows() && error_ && *error_ > context_.scene.time.tolerance)
+      context_.log->warn("{}: the tolerance is below the error of the quadrature", model_);
+  }
+
+  void set_points(int n_points, Body& body) {
+    setup_.n_points = n_points;
+    if (n_points != body.space().n_points_in_direction()) body = Body(setup_);
+  }
+
+  const RunContext& context_;
+  std::string_view model_;
+  polynomial::BodySetup setup_;
+  std::optional<double> error_{};  ///< of a run of this length
+  bool is_known_ = false;          ///< the error, or that it cannot be known
+  double length_ = 1;
+  long n_force_ = 0;
+};
+
+}  // namespace pseudorigid::app
