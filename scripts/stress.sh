@@ -9,6 +9,8 @@
 #   mutants        10,000 damaged parameter files, checkpoints and meshes each
 #   interruptions  Ctrl-C, SIGTERM, SIGKILL, full disks, and how the runs go on
 #   tolerances     short scenes with few samples: is the error below Time/Tolerance (--number N, default 1000)
+#   quadrature     random motions of polynomial bodies: does the estimated error of their quadrature hold it
+#                  (a quarter of --number N)
 #   map            the map of stability
 #   sanitizers     the tests and damaged files above in a build with the address, leak and undefined behaviour
 #                  sanitizers, sweeps in one with the thread sanitizer

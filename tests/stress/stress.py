@@ -3,7 +3,7 @@
 
     stress.py [PART …] [--quick] [--fresh] [--seed N] [--number N] [--output DIR]
 
-Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, map; all without a name. A part whose results are in DIR is not
+Parts: scenes, ramps, units, long, mutants, interruptions, tolerances, quadrature, map; all without a name. A part whose results are in DIR is not
 run again, unless --fresh. Exit code 1 if anything was not as it must be. The program is that of the environment variable
 PSEUDORIGID, test programs are those of PSEUDORIGID_TESTS; scripts/stress.sh sets both.
 """
@@ -22,6 +22,7 @@ sys.dont_write_bytecode = True
 import interruptions  # noqa: E402
 import long_times  # noqa: E402
 import mutants  # noqa: E402
+import quadrature  # noqa: E402
 import ramps  # noqa: E402
 import random_scenes  # noqa: E402
 import stability_map  # noqa: E402
@@ -31,7 +32,7 @@ from program import Program  # noqa: E402
 
 PARTS = {"scenes": random_scenes.run, "ramps": ramps.run, "units": units.run, "long": long_times.run,
          "mutants": mutants.run, "interruptions": interruptions.run, "tolerances": tolerances.run,
-         "map": stability_map.run}
+         "quadrature": quadrature.run, "map": stability_map.run}
 N_SCENES = {True: 40, False: 1000}
 ENDINGS = {0: "done", 2: "refused", 3: "stopped"}
 
