@@ -22,6 +22,17 @@ FEW_SAMPLES = {
                       "Initial state/Deformation": "0.8932263349658808, 0, 0; 0, 1.130591931868107, 0; 0, 0, 0.9902220644591431",
                       "Time/End": 10, "Time/Tolerance": 0.0432},
 }
+# Its error was 19 times the tolerance: with a step near the resonance of fast modes and parasitic roots of symmetric-8 their
+# velocity was wrong by 4e-4, and the start with half the step kept that.
+RESONANCE = {"Models": "polynomial", "Polynomial/Degree": 2, "Body/Incompressible": "false", "Material/Law": "mooney-rivlin",
+             "Material/Lame lambda": 7.362992998214286, "Material/Mooney fraction": 0.694107628620208,
+             "Initial state/Deformation": "0.83961903936074, -0.7659569982957611, 0.028264552418460535; "
+                                          "-0.21759143334617864, -0.23730923808492296, 0.9437838669507114; "
+                                          "-0.9155484812484507, -1.2600231956347816, 0.03882187612212923",
+             "Loads/Nominal traction": "0.08665203274695737, 0.09193917496008047, 0.17838708891851013; "
+                                       "0.03559898493095606, 0.1570903443571915, 0.034483912971554176; "
+                                       "-0.08898460161397859, -0.008043310703133383, 0.0516590874081892",
+             "Time/Method": "symmetric-8", "Time/End": 9.002231776915535, "Time/Tolerance": 3.98e-5, "Output/Samples": 3}
 SPIN = {"Initial state/Deformation": "1.1, 0, 0; 0, 1, 0; 0, 0, 0.9090909090909091",
         "Initial state/Velocity": "0, -0.5, 0; 0.5, 0, 0; 0, 0, 0"}
 STIFF = {"Models": "continuum", "Continuum/Degree": 3, **SPIN, "Material/Viscosity": 163, "Time/End": 2000,
@@ -36,7 +47,7 @@ class ChosenSteps(ProgramTest):
         return self.json(folder, "manifest.json")["models"][model]["counters"]
 
     def test_the_tolerance_with_few_samples(self):
-        for name, entries in FEW_SAMPLES.items():
+        for name, entries in {**FEW_SAMPLES, "resonance": RESONANCE}.items():
             with self.subTest(name):
                 scene = self.scene({**POLYNOMIAL, **entries})
                 self.run_done("run", scene)

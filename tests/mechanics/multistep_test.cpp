@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -96,6 +97,24 @@ void reverse(State<System>& state, Symmetric8::Workspace<System>& w) {
   w.n_multipliers = 0;
   w.multipliers.fill({});
   w.acceleration_known = false;
+}
+
+/// Two parasitic roots are coupled by a motion whose frequency is the difference of their angles.
+template <class Coefficients>
+double first_resonance() {
+  std::vector<double> angles;
+  for (const long double a : Coefficients::a)
+    for (const int sign : {-1, 1}) angles.push_back(sign * std::acos(static_cast<double>(a)));
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) least = std::min(least, std::abs(angles[i] - angles[j]));
+  return least;
+}
+
+TEST(SymmetricMultistep, KnowsItsFirstResonance) {
+  EXPECT_NEAR(first_resonance<mechanics::Symmetric4Coefficients>(), Symmetric4::resonance_limit, 0.002);
+  EXPECT_NEAR(first_resonance<mechanics::Symmetric8Coefficients>(), Symmetric8::resonance_limit, 0.001);
+  EXPECT_NEAR(first_resonance<mechanics::Symmetric12Coefficients>(), Symmetric12::resonance_limit, 0.001);
 }
 
 TEST(SymmetricMultistep, IsReversible) {

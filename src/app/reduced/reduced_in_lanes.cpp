@@ -139,7 +139,7 @@ class RunInLanes {
       if constexpr (Method::adaptive)
         return {};
       else
-        return {id, Method::order, Method::n_stages, Method::stability_limit,
+        return {id, Method::order, Method::n_stages, mechanics::step_limit<Method>,
                 [this, id](double window, long n_samples, long n_steps) {
                   return pilot(move(id, {window, n_samples}, n_steps));
                 }};

@@ -5,6 +5,7 @@
 ///
 ///     name, documentation                  as in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
+///     resonance_limit                      where there is one: a smaller bound on the steps that are looked for
 ///     chosen_by_auto                       whether Method = auto may take it
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              whether it can be compiled for a system of type S
@@ -21,6 +22,7 @@
 ///     step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
 ///     interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -62,6 +64,16 @@ concept DeclaresTraits = requires {
 static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTraits<Methods> && ...); }(
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
+
+/// Largest hω, ω the largest frequency of small motions, of the steps that are looked for, but for a reserve: that of
+/// stability, or of the first resonance of a method that has some (multistep_coefficients.h).
+template <class Method>
+inline constexpr double step_limit = [] {
+  if constexpr (requires { Method::resonance_limit; })
+    return std::min(Method::stability_limit, Method::resonance_limit);
+  else
+    return Method::stability_limit;
+}();
 
 /// Place of a method in the table.
 enum class MethodId : std::size_t {};

@@ -90,6 +90,7 @@ struct SymmetricMultistep {
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false;
   static constexpr double stability_limit = Coefficients::stability_limit;
+  static constexpr double resonance_limit = Coefficients::resonance_limit;
   static constexpr MultistepFormula<order> formula = multistep_formula<order>(Coefficients::a);
 
   template <class S>

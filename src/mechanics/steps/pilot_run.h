@@ -55,7 +55,7 @@ struct PilotRun {
 /// Methods as the searches see them: their traits, and pilot runs of one system over the window.
 struct FixedStepMethod {
   MethodId id;
-  double order, n_stages, stability_limit;
+  double order, n_stages, step_limit;
   /// Over a window, n_steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
 };
@@ -127,15 +127,14 @@ inline double longest_kicked_step(const StepRequest& request) {
 template <class Method, class S, class QOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of) {
-  return {
-      id, Method::order, Method::n_stages, Method::stability_limit, [&](double window, long n_samples, long n_steps) {
-        return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps, [&](auto& workspace) {
-          if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
-            workspace.constraint_tolerance =
-                std::max(workspace.constraint_tolerance,
-                         pilot_constraint * (error_safety * request.tolerance) * pilot_window(request) / request.end);
-        });
-      }};
+  return {id, Method::order, Method::n_stages, step_limit<Method>, [&](double window, long n_samples, long n_steps) {
+            return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps, [&](auto& workspace) {
+              if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
+                workspace.constraint_tolerance =
+                    std::max(workspace.constraint_tolerance, pilot_constraint * (error_safety * request.tolerance) *
+                                                                 pilot_window(request) / request.end);
+            });
+          }};
 }
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,

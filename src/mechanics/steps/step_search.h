@@ -52,7 +52,7 @@ class StepSearch {
   /// The target of the estimate e.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
-    return std::min(request_.rattle_limit * (method.stability_limit / Rattle::stability_limit),
+    return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),
                     std::min(request_.step_bound, request_.interval));
   }
   double run_forces(const FixedStepMethod& method, double h) const {
