@@ -188,10 +188,13 @@ void visit_time(S& scene, Visit& visit) {
       method, method_kind(catalogue_of(scene)),
       About{"Time/Method", "",
             "Integrator, as listed under Methods. auto: the cheapest that meets Tolerance over this length of time."});
-  visit(tolerance, Number{1e-13, 1e-1},
-        About{"Time/Tolerance", "",
-              "Bound of the time error of Q over the run (largest entry, over all samples). For other systems: of "
-              "their configuration, in the system's own unit of length."});
+  visit(
+      tolerance, Number{1e-13, 1e-1},
+      About{
+          "Time/Tolerance", "",
+          "Bound of the time error of Q over the run (largest entry, over all samples). For other systems: of "
+          "their configuration, in the system's own unit of length. Of a ball and a run of 40 r/c or more: also of the "
+          "relative change of energy by symmetric-4, extrapolated from the first eighth."});
   visit(
       constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
       About{

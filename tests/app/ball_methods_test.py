@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """Methods and constraint tolerance of the finite-element ball."""
+import math
+
 from program_test import STOPPED, WRONG_INPUT, ProgramTest, main, overrides
 
 RELEASE = {"Models": "continuum", "Continuum/Degree": 3, "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6",
@@ -18,6 +20,10 @@ class BallMethods(ProgramTest):
     def difference(self, a, b, column="Q33"):
         return max(abs(x - y) for x, y in zip(self.table(a, "continuum.csv").column(column), self.table(b, "continuum.csv").column(column)))
 
+    def change_of_energy(self, name):
+        energy, kinetic, elastic = (self.table(name, "continuum.csv").column(c) for c in ("energy", "kinetic", "elastic"))
+        return max(abs(e - energy[0]) for e in energy) / max(k + e for k, e in zip(kinetic, elastic))
+
     def test_auto_takes_a_multistep_method_and_says_what_it_keeps(self):
         chosen = self.counters("auto", {"Time/Tolerance": 1e-5})
         rattle = self.counters("rattle", {"Time/Tolerance": 1e-5, "Time/Method": "rattle"})
@@ -28,6 +34,37 @@ class BallMethods(ProgramTest):
         at_a_glance = self.counters("glance", {"Time/Tolerance": 1e-3})
         self.assertLess(at_a_glance["pilot_forces"], rattle["pilot_forces"] / 3)
         self.assertLess(self.difference("auto", "rattle"), 1e-5)
+
+    def test_a_long_run_keeps_its_energy(self):
+        """The energy of this release changed by 5.5 times the tolerance, as the motion spreads to fast modes. A small motion stays in
+        its modes, and a short one is not looked at: their steps are longer."""
+        release = {"Continuum/Degree": 2, "Initial state/Velocity": "0, 0, 0; 0, 0, 0; 0, 0, 0", "Time/End": 40,
+                   "Time/Tolerance": 1e-2, "Time/Method": "symmetric-4", "Output/Samples": 400}
+        stretched = {**release, "Initial state/Deformation": f"1.3, 0, 0; 0, 1, 0; 0, 0, {1 / 1.3!r}"}
+        step = self.counters("long", stretched)["step"]
+        self.assertLess(self.change_of_energy("long"), 1e-2)
+        self.assertIn("set by the drift of the energy", self.log("long"))
+        self.assertGreater(self.counters("short", {**stretched, "Time/End": 10, "Output/Samples": 100})["step"], 2 * step)
+        small = {**release, "Initial state/Deformation": f"1.01, 0, 0; 0, 1, 0; 0, 0, {1 / 1.01!r}"}
+        self.assertGreater(self.counters("small", small)["step"], 2 * step)
+
+    def test_a_long_spin_keeps_energy_and_angular_momentum(self):
+        """The energy fell by 1.6e-3 of that of the motion, J changed by 4e-4."""
+        self.counters("spin", {"Initial state/Velocity": "0, -0.5, 0; 0.5, 0, 0; 0, 0, 0", "Output/Quantities": "all",
+                               "Initial state/Deformation": f"1.1, 0, 0; 0, 1, 0; 0, 0, {1 / 1.1!r}", "Time/End": 200,
+                               "Output/Samples": 400, "Time/Tolerance": 1e-3})
+        self.assertIn("continuum: symmetric-4", self.log("spin"))
+        self.assertLess(self.change_of_energy("spin"), 1e-3)
+        momenta = list(zip(*(self.table("spin", "continuum.csv").column(f"J{i}") for i in (1, 2, 3))))
+        self.assertLess(max(math.dist(J, momenta[0]) for J in momenta) / math.hypot(*momenta[0]), 5e-4)
+
+    def test_a_long_run_of_a_polynomial_body_keeps_its_energy(self):
+        """It fell by 1.5e-3 of that of the motion."""
+        self.scene({"Models": "polynomial", "Polynomial/Degree": 6, "Initial state/Velocity": "0, -0.5, 0; 0.5, 0, 0; 0, 0, 0",
+                    "Initial state/Deformation": f"1.1, 0, 0; 0, 1, 0; 0, 0, {1 / 1.1!r}", "Time/End": 40, "Time/Tolerance": 1e-2,
+                    "Time/Method": "symmetric-4", "Output/Samples": 40})
+        self.run_done("run", "scene.prm", "--output", "polynomial")
+        self.assertIn("set by the drift of the energy", self.log("polynomial"))
 
     def test_damped_ball(self):
         """Multistep methods are for conservative forces."""

@@ -67,6 +67,7 @@ class ContinuumModel {
   double rate(const State& state) const {
     return mechanics::affine_rate(ball_.mass_moment(state.q), ball_.mass_moment(state.v));
   }
+  Eigen::Vector2d energies(const State& state) const { return continuum::energies(ball_, state); }
   /// About half a pulsation: by then the shear front from the surface has crossed the ball.
   double pilot_window(double end) const { return std::min(end, 1.0); }
 

@@ -70,6 +70,9 @@ class PolynomialModel {
   double constraint_scale() const { return body_.multiplier_scale(); }  // only called with constraints
   Eigen::Matrix3d configuration(const State& state) const { return affine_part(state.q); }
   double rate(const State& state) const { return mechanics::affine_rate(affine_part(state.q), affine_part(state.v)); }
+  Eigen::Vector2d energies(const State& state) const {
+    return {body_.kinetic_energy(state.v), body_.potential_energies(state.t, state.q).total()};
+  }
   /// About half a pulsation: by then shear waves from the surface have crossed the ball.
   double pilot_window(double end) const { return std::min(end, 1.0); }
 

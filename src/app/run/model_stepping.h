@@ -142,8 +142,8 @@ class ModelStepping {
     };
     State from_zero = state;
     if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
-    const auto choice = mechanics::choose_step(model_.system(), from_zero, request,
-                                               [&](const State& s) { return model_.configuration(s); });
+    const auto choice = mechanics::choose_step(
+        model_.system(), from_zero, request, [&](const State& s) { return model_.configuration(s); }, energies());
     // Nothing is begun with a step that an interrupted search has not found.
     if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
     if (!choice.status)
@@ -152,6 +152,14 @@ class ModelStepping {
       take(choice, error_so_far, position, statistics);
     plan_look(request.rattle_limit / reserve, position);
     return {};
+  }
+
+  /// Of a state, where the model knows them.
+  auto energies() const {
+    if constexpr (requires(const State& s) { model_.energies(s); })
+      return [this](const State& s) { return model_.energies(s); };
+    else
+      return mechanics::detail::NoEnergies{};
   }
 
   Status rattle_limit(const State& state, double safety, double& limit) const {

@@ -6,6 +6,7 @@
 ///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
 ///   void choose_quadrature(state), estimate_quadrature(state, stable step of RATTLE, or 0)
 ///                                             its rule, and what that errs, before and after the search for the step
+///   Eigen::Vector2d energies(state) const     kinetic and potential, for methods that need not keep their sum
 ///   Status judge(state) const                 states with which a run ends, asked after every step
 ///   double constraint_scale() const           with constraints
 ///   Status write_frame(path, time, state, system workspace)                   pictures, picture.h

@@ -16,4 +16,7 @@ mechanics::Status observe(const ElasticBall& ball, const BallState& state, Elast
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
+/// Kinetic and potential; not finite where the force fails. Collective.
+Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
+
 }  // namespace pseudorigid::continuum

@@ -15,14 +15,15 @@
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
 ///
 /// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does, which has less to do if
-/// a_n contains an extrapolated λ_n. A changed step starts anew.
+/// a_n contains an extrapolated λ_n. A changed step starts anew. The errors of a state come and go along the motion,
+/// and those of the one that it starts from stay: its error of the energy shifts the phase by more and more.
 ///
 /// Energy and momenta of small systems are kept up to bounded oscillations of size h^order. On the ball the error of
-/// the energy, of the same order, grows as the motion spreads to modes of high frequency: by order 4 at 0.8 of the
-/// limit, in a release by 0.3, to 2e-5 of it at 100 r/c and 1e-2 at 1430 r/c; that of Q at 100 r/c is 1e-5, where
-/// RATTLE's at the same step is 7e-3. Round-off of the constraint, ε, makes one of ε/h² in the multipliers, which the
-/// history carries on with the weights β̂ (up to 5 for order 8, 62 for order 12) and which grows with the square root of
-/// the number of steps: order 8 is the one for long runs.
+/// the energy, of the same order, grows as the motion spreads to modes of high frequency (step_search.h): by order 4 at
+/// 0.8 of the limit, in a release by 0.3, to 2e-5 of it at 100 r/c and 1e-2 at 1430 r/c; that of Q at 100 r/c is 1e-5,
+/// where RATTLE's at the same step is 7e-3. Round-off of the constraint, ε, makes one of ε/h² in the multipliers, which
+/// the history carries on with the weights β̂ (up to 5 for order 8, 62 for order 12) and which grows with the square
+/// root of the number of steps: order 8 is the one for long runs.
 
 #include <algorithm>
 #include <array>
@@ -309,19 +310,22 @@ struct Symmetric4 : SymmetricMultistep<Symmetric4Coefficients, CompositionStart<
   static constexpr bool chosen_by_auto = true, takes_any_vector = true;
   static constexpr const char* name = "symmetric-4";
   static constexpr const char* documentation =
-      "explicit symmetric multistep method of order 4, one force a step, for conservative forces";
+      "explicit symmetric multistep method of order 4, one force a step, for conservative forces; not symplectic: "
+      "energy and momenta are kept to the error of the step";
 };
 struct Symmetric8 : SymmetricMultistep<Symmetric8Coefficients, ExplicitStart> {
   static constexpr bool chosen_by_auto = false;
   static constexpr const char* name = "symmetric-8";
   static constexpr const char* documentation =
-      "explicit symmetric multistep method of order 8, one force a step, for conservative forces";
+      "explicit symmetric multistep method of order 8, one force a step, for conservative forces; not symplectic: "
+      "energy and momenta are kept to the error of the step";
 };
 struct Symmetric12 : SymmetricMultistep<Symmetric12Coefficients, ExplicitStart> {
   static constexpr bool chosen_by_auto = false;
   static constexpr const char* name = "symmetric-12";
   static constexpr const char* documentation =
-      "explicit symmetric multistep method of order 12, one force a step, for conservative forces";
+      "explicit symmetric multistep method of order 12, one force a step, for conservative forces; not symplectic: "
+      "energy and momenta are kept to the error of the step";
 };
 
 }  // namespace pseudorigid::mechanics

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -52,12 +53,17 @@ struct PilotRun {
   long n_force = 0;
 };
 
+/// In place of a function of the state that gives its kinetic and its potential energy.
+struct NoEnergies {};
+
 /// Methods as the searches see them: their traits, and pilot runs of one system over the window.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
   /// Over a window, n_steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
+  /// The same with the kinetic and the potential energy in place of the configuration; empty where they are not known.
+  std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
   MethodId id;
@@ -124,17 +130,25 @@ inline double longest_kicked_step(const StepRequest& request) {
 }
 
 /// They refer to what they are given.
-template <class Method, class S, class QOf>
+template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
-                                  const QOf& Q_of) {
-  return {id, Method::order, Method::n_stages, step_limit<Method>, [&](double window, long n_samples, long n_steps) {
-            return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps, [&](auto& workspace) {
-              if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
-                workspace.constraint_tolerance =
-                    std::max(workspace.constraint_tolerance, pilot_constraint * (error_safety * request.tolerance) *
-                                                                 pilot_window(request) / request.end);
-            });
-          }};
+                                  const QOf& Q_of, const EnergiesOf& energies_of) {
+  const auto prepare = [&request](auto& workspace) {
+    if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
+      workspace.constraint_tolerance =
+          std::max(workspace.constraint_tolerance,
+                   pilot_constraint * (error_safety * request.tolerance) * pilot_window(request) / request.end);
+  };
+  FixedStepMethod method{id, Method::order, Method::n_stages, step_limit<Method>,
+                         [&, prepare](double window, long n_samples, long n_steps) {
+                           return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps,
+                                                    prepare);
+                         }};
+  if constexpr (!Method::symplectic && !std::is_same_v<EnergiesOf, NoEnergies>)
+    method.energies = [&, prepare](double window, long n_samples, long n_steps) {
+      return run_pilot<Method>(system, initial, request, energies_of, window, n_samples, n_steps, prepare);
+    };
+  return method;
 }
 template <class Method, class S, class QOf>
 AdaptiveMethod adaptive_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
@@ -179,6 +193,7 @@ struct Trial {
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
+  bool set_by_energy = false;  ///< the step
   /// Where round-off grows beyond the tolerance: from which time on.
   std::optional<double> round_off_rules_from{};
   std::string reason{};

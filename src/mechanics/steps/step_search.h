@@ -8,9 +8,13 @@
 ///
 /// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
 /// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
-/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. From the stability limit the step is
-/// halved until e ≤ target or until e, small by then, falls by 2^p (to within √2); then e ~ hᵖ gives the step, without
-/// runs as fine as it, and with a reserve of 2^(p/4) for what such runs would have shown.
+/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. Of 1500 short scenes none missed its
+/// tolerance. A release from the stretches 1.29, 1.29, 0.60 did, by 1.12: its motion magnifies a change of its start
+/// 2000 times in 6.4 r/c.
+///
+/// From the stability limit the step is halved until e ≤ target or until e, small by then, falls by 2^p (to within
+/// √2); then e ~ hᵖ gives the step, without runs as fine as it, and with a reserve of 2^(p/4) for what such runs would
+/// have shown.
 ///
 /// A multistep method of order p begins with p − 1 steps of another method, which say nothing of its own: its window
 /// holds 4p of its steps, or the whole run.
@@ -20,6 +24,27 @@
 /// releases, spins, tides and figures of equilibrium of the ball it was 0.07 to 9 times too small at w/8, and 0.4 to
 /// 2.1 times at w/2. A method of high order at its stability limit often has room for that, and the pilots cost a fifth
 /// or a half.
+///
+/// A symmetric multistep method keeps a modified energy, of a mode of frequency ω and energy E_ω
+///
+///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of that of its differential equation),
+///
+/// so that the energy itself changes with what the motion hands on from slow modes to fast ones. On a body of many
+/// modes that goes on for long, with constraints and without, and not in small motions. (RATTLE-4 has C = −0.0009, and
+/// its energy changes the other way by a hundredth of that.) So a run of five windows of the pilots in its first eighth
+/// is given a look at that eighth with the step found. D is the largest change of the energy there and δ the difference
+/// of its means over the halves of that window, both over the energy of the motion. The step is shortened until
+///
+///   (D + 44 δ) (h'/h)^p ≤ target,
+///
+/// for a change like t^(3/2) is 44 δ at the end; in small motions it comes and goes, and δ is small. In 123 runs of
+/// releases and spins of the ball (stretches of 1.001 to 1.3, degrees 2 to 4, 3 to 9 of polynomials, with the
+/// constraint and without, t = 20 to 1000) the change at the end was 0.09 to 42 times D + 44 δ, 0.9 in the median. It
+/// was more than 5 times in 12 runs, all from stretches of 1.2 or more with a spin: violent motions get more violent
+/// with time, and at the worst a compressible ball is squeezed to a fifth. The power 3/2 was chosen after that. A
+/// factor of 5 is in the target and in the reserve of the models. What goes beyond are parasitic roots, ±i for order 4,
+/// which sums of frequencies of the motion meet, of two from hω = 0.79 on, of three from 0.52 on. It falls faster than
+/// h^p.
 ///
 /// Round-off walks at random through the velocity and so costs about
 ///
@@ -41,7 +66,12 @@ class StepSearch {
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
   /// The step of one method; given up as soon as it needs more than `n_forces_to_beat` forces for the run.
-  Trial try_method(const FixedStepMethod& method, double n_forces_to_beat);
+  Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
+    Trial trial = meet_tolerance(method, n_forces_to_beat);
+    if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)
+      keep_energy(method, trial);
+    return trial;
+  }
 
   /// Forces of the whole run at the stability limit: the least that a method can cost.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
@@ -59,6 +89,8 @@ class StepSearch {
     return std::ceil(request_.end / h) * method.n_stages;
   }
   double window_of(const FixedStepMethod& method) const;
+  Trial meet_tolerance(const FixedStepMethod& method, double n_forces_to_beat);
+  void keep_energy(const FixedStepMethod& method, Trial& trial);
   double predicted_forces(const FixedStepMethod& method, double h, double d) const;
   bool glance(const FixedStepMethod& method, Trial& trial);
   PilotRun pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps);

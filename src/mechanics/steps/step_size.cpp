@@ -35,7 +35,8 @@ std::string describe(const Trial& chosen, const StepRequest& request, const std:
     s << "steps of its own choice, local tolerance " << chosen.local_tolerance;
   else
     s << "steps of at most " << chosen.step << " internal time units ("
-      << (chosen.step < 0.99 * chosen.limit                                       ? "set by accuracy"
+      << (chosen.set_by_energy                                                    ? "set by the drift of the energy"
+          : chosen.step < 0.99 * chosen.limit                                     ? "set by accuracy"
           : std::min(request.step_bound, request.interval) <= chosen.limit * 1.01 ? "the bound given"
                                                                                   : "set by stability")
       << ")";

@@ -72,9 +72,11 @@ bool is_candidate(const S& system, const StepRequest& request) {
 
 /// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration that the tolerance
 /// speaks of: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half the
-/// step.
-template <class S, class QOf>
-StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of) {
+/// step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
+/// symplectic may change the sum by the tolerance.
+template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
+StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
+                       const EnergiesOf& energies_of = {}) {
   std::vector<detail::FixedStepMethod> fixed;
   std::vector<detail::AdaptiveMethod> adaptive;
   for_each_method([&]<class Method>(Method) {
@@ -83,7 +85,7 @@ StepChoice choose_step(const S& system, const State<S>& initial, const StepReque
       if constexpr (Method::adaptive)
         adaptive.push_back(detail::adaptive_method<Method>(id_of<Method>, system, initial, request, Q_of));
       else
-        fixed.push_back(detail::fixed_step_method<Method>(id_of<Method>, system, initial, request, Q_of));
+        fixed.push_back(detail::fixed_step_method<Method>(id_of<Method>, system, initial, request, Q_of, energies_of));
     }
   });
   return detail::choose_among(fixed, adaptive, VectorSpace<typename S::Vector>::compensated, request);
