@@ -46,7 +46,7 @@ PARTS = [
     Part("self-gravity", "self-gravity: Gravity/Constant is 0", {"Gravity/Constant": ZERO}),
     Part("external potential", "external potential: Loads", {"Loads/Tidal matrix": ONE_ENTRY}),
     Part("traction", "traction: Loads", {"Loads/Nominal traction": ONE_ENTRY}),
-    Part("viscosity", "dissipation: neither", {"Material/Viscosity": ZERO}),
+    Part("viscosity", "dissipation: neither", {"Material/Viscosity": ZERO, "Time/Method": "auto"}),
     Part("pictures", "Output/Graphics is none", {"Output/Graphics": "vtu"}),
     Part("quantities", "not among Output/Quantities)", {"Output/Quantities": "all"}),
     Part("modes", "modes: Analysis is motion",
