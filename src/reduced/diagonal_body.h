@@ -16,6 +16,7 @@
 
 #include "mechanics/core/conservative_system.h"
 #include "mechanics/core/second_order_field.h"
+#include "reduced/body_of_stages.h"
 #include "reduced/pseudo_rigid_body.h"
 
 namespace pseudorigid::reduced {
@@ -39,6 +40,16 @@ class DiagonalBody {
     assert(F.isDiagonal(0));
     f = F.diagonal();
     return {};
+  }
+  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
+    const Eigen::Map<const Vector> a(stages.q);
+    if (!takes_gravity_in_lanes(body_.of_stages(), a.asDiagonal())) return false;
+    solve_stages_of_body(body_.of_stages(), BodyEntries::diagonal, nullptr, stages);
+    return true;
+  }
+  double cost_of_iteration() const requires(Body::knows_stages) {
+    return reduced::cost_of_iteration(body_.of_stages(), BodyEntries::diagonal);
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f.cwiseQuotient(e_); }
   void apply_mass(const Vector& v, Vector& f) const { f = v.cwiseProduct(e_); }

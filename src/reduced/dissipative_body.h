@@ -11,6 +11,7 @@
 #include "loads/list.h"
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/second_order_field.h"
+#include "reduced/body_of_stages.h"
 #include "reduced/dissipation.h"
 #include "reduced/external_potential.h"
 
@@ -40,6 +41,16 @@ class DissipativeBody {
     const double given = driven_ ? add_driving(t, Q, F) : 0;
     f << F, Eigen::Vector3d(power, given, 0);
     return {};
+  }
+  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
+    if (!takes_gravity_in_lanes(body_.of_stages(), Eigen::Map<const Eigen::Matrix3d>(stages.q))) return false;
+    const AccountsOfStages accounts = accounts_of_stages(dissipation_, driving_, stages);
+    solve_stages_of_body(body_.of_stages(), BodyEntries::with_accounts, &accounts, stages);
+    return true;
+  }
+  double cost_of_iteration() const requires(Body::knows_stages) {
+    return reduced::cost_of_iteration(body_.of_stages(), BodyEntries::with_accounts);
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();

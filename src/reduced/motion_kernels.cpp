@@ -5,6 +5,7 @@
 #include <span>
 
 #include "reduced/eight_bodies.h"
+#include "reduced/gauss_body_kernels.h"
 
 namespace pseudorigid::reduced {
 namespace {
@@ -75,5 +76,7 @@ MotionsInLanes move_eight(const materials::AnyLaw& law, const InertiaInLanes& in
 }  // namespace
 }  // namespace pseudorigid::reduced
 
-extern const pseudorigid::reduced::MotionKernels PSEUDORIGID_KERNEL_TABLE{.moves = pseudorigid::reduced::can_move_eight,
-                                                                          .motions = pseudorigid::reduced::move_eight};
+extern const pseudorigid::reduced::MotionKernels PSEUDORIGID_KERNEL_TABLE{
+    .moves = pseudorigid::reduced::can_move_eight,
+    .motions = pseudorigid::reduced::move_eight,
+    .solve_stages = pseudorigid::reduced::solve_stages_in_lanes};

@@ -1,7 +1,9 @@
 #pragma once
-/// Motions of eight bodies (motions_in_lanes.h) as they are compiled for one set of instructions.
+/// Motions of eight bodies (motions_in_lanes.h), and the eight stages of a Gauss step of one (body_of_stages.h), as
+/// they are compiled for one set of instructions.
 
 #include "mechanics/core/kernel_builds.h"
+#include "reduced/body_of_stages.h"
 #include "reduced/motions_in_lanes.h"
 
 namespace pseudorigid::reduced {
@@ -11,9 +13,14 @@ struct MotionKernels {
   MotionsInLanes (*motions)(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,
                             const MatricesInLanes& v, mechanics::MethodId method, const mechanics::SampleTimes& times,
                             long n_steps);
+  void (*solve_stages)(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
+                       mechanics::GaussStages& stages);
 };
 
 /// Defined by the build, the best first.
 std::span<const mechanics::KernelBuild<MotionKernels>> builds_of_motion_kernels();
+
+/// Those that this process uses.
+const MotionKernels& motion_kernels();
 
 }  // namespace pseudorigid::reduced

@@ -3,14 +3,10 @@
 #include "reduced/motion_kernels.h"
 
 namespace pseudorigid::reduced {
-namespace {
-
 const MotionKernels& motion_kernels() {
   static const MotionKernels& kernels = *mechanics::choose_build(builds_of_motion_kernels()).table;
   return kernels;
 }
-
-}  // namespace
 
 bool moves_in_lanes(mechanics::MethodId method) { return motion_kernels().moves(method); }
 

@@ -38,6 +38,7 @@ class Potential {
       : law_(law),
         limited_(!materials::limit_of(law).empty()),
         body_(body),
+        forcing_(forcing),
         external_(forcing),
         loaded_(forcing.gravity_constant != 0 || external_.present()),
         spherical_(body.shape.isIdentity(0)) {
@@ -84,6 +85,9 @@ class Potential {
   /// Whether a load keeps turns of space from being symmetries.
   bool depends_on_direction() const { return external_.depends_on_direction(); }
 
+  const materials::AnyLaw& law() const { return law_; }
+  const loads::Forcing& forcing() const { return forcing_; }
+
   /// First Piola–Kirchhoff stress of the material alone.
   Eigen::Matrix3d material_stress(const Eigen::Matrix3d& Q) const {
     return materials::to_matrix(std::visit([&](const auto& law) { return law.stress(materials::to_tensor(Q)); }, law_));
@@ -102,6 +106,7 @@ class Potential {
   materials::AnyLaw law_;
   bool limited_;
   ReferenceBody body_;
+  loads::Forcing forcing_;
   std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
   bool loaded_;     // there is more than stored energy

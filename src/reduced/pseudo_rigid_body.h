@@ -19,6 +19,7 @@
 #include "materials/scalar.h"
 #include "mechanics/core/axial_vectors.h"
 #include "mechanics/core/conservative_system.h"
+#include "reduced/body_of_stages.h"
 #include "reduced/potential.h"
 #include "reduced/reference_body.h"
 
@@ -28,8 +29,14 @@ namespace pseudorigid::reduced {
 /// energy is all there is, or reduced::Potential.
 template <class EnergyDensity, bool incompressible>
 class PseudoRigidBody {
+  static constexpr bool has_parts = std::is_same_v<EnergyDensity, Potential>;
+  static constexpr bool is_known_law = []<class... Laws>(std::variant<Laws...>*) {
+    return (std::is_same_v<EnergyDensity, Laws> || ...);
+  }(static_cast<materials::AnyLaw*>(nullptr));
+
  public:
   using Vector = Eigen::Matrix3d;
+  static constexpr bool knows_stages = has_parts || is_known_law;
   using Multiplier = std::conditional_t<incompressible, double, mechanics::NoMultiplier>;
   struct Workspace {};
   static constexpr int n_constraints = incompressible ? 1 : 0;
@@ -42,7 +49,12 @@ class PseudoRigidBody {
         E0_inverse_(body.E0.inverse()),
         m_bar_(body.E0.trace() / 3),
         inverse_m_bar_(1 / m_bar_),
-        isotropic_(body.E0.isApprox(m_bar_ * Eigen::Matrix3d::Identity(), 1e-14)) {}
+        isotropic_(body.E0.isApprox(m_bar_ * Eigen::Matrix3d::Identity(), 1e-14)) {
+    if constexpr (has_parts)
+      of_stages_ = body_of_stages(density_.law(), body, incompressible, isotropic_, density_.forcing());
+    else if constexpr (is_known_law)
+      of_stages_ = body_of_stages(density_, body, incompressible, isotropic_);
+  }
 
   /// Q̈ of (5.120) with its multiplier, from one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
@@ -54,6 +66,17 @@ class PseudoRigidBody {
       return s * materials::to_tensor(materials::to_matrix(X) * E0_inverse_);
     });
   }
+
+  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(knows_stages) {
+    if (!takes_gravity_in_lanes(of_stages_, Eigen::Map<const Vector>(stages.q))) return false;
+    solve_stages_of_body(of_stages_, BodyEntries::matrix, nullptr, stages);
+    return true;
+  }
+  double cost_of_iteration() const requires(knows_stages) {
+    return reduced::cost_of_iteration(of_stages_, BodyEntries::matrix);
+  }
+  const BodyOfStages& of_stages() const requires(knows_stages) { return of_stages_; }
 
   mechanics::Status force(double, const Vector& Q, const Vector&, Workspace&, Vector& f) const {
     const Tensor q = materials::to_tensor(Q);
@@ -190,7 +213,6 @@ class PseudoRigidBody {
 
  private:
   using Tensor = materials::Tensor<double>;
-  static constexpr bool has_parts = requires(const EnergyDensity density, Eigen::Matrix3d Q) { density.energies(Q); };
 
   bool depends_on_direction() const {
     if constexpr (has_parts) return density_.depends_on_direction();
@@ -239,6 +261,7 @@ class PseudoRigidBody {
   Eigen::Matrix3d E0_, E0_inverse_;
   double m_bar_, inverse_m_bar_;
   bool isotropic_;  // E₀ = m̄ Id
+  BodyOfStages of_stages_;
 };
 
 }  // namespace pseudorigid::reduced

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "mechanics/core/conservative_system.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -32,6 +33,12 @@ class DoublePendulum {
     f << 0, p_.m1 * p_.g, 0, p_.m2 * p_.g;
     return {};
   }
+  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
+    system_kernels().pendulum_points({p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
+    return true;
+  }
+  double cost_of_iteration() const { return cost_of_pendulum_points; }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a << f.head<2>() / p_.m1, f.tail<2>() / p_.m2; }
   void apply_mass(const Vector& v, Vector& f) const { f << p_.m1 * v.head<2>(), p_.m2 * v.tail<2>(); }
 

@@ -47,6 +47,9 @@ class SystemBreaksOff(SystemTest):
     def test_head_on_collision_with_energy_momentum(self):
         self.assertLess(self.check_collision("energy-momentum"), 1e-9)
 
+    def test_head_on_collision_with_stages(self):
+        self.assertLess(self.check_collision("gauss-16"), 1e-4)
+
     def test_head_on_collision_with_a_chosen_method(self):
         self.assertLess(self.check_collision("auto"), 1e-4)
 

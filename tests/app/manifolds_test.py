@@ -130,7 +130,12 @@ class Backwards(SystemTest):
             self.assertAlmostEqual(E / bound, 1, delta=1e-6, msg="with V = 0 and c constant it is the motion's own energy")
 
     def test_resumed(self):
-        scene = {**TORUS, "Time/End": -4, "Time/Method": "explicit-8"}
+        for method in ("explicit-8", "gauss-16"):
+            with self.subTest(method):
+                self.check_resumed(method)
+
+    def check_resumed(self, method):
+        scene = {**TORUS, "Time/End": -4, "Time/Method": method}
         path = self.scene(scene)
         self.run_done("run", path, "--quiet", "--output", "short")
         self.run_done("run", path, "--quiet", "--output", "short", "--resume", "--set", "Time/End=-8")

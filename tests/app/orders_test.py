@@ -30,8 +30,8 @@ JACOBI = {"System": "jacobi geodesic", "Jacobi geodesic/Position": "0.6, 0"}
 
 # Methods that a system of each kind is known to accept; others are measured as well if it accepts them.
 BODY = methods()
-DISSIPATIVE = ("rattle", "explicit-8")
-FIELD = ("explicit-8",)
+DISSIPATIVE = ("rattle", "gauss-16", "explicit-8")
+FIELD = ("gauss-16", "explicit-8")
 
 
 def largest_asymptotic(order):
@@ -103,7 +103,11 @@ class DeclaredOrders(ProgramTest):
                     self.assert_one_sentence(checked, "Time/Method", method.split("-")[0])
                     continue
                 order = self.declared_order(entries, method)
-                if method == "explicit-8":
+                if method == "gauss-16":
+                    # Between its coarsest step and round-off there is no room for a slope; the suites of C++ fit one.
+                    table, _ = self.run_method(entries, method=method, step=self.END / 200)
+                    self.assertLess(largest_difference(table, by_explicit), 1e-10)
+                elif method == "explicit-8":
                     self.assertGreater(self.order_by_tolerances(entries, method, by_rattle), order - 0.5)
                 else:
                     self.assertGreater(self.order_by_steps(entries, method, order, by_explicit), order - 0.25)

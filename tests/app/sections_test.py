@@ -171,6 +171,7 @@ class Sections(SystemTest):
                 ({"Section/Column": "q"}, ("Section/Column", "one of theta, phi")),
                 ({}, ("Section/Column", "double_pendulum.csv")),
                 ({**SECTION, "Time/Method": "rattle"}, ("Time/Method", "explicit-8")),
+                ({**SECTION, "Time/Method": "gauss-16"}, ("Time/Method", "explicit-8")),
                 ({**SECTION, "Section/Direction": "left"}, ("Section/Direction", "up")),
                 ({**SECTION, "Section/Period": -1}, ("Section/Period", ">= 0")),
                 ({**SECTION, "Sweep/Parameters": "a: 1, 2"}, ("Analysis", "motions"))):

@@ -29,6 +29,9 @@ class StoppedSystems(StoppedRunTest):
     def test_energy_momentum(self):
         self.check(CONSERVING, "rigid_body")
 
+    def test_stages_in_lanes(self):
+        self.check({**PENDULUM, **SAMPLES, "Time/Method": "gauss-16", "Time/Step": 2e-3, "Time/End": 60}, "double_pendulum")
+
     def test_error_control(self):
         self.check({**PENDULUM, **ADAPTIVE, "Time/End": 1500}, "double_pendulum")
 

@@ -2,6 +2,7 @@
 /// that the widest vectors of the machine are the ones tested.
 
 #include "mechanics/core/lanes.h"
+#include "mechanics/core/lanes_trigonometry.h"
 
 #include <gtest/gtest.h>
 
@@ -113,6 +114,27 @@ TEST(Lanes, TriplesAreReadAndAddedLaneByLane) {
     for (int c = 0; c < 3; ++c) expected[offsets[l] + c] += offsets[l] + c;
   L::add_triples(x, y, z, native_lanes - 1, values.data(), offsets);
   EXPECT_EQ(values, expected);
+}
+
+/// Near multiples of π/2 the error is counted in units of 1.
+TEST(Lanes, SineAndCosineAreThoseOfTheLibrary) {
+  const auto sine = [](L x) { return sine_cosine(x).sine; };
+  const auto cosine = [](L x) { return sine_cosine(x).cosine; };
+  for (const double sign : {1.0, -1.0}) {
+    const auto small = spread(-40, std::log(0.7), sign);
+    EXPECT_LE(worst_error(small, sine, [](double x) { return std::sin(x); }), 1.5);
+    EXPECT_LE(worst_error(small, cosine, [](double x) { return std::cos(x); }), 1.5);
+    for (const auto& arguments : {spread(-1, 13, sign), spread(13, 100, sign)})
+      for (std::size_t i = 0; i + native_lanes <= arguments.size(); i += native_lanes) {
+        L x;
+        for (int l = 0; l < native_lanes; ++l) x.set(l, arguments[i + l]);
+        const auto y = sine_cosine(x);
+        for (int l = 0; l < native_lanes; ++l) {
+          ASSERT_NEAR(y.sine[l], std::sin(x[l]), 2.3e-16) << x[l];
+          ASSERT_NEAR(y.cosine[l], std::cos(x[l]), 2.3e-16) << x[l];
+        }
+      }
+  }
 }
 
 }  // namespace

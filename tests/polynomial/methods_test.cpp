@@ -164,8 +164,14 @@ TYPED_TEST_P(EveryMethod, ResumesBitByBit) {
 }
 
 REGISTER_TYPED_TEST_SUITE_P(EveryMethod, KeepsConstraintMomentaAndEnergy, ResumesBitByBit);
-using AllIncompressible = CasesOf<Incompressible, All>;
-using AllCompressible = CasesOf<Compressible, All>;
+/// A body of many degrees of freedom has no use for the stages in lanes.
+struct AllButGauss {
+  template <class Method>
+  static constexpr bool has = !std::is_same_v<Method, mechanics::Gauss16>;
+};
+static_assert(!mechanics::method_fits<mechanics::Gauss16, IncompressibleBody>());
+using AllIncompressible = CasesOf<Incompressible, AllButGauss>;
+using AllCompressible = CasesOf<Compressible, AllButGauss>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Incompressible, EveryMethod, AllIncompressible);
 INSTANTIATE_TYPED_TEST_SUITE_P(Compressible, EveryMethod, AllCompressible);
 

@@ -153,6 +153,12 @@ class ModelRun {
       workspace.tolerance = position_.local_tolerance;
       workspace.h_max = position_.step;
     }
+    if constexpr (requires { workspace.most_halvings; })
+      if (stepping_.adapts(position_)) {
+        const double tolerance = context_.scene.time.tolerance;
+        workspace.tolerance = std::min(workspace.tolerance, tolerance);
+        workspace.iteration_tolerance = Method::iteration_tolerance(Model::pilot_reserve * tolerance, times_.end);
+      }
     if constexpr (has_constraints && mechanics::has_costly_force<System> &&
                   requires { workspace.constraint_tolerance; })
       workspace.constraint_tolerance =

@@ -134,6 +134,8 @@ class ModelStepping {
       double limit = 0;
       if (Status status = rattle_limit(state, reserve, limit); !status) return status;
       request.rattle_limit = std::min(limit, request.end);
+    } else {
+      request.rattle_limit = HUGE_VAL;  // accuracy and the iteration of the stages bound the step
     }
     SearchNotice notice(context_, model_.name, about_search(request), Model::steps_between_looks);
     request.give_up = [&] {

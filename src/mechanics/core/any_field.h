@@ -9,6 +9,7 @@
 #include "mechanics/core/any_workspace.h"
 #include "mechanics/core/dynamic_vectors.h"
 #include "mechanics/core/second_order_field.h"
+#include "mechanics/core/stage_by_stage.h"
 
 namespace pseudorigid::mechanics {
 
@@ -24,6 +25,7 @@ struct FieldInterface {
   virtual ~FieldInterface() = default;
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
+  virtual Status solve_stages(GaussStages& stages, AnyWorkspace& w) const = 0;
   virtual AnyWorkspace make_workspace() const = 0;
 };
 
@@ -40,6 +42,9 @@ class HeldField final : public FieldInterface {
   Status project(Vector& q, Vector& v, AnyWorkspace& w) const override {
     if constexpr (ProjectedField<F>) return field_.project(WriteAs<Own>(q), WriteAs<Own>(v), own_workspace<F>(w));
     return {};
+  }
+  Status solve_stages(GaussStages& stages, AnyWorkspace& w) const override {
+    return mechanics::solve_stages(field_, stages, own_workspace<F>(w));
   }
   AnyWorkspace make_workspace() const override { return AnyWorkspace(field_.make_workspace()); }
 
@@ -59,6 +64,8 @@ class AnyField {
       : velocity_dependent_(mechanics::velocity_dependent(field)),
         dissipative_(mechanics::dissipative(field)),
         time_dependent_(mechanics::time_dependent(field)),
+        stages_in_lanes_(mechanics::has_stages_in_lanes(field)),
+        cost_of_iteration_(mechanics::cost_of_iteration(field)),
         zero_(detail::flat(field.make_vector())),
         held_(std::make_shared<detail::HeldField<F>>(std::move(field))) {}
 
@@ -66,15 +73,19 @@ class AnyField {
     return held_->acceleration(t, q, v, w, a);
   }
   Status project(Vector& q, Vector& v, Workspace& w) const { return held_->project(q, v, w); }
+  Status solve_stages(GaussStages& stages, Workspace& w) const { return held_->solve_stages(stages, w); }
   Vector make_vector() const { return zero_; }
   Workspace make_workspace() const { return held_->make_workspace(); }
 
   bool velocity_dependent() const { return velocity_dependent_; }
   bool dissipative() const { return dissipative_; }
   bool time_dependent() const { return time_dependent_; }
+  bool has_stages_in_lanes() const { return stages_in_lanes_; }
+  double cost_of_iteration() const { return cost_of_iteration_; }
 
  private:
-  bool velocity_dependent_, dissipative_, time_dependent_;
+  bool velocity_dependent_, dissipative_, time_dependent_, stages_in_lanes_;
+  double cost_of_iteration_;
   Vector zero_;
   std::shared_ptr<const detail::FieldInterface> held_;
 };

@@ -18,6 +18,7 @@
 #include "mechanics/core/dynamic_vectors.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "mechanics/core/second_order_field.h"
+#include "mechanics/core/stage_by_stage.h"
 
 namespace pseudorigid::mechanics {
 
@@ -41,6 +42,7 @@ struct SystemInterface {
                                  Vector& lambda) const = 0;
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
+  virtual Status solve_stages(GaussStages& stages, AnyWorkspace& w) const = 0;
   // Of conservative systems; the others have no energy, no symmetries and are not asked for the rest.
   virtual double kinetic_energy(const Vector& v) const = 0;
   virtual double potential_energy(const Vector& q) const = 0;
@@ -97,6 +99,10 @@ class HeldSystem final : public SystemInterface {
   Status project(Out q, Out v, AnyWorkspace& w) const override {
     if constexpr (!unconstrained<S>) return field_.project(Own(q), Own(v), w.template as<typename Field::Workspace>());
     return {};
+  }
+
+  Status solve_stages(GaussStages& stages, AnyWorkspace& w) const override {
+    return mechanics::solve_stages(field_, stages, w.template as<typename Field::Workspace>());
   }
 
   double kinetic_energy(In v) const override {
@@ -181,9 +187,13 @@ class AnyConstrainedSystem {
   }
   Status project(Vector& q, Vector& v, Workspace& w) const requires(n != 0) { return held_->project(q, v, w); }
 
+  Status solve_stages(GaussStages& stages, Workspace& w) const { return held_->solve_stages(stages, w); }
+
   bool velocity_dependent() const { return velocity_dependent_; }
   bool dissipative() const { return dissipative_; }
   bool time_dependent() const { return time_dependent_; }
+  bool has_stages_in_lanes() const { return stages_in_lanes_; }
+  double cost_of_iteration() const { return cost_of_iteration_; }
 
  protected:
   template <class S>
@@ -192,6 +202,8 @@ class AnyConstrainedSystem {
         velocity_dependent_(mechanics::velocity_dependent(system)),
         dissipative_(mechanics::dissipative(system)),
         time_dependent_(mechanics::time_dependent(system)),
+        stages_in_lanes_(mechanics::has_stages_in_lanes(ExplicitMultiplier<S>(system))),
+        cost_of_iteration_(mechanics::cost_of_iteration(ExplicitMultiplier<S>(system))),
         held_(std::make_shared<detail::HeldSystem<S>>(std::move(system))),
         zero_(held_->make_vector()),
         no_reaction_(held_->make_multiplier()) {}
@@ -200,7 +212,8 @@ class AnyConstrainedSystem {
 
  private:
   double constraint_tolerance_;
-  bool velocity_dependent_, dissipative_, time_dependent_;
+  bool velocity_dependent_, dissipative_, time_dependent_, stages_in_lanes_;
+  double cost_of_iteration_;
   std::shared_ptr<const detail::SystemInterface> held_;
   Vector zero_, no_reaction_;
 };

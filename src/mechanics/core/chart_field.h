@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "mechanics/core/chart.h"
+#include "mechanics/core/gauss_stages.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -28,6 +29,14 @@ class ChartField {
     const Vector rhs = force(t, q, v, jet.g) - christoffel_of_first_kind(jet, v, v);
     return apply_inverse_mass(jet.g, rhs, a);
   }
+
+  /// As of stage_by_stage.h, of charts that have it.
+  bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
+    c.solve_stages_in_lanes(stages);
+  }
+  { return chart_.solve_stages_in_lanes(stages); }
+  double cost_of_iteration() const requires requires(const C& c) { c.cost_of_iteration(); }
+  { return chart_.cost_of_iteration(); }
 
   /// Dq̇/dt = q̈ + Γ(q̇, q̇) of any curve with this velocity and second derivative.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {

@@ -16,6 +16,7 @@
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/gauss_stages.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -88,6 +89,21 @@ class ExplicitMultiplier {
         return detail::add_reaction_of_motion(system_, q, v, w.system, w.constraint, w.curvature, a);
     }
   }
+
+  /// As of stage_by_stage.h, of systems that have them.
+  bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
+    s.solve_stages_in_lanes(stages);
+  }
+  { return system_.solve_stages_in_lanes(stages); }
+  bool has_stages_in_lanes() const requires requires(const S& s) { s.has_stages_in_lanes(); }
+  { return system_.has_stages_in_lanes(); }
+  double cost_of_iteration() const requires requires(const S& s) { s.cost_of_iteration(); }
+  { return system_.cost_of_iteration(); }
+  Status solve_stages(GaussStages& stages, Workspace& w) const requires
+      requires(const S& s, typename S::Workspace& of_s) {
+    s.solve_stages(stages, of_s);
+  }
+  { return system_.solve_stages(stages, w.system); }
 
   Status project(Vector& q, Vector& v, Workspace& w) const {
     if constexpr (requires { system_.project(q, v, w.system); }) {

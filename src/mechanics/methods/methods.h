@@ -34,6 +34,7 @@
 #include "mechanics/methods/composition.h"
 #include "mechanics/methods/dormand_prince_8.h"
 #include "mechanics/methods/energy_momentum.h"
+#include "mechanics/methods/gauss_16.h"
 #include "mechanics/methods/rattle.h"
 #include "mechanics/methods/symmetric_multistep.h"
 
@@ -48,6 +49,7 @@ using MethodTable = std::tuple<Rattle,          //
                                Symmetric8,      //
                                Symmetric12,     //
                                EnergyMomentum,  //
+                               Gauss16,         //
                                DormandPrince8>;
 
 /// What every method says of itself; one that leaves a trait out does not compile.

@@ -129,17 +129,31 @@ inline double longest_kicked_step(const StepRequest& request) {
   return std::max(request.rattle_limit, pilot_window(request) / most_steps);
 }
 
+/// Forces that one step counts for.
+template <class Method, class S>
+double forces_of_step(const S& system) {
+  if constexpr (requires { Method::forces_of_step(system); })
+    return Method::forces_of_step(system);
+  else
+    return Method::n_stages;
+}
+
 /// They refer to what they are given.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
+    // Of two pilots whose steps are halved to the same length the difference says nothing.
+    if constexpr (requires { workspace.most_halvings; }) {
+      workspace.most_halvings = 0;
+      workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
+    }
     if constexpr (requires { workspace.constraint_tolerance; } && has_costly_force<S>)
       workspace.constraint_tolerance =
           std::max(workspace.constraint_tolerance,
                    pilot_constraint * (error_safety * request.tolerance) * pilot_window(request) / request.end);
   };
-  FixedStepMethod method{id, Method::order, Method::n_stages, step_limit<Method>,
+  FixedStepMethod method{id, Method::order, forces_of_step<Method>(system), step_limit<Method>,
                          [&, prepare](double window, long n_samples, long n_steps) {
                            return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps,
                                                     prepare);

@@ -189,7 +189,10 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 }
 
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  const double h_omega = Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit);
+  // Of a field no frequency is known.
+  const double h_omega = std::isfinite(request_.rattle_limit)
+                             ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
+                             : 1;
   return round_off_walk(compensated_, speed, request_.end, run_forces(method, h), h_omega);
 }
 

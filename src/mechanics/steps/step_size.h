@@ -46,11 +46,19 @@ inline double rattle_step_limit(double omega, double rate, double safety = 0.8) 
 /// half a digit each time, γ the largest rate of damping.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
+/// Whether auto takes a method only for systems whose stages are evaluated in lanes.
+template <class Method>
+inline constexpr bool wants_stages_in_lanes = requires {
+  Method::for_stages_in_lanes;
+};
+
 /// Whether Method = auto considers a method for systems of type S, if its promises hold. Where forces cost little, one
-/// of fixed step that is not symplectic is for those who ask for it.
+/// of fixed step that is not symplectic is for those who ask for it, unless its steps are as cheap as those of stages
+/// in lanes.
 template <class Method, class S>
-inline constexpr bool auto_considers = Method::chosen_by_auto && (Method::adaptive || Method::symplectic ||
-                                                                  has_costly_force<S>)&&method_fits<Method, S>();
+inline constexpr bool auto_considers = Method::chosen_by_auto &&
+                                       (Method::adaptive || Method::symplectic || wants_stages_in_lanes<Method> ||
+                                        has_costly_force<S>)&&method_fits<Method, S>();
 
 namespace detail {
 
@@ -64,6 +72,8 @@ template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
   if (Method::adaptive && has_costly_force<S> && !dissipative(system)) return false;
+  if constexpr (wants_stages_in_lanes<Method> && method_fits<Method, S>())
+    if (!has_stages_in_lanes(field_of(system))) return false;
   if constexpr (auto_considers<Method, S>) return Method::accepts(form_for<Method>(system)).ok();
   return false;
 }

@@ -1,0 +1,301 @@
+#pragma once
+/// The iteration on the stages of a Gauss step, for the sources that are compiled for several sets of instructions: the
+/// eight stages are the lanes of vectors,
+///
+///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
+///
+/// It contracts by O(h²) where the field depends on q alone. Its increments δ_k fall by a factor θ each; the error left
+/// after one is about θ δ_k, and it ends when that is below what the tolerance needs or below round-off of the
+/// accelerations, or when increments at the level of round-off no longer fall.
+///
+/// A field in lanes is a struct
+///
+///     static constexpr int n;                                   entries
+///     template <class T> T operator()(int first_lane, const T* q, const T* v, T* a) const;
+///
+/// over vectors T of as many lanes as a register has. What it returns must be positive where the state is admitted. It
+/// is looked at when the stages are found.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "mechanics/core/gauss_stages.h"
+#include "mechanics/core/lanes.h"
+
+namespace pseudorigid::mechanics::detail {
+
+using StageLanes = Lanes<native_lanes>;
+inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
+
+[[gnu::always_inline]] inline StageLanes load_lanes(const double* p) {
+  StageLanes x;
+  std::memcpy(&x.v, p, sizeof x.v);
+  return x;
+}
+[[gnu::always_inline]] inline void store_lanes(StageLanes x, double* p) { std::memcpy(p, &x.v, sizeof x.v); }
+/// s in every lane. Unlike 0 + s, which differs from s = −0, it is one instruction.
+[[gnu::always_inline]] inline StageLanes in_all_lanes(double s) { return StageLanes(s - StageLanes::Native{}); }
+[[gnu::always_inline]] inline StageLanes absolute_lanes(StageLanes x) {
+  typename StageLanes::NativeBits bits;
+  std::memcpy(&bits, &x.v, sizeof bits);
+  bits &= 0x7fffffffffffffffULL;
+  std::memcpy(&x.v, &bits, sizeof bits);
+  return x;
+}
+/// The greater lane by lane, where neither is a NaN. Not of the compiler's comparison, which takes two instructions.
+[[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
+#if defined(__AVX512F__)
+  return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
+#elif defined(__AVX__)
+  return StageLanes(StageLanes::Native(_mm256_max_pd(a.v, b.v)));
+#elif defined(__x86_64__)
+  return StageLanes(StageLanes::Native(_mm_max_pd(a.v, b.v)));
+#else
+  return a.v > b.v ? a.v : b.v;
+#endif
+}
+template <class Native>
+[[gnu::always_inline]] inline double greatest_lane(Native x) {
+  if constexpr (sizeof(Native) == 8 * sizeof(double)) {
+    const auto low = __builtin_shufflevector(x, x, 0, 1, 2, 3), high = __builtin_shufflevector(x, x, 4, 5, 6, 7);
+    return greatest_lane(low > high ? low : high);
+  } else if constexpr (sizeof(Native) == 4 * sizeof(double)) {
+    const auto low = __builtin_shufflevector(x, x, 0, 1), high = __builtin_shufflevector(x, x, 2, 3);
+    return greatest_lane(low > high ? low : high);
+  } else {
+    return x[0] > x[1] ? x[0] : x[1];
+  }
+}
+
+[[gnu::always_inline]] inline StageLanes root_of_lanes(StageLanes x) {
+#if defined(__AVX512F__)
+  return StageLanes(StageLanes::Native(_mm512_maskz_sqrt_pd(0xff, x.v)));
+#elif defined(__AVX__)
+  return StageLanes(StageLanes::Native(_mm256_sqrt_pd(x.v)));
+#elif defined(__x86_64__)
+  return StageLanes(StageLanes::Native(_mm_sqrt_pd(x.v)));
+#else
+  return StageLanes::of([&](int lane) { return std::sqrt(x[lane]); });
+#endif
+}
+
+/// Σ_j x_j column_j, of n_columns = 8, added to `sum`.
+template <class Columns>
+[[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns,
+                                               StageLanes (&sum)[n_lane_groups]) {
+#pragma GCC unroll 8
+  for (int j = 0; j < gauss::n_stages; ++j) {
+    const StageLanes x_j = in_all_lanes(x[j]);
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) sum[g] += x_j * load_lanes(columns[j].data() + g * native_lanes);
+  }
+}
+
+/// out ← Σ_j x_j column_j
+template <class Columns>
+[[gnu::always_inline]] inline void combine_columns(const OfStages& x, const Columns& columns, OfStages& out) {
+  StageLanes sum[n_lane_groups];
+#pragma GCC unroll 4
+  for (int g = 0; g < n_lane_groups; ++g) sum[g] = in_all_lanes(0);
+  add_columns(x, columns, sum);
+#pragma GCC unroll 4
+  for (int g = 0; g < n_lane_groups; ++g) store_lanes(sum[g], out.data() + g * native_lanes);
+}
+
+/// When the iteration ends.
+class GaussMonitor {
+ public:
+  enum Verdict { go_on, done, stuck };
+
+  GaussMonitor(const GaussStages& s, double scale) : tolerance_(s.tolerance) {
+    double q = 0, v = 0;
+    for (int k = 0; k < s.n; ++k) {
+      q = std::max(q, std::abs(s.q[k]));
+      v = std::max(v, std::abs(s.v[k]));
+    }
+    // An acceleration of this size moves neither q nor v by its round-off.
+    unseen_ = std::min(v / std::abs(s.h), q / (s.h * s.h));
+    // Round-off of forces in balance, ω²q of each: at hω ≤ 4 it is less.
+    noise_ = 0x1p-44 * q / (s.outer_h * s.outer_h);
+    set_scale(scale);
+  }
+  void set_scale(double scale) { scale_ = std::max(scale, unseen_); }
+  double noise() const { return noise_; }
+
+  Verdict judge(double increment) {
+    constexpr double epsilon = 0x1p-53;
+    constexpr int max_iterations = 60;
+    if (!std::isfinite(increment)) return stuck;
+    const bool first = n_iterations_ == 0;  // of which nothing is known
+    if (first) before_ = twice_before_ = increment;
+    // θδ ≤ x as δ² ≤ x δ_before: the verdict would have to wait for a quotient. Near round-off the last factor is that
+    // of noise, and the one before it is nearer to the truth.
+    const double unseen = 0.125 * epsilon * scale_;
+    if (increment <= 0.5 * epsilon * scale_ ||
+        increment * std::min(increment, before_) <= std::max(unseen, tolerance_) * before_ ||
+        increment * std::min(before_, twice_before_) <= unseen * twice_before_)
+      return done;
+    const bool grows = increment >= before_;
+    if (grows && !first && increment <= std::max(0x1p-30 * scale_, noise_)) return done;
+    // It may grow once or twice.
+    if (grows && ++n_grown_ > 3) return stuck;
+    if (++n_iterations_ > max_iterations) return stuck;
+    twice_before_ = before_;
+    before_ = increment;
+    return go_on;
+  }
+
+ private:
+  double tolerance_, unseen_ = 0, noise_ = 0, scale_ = 0, before_ = 0, twice_before_ = 0;
+  int n_iterations_ = 0, n_grown_ = 0;
+};
+
+/// The parts of q_i − q and v_i − v that stay, and the stages that are guessed.
+struct StageStarts {
+  OfStages *q, *v;
+};
+template <int n_fixed>
+[[gnu::always_inline]] inline void begin_stages(GaussStages& s, StageStarts start) {
+  const int n = n_fixed > 0 ? n_fixed : s.n;
+  const GaussTables& tables = *s.tables;
+  // Rounded coefficients are those of another method, whose energy drifts. What rounding has left over is added where
+  // the stages are iterated to round-off: of the guess, which is near enough for numbers so small.
+  const bool to_round_off = s.tolerance == 0;
+  if (s.last)
+    for (int k = 0; k < n; ++k) combine_columns(s.last[k], tables.guess, s.a[k]);
+  for (int k = 0; k < n; ++k) {
+    StageLanes low_q[n_lane_groups], low_v[n_lane_groups];
+    for (int g = 0; g < n_lane_groups; ++g) low_q[g] = low_v[g] = in_all_lanes(0);
+    if (to_round_off) {
+      add_columns(s.a[k], tables.a_squared_low, low_q);
+      add_columns(s.a[k], tables.a_low, low_v);
+    }
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) {
+      const int first = g * native_lanes;
+      const StageLanes v = in_all_lanes(s.v[k]);
+      store_lanes(low_q[g] + v * load_lanes(tables.c_low.data() + first) + v * load_lanes(tables.c.data() + first),
+                  start.q[k].data() + first);
+      store_lanes(low_v[g], start.v[k].data() + first);
+    }
+  }
+}
+
+/// q_i and v_i of all stages and entries. What they move by is summed by itself: beside q and v, what rounding the
+/// coefficients has left over would be lost.
+template <int n_fixed>
+[[gnu::always_inline]] inline void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
+  const int n = n_fixed > 0 ? n_fixed : s.n;
+  const auto& tables = *s.tables;
+#pragma GCC unroll 12
+  for (int k = 0; k < n; ++k) {
+    StageLanes of_q[n_lane_groups], of_v[n_lane_groups];
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) {
+      of_q[g] = load_lanes(start.q[k].data() + g * native_lanes);
+      of_v[g] = load_lanes(start.v[k].data() + g * native_lanes);
+    }
+#pragma GCC unroll 8
+    for (int j = 0; j < gauss::n_stages; ++j) {
+      const StageLanes a_j = in_all_lanes(s.a[k][j]);
+#pragma GCC unroll 4
+      for (int g = 0; g < n_lane_groups; ++g) {
+        of_v[g] += a_j * load_lanes(tables.a[j].data() + g * native_lanes);
+        of_q[g] += a_j * load_lanes(tables.a_squared[j].data() + g * native_lanes);
+      }
+    }
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) {
+      store_lanes(in_all_lanes(s.q[k]) + of_q[g], q[k].data() + g * native_lanes);
+      store_lanes(in_all_lanes(s.v[k]) + of_v[g], v[k].data() + g * native_lanes);
+    }
+  }
+}
+
+/// What the step moves by, and how fast the stages' polynomial falls off. A number that is not finite, which maxima may
+/// have passed over, is no convergence.
+template <int n_fixed>
+[[gnu::always_inline]] inline void finish_stages(GaussStages& s, double noise) {
+  const int n = n_fixed > 0 ? n_fixed : s.n;
+  double tail = 0, size = 0;
+  for (int k = 0; k < n; ++k) {
+    combine_columns(s.a[k], s.tables->sums, s.sums[k]);
+    tail = std::max({tail, std::abs(s.sums[k][legendre_6]), std::abs(s.sums[k][legendre_7])});
+    size += std::abs(s.sums[k][velocity]) + std::abs(s.sums[k][position]);
+  }
+  s.tail = tail > 0 ? tail / std::max(s.scale, noise) : 0;
+  s.converged = std::isfinite(size);
+}
+
+/// The iteration for a field in lanes.
+template <class Field>
+void iterate_in_lanes(const Field& field, GaussStages& s) {
+  constexpr int n = Field::n;
+  alignas(64) OfStages start_q[n], start_v[n], q[n], v[n];
+  const StageStarts start{start_q, start_v};
+  begin_stages<n>(s, start);
+  GaussMonitor monitor(s, s.scale);
+  s.converged = false;
+  for (bool first = true;; first = false) {
+    states_of_stages<n>(s, start, q, v);
+    StageLanes change = in_all_lanes(0), reserve = in_all_lanes(HUGE_VAL);
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) {
+      StageLanes q_i[n], v_i[n], a_i[n];
+#pragma GCC unroll 12
+      for (int k = 0; k < n; ++k) {
+        q_i[k] = load_lanes(q[k].data() + g * native_lanes);
+        v_i[k] = load_lanes(v[k].data() + g * native_lanes);
+      }
+      reserve = min(reserve, field(g * native_lanes, q_i, v_i, a_i));
+#pragma GCC unroll 12
+      for (int k = 0; k < n; ++k) {
+        double* const a = s.a[k].data() + g * native_lanes;
+        change = greater_lanes(change, absolute_lanes(a_i[k] - load_lanes(a)));
+        store_lanes(a_i[k], a);
+      }
+    }
+    ++s.n_iterations;
+    if (first) {
+      StageLanes size = in_all_lanes(0);
+      for (int k = 0; k < n; ++k)
+        for (int g = 0; g < n_lane_groups; ++g)
+          size = greater_lanes(size, absolute_lanes(load_lanes(s.a[k].data() + g * native_lanes)));
+      monitor.set_scale(s.scale = greatest_lane(size.v));
+    }
+    const auto verdict = monitor.judge(greatest_lane(change.v));
+    if (verdict == GaussMonitor::go_on) continue;
+    if (verdict == GaussMonitor::stuck || !(reserve.least(native_lanes) > 0)) return;
+    break;
+  }
+  finish_stages<n>(s, monitor.noise());
+}
+
+/// The same for a field that is called stage after stage.
+inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
+  const StageStarts start{s.scratch, s.scratch + s.n};
+  OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;
+  begin_stages<0>(s, start);
+  GaussMonitor monitor(s, s.scale);
+  s.converged = false;
+  for (bool first = true;; first = false) {
+    states_of_stages<0>(s, start, q, v);
+    ++s.n_iterations;
+    if (!field.evaluate(s, q, v, a)) return;
+    double change = 0, size = 0;
+    for (int k = 0; k < s.n; ++k)
+      for (std::size_t i = 0; i < gauss::n_stages; ++i) {
+        change = std::max(change, std::abs(a[k][i] - s.a[k][i]));
+        if (first) size = std::max(size, std::abs(a[k][i]));
+        s.a[k][i] = a[k][i];
+      }
+    if (first) monitor.set_scale(s.scale = size);
+    const auto verdict = monitor.judge(change);
+    if (verdict == GaussMonitor::stuck) return;
+    if (verdict == GaussMonitor::done) break;
+  }
+  finish_stages<0>(s, monitor.noise());
+}
+
+}  // namespace pseudorigid::mechanics::detail

@@ -1,0 +1,84 @@
+#pragma once
+/// The stages of a Gauss step of any second-order field. A field that can evaluate its stages in the lanes of vectors
+/// says so by a member `solve_stages_in_lanes(stages)`, which returns false where it leaves these stages to the way of
+/// all other fields, one stage after the other. A field behind an interface (any_field.h) has a member
+/// `solve_stages(stages, workspace)` for both.
+
+#include <concepts>
+#include <cstddef>
+
+#include "mechanics/core/gauss_stages.h"
+#include "mechanics/core/second_order_field.h"
+
+namespace pseudorigid::mechanics {
+
+namespace detail {
+
+/// A field that knows nothing of lanes, evaluated at one stage after the other.
+template <SecondOrderField F>
+class StageByStage final : public GaussField {
+  using Vector = typename F::Vector;
+
+ public:
+  StageByStage(const F& field, typename F::Workspace& workspace)
+      : field_(field), workspace_(workspace), q_(field.make_vector()), v_(q_), a_(q_) {}
+
+  bool evaluate(const GaussStages& s, const OfStages* q, const OfStages* v, OfStages* a) const override {
+    for (std::size_t i = 0; i < gauss::n_stages; ++i) {
+      for (int k = 0; k < s.n; ++k) {
+        q_.data()[k] = q[k][i];
+        v_.data()[k] = v[k][i];
+      }
+      reason_ = field_.acceleration(s.t + s.tables->c[i], q_, v_, workspace_, a_);
+      if (!reason_) return false;
+      for (int k = 0; k < s.n; ++k) a[k][i] = a_.data()[k];
+    }
+    return true;
+  }
+  /// Why the last evaluation failed, if it did.
+  Status reason() const { return reason_; }
+
+ private:
+  const F& field_;
+  typename F::Workspace& workspace_;
+  mutable Vector q_, v_, a_;
+  mutable Status reason_;
+};
+
+}  // namespace detail
+
+/// Whether the stages of a field are evaluated in lanes, in a quarter or so of the time that they take one after the
+/// other.
+template <class F>
+bool has_stages_in_lanes(const F& field) {
+  if constexpr (requires { field.has_stages_in_lanes(); })
+    return field.has_stages_in_lanes();
+  else
+    return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
+}
+
+/// What an iteration on the eight stages costs, in units of what the step search counts as a force of this field or of
+/// the system that it is the field of: measured where a field says it by a member `cost_of_iteration()`.
+template <class F>
+double cost_of_iteration(const F& field) {
+  if constexpr (requires { field.cost_of_iteration(); })
+    return field.cost_of_iteration();
+  else
+    return gauss::n_stages;
+}
+
+/// A failure of the field, if that is why the stages were not found.
+template <SecondOrderField F>
+Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
+  if constexpr (requires { field.solve_stages(stages, w); }) {
+    return field.solve_stages(stages, w);
+  } else {
+    if constexpr (requires { field.solve_stages_in_lanes(stages); })
+      if (field.solve_stages_in_lanes(stages)) return {};
+    const detail::StageByStage<F> by_stage(field, w);
+    solve_gauss_stages(by_stage, stages);
+    return by_stage.reason();
+  }
+}
+
+}  // namespace pseudorigid::mechanics

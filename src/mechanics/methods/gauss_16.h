@@ -1,0 +1,309 @@
+#pragma once
+/// Gauss collocation with 8 stages, of order 16 (Hairer, Lubich, Wanner, Geometric Numerical Integration, II.1, IV.2;
+/// stages in the lanes of vectors: Antoñana, Alberdi, Makazaga, Murua), for q̈ = a(t, q, q̇):
+///
+///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
+///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
+///
+/// Symmetric; symplectic where the mass is constant and there is no constraint; momenta that are bilinear in q and v,
+/// as J and Z of a body, are kept to round-off. Forces may depend on velocity and time and may dissipate. Systems with
+/// constraints are taken by their explicit multiplier (explicit_multiplier.h), which keeps g = 0 to the error of the
+/// step; every few steps and where a state is looked at, it is projected,
+///
+///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ,
+///
+/// the lift of the projection of q to the momenta, which leaves J as it is up to terms of second order in δ.
+///
+/// The stages are found by iteration (gauss_iteration.h), which the polynomial through the last step's stages starts.
+/// A step whose iteration does not converge is never accepted: it is made in two halves, these in halves, and so on.
+/// With a `tolerance`, a step is also halved where the Legendre coefficients of the highest orders of its stages say
+/// that the polynomial does not resolve the motion. They are the same forwards and backwards, so that the steps are.
+///
+/// With coefficients in more than double precision, stages iterated to round-off and q and v summed in more than double
+/// precision, errors of a step are random and below the round-off of the state: momenta and energy do not drift, but
+/// for what the rounding of the field itself does. Stages iterated to a tolerance keep them to that.
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanics/core/field_of.h"
+#include "mechanics/core/stage_by_stage.h"
+#include "mechanics/methods/rattle.h"
+
+namespace pseudorigid::mechanics {
+
+template <class S>
+struct Gauss16Workspace {
+  using Field = FieldOf<S>;
+  using Vector = typename S::Vector;
+
+  explicit Gauss16Workspace(const S& system)
+      : system(field_of(system).make_workspace()),
+        q_rounding(system.make_vector()),
+        v_rounding(system.make_vector()),
+        change(system.make_vector()),
+        n_entries(static_cast<std::size_t>(q_rounding.size())),
+        last(n_entries),
+        stages(n_entries),
+        sums(n_entries),
+        scratch(GaussStages::n_scratch * n_entries) {}
+
+  typename Field::Workspace system;
+  /// Of a step's error, for which steps are halved. With the first value every step is at least resolved.
+  double tolerance = coarsest_tolerance;
+  static constexpr double coarsest_tolerance = 1e-2;
+  int most_halvings = 40;  ///< of a step; 0: one that does not converge fails
+  /// Error of the accelerations that is small enough; 0: they are iterated until they no longer change.
+  double iteration_tolerance = 0;
+  Vector q_rounding, v_rounding;  // what rounding has kept back
+  Vector change;
+  std::size_t n_entries;
+  std::vector<OfStages> last, stages, sums, scratch;  // last: of the last step
+  GaussTables tables;
+  double h_last = 0;      // of the last step; 0: there was none
+  double scale = 0;       // largest acceleration in it
+  int n_halvings = 0;     // of the last outer step
+  int n_unprojected = 0;  // steps since the last projection
+  Counters counters;
+
+  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  template <class Visit>
+  void visit_memory(Visit&& visit) {
+    if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
+    visit(q_rounding);
+    visit(v_rounding);
+    for (OfStages& stages_of_entry : last)
+      for (double& a : stages_of_entry) visit(a);
+    visit(tables.h);
+    visit(h_last);
+    visit(scale);
+    visit(n_halvings);
+    visit(n_unprojected);
+  }
+};
+
+struct Gauss16 {
+  static constexpr const char* name = "gauss-16";
+  static constexpr const char* documentation =
+      "Gauss collocation of order 16, eight stages side by side in vector lanes, symmetric, momenta to round-off; for "
+      "any forces of small systems";
+  static constexpr int order = 16;
+  static constexpr int n_stages = gauss::n_stages;
+  /// Forces that a step counts for in the search for the step.
+  template <class S>
+  static double forces_of_step(const S& system) {
+    constexpr double n_iterations = 7;  // 4 to 9, by tolerance and system
+    return n_iterations * cost_of_iteration(field_of(system));
+  }
+
+  /// Error of the accelerations that a tolerance of the configuration over a run of this length admits. They lose
+  /// energy at 1e-3 to 5e-2 of it times the velocity, so that the configuration is off by up to 0.03 times it and T²
+  /// (measured on SL(3), a rigid body and the double pendulum over T = 100 and 3000): by less than a sixth of the
+  /// tolerance.
+  static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
+
+  /// Method = auto takes it for systems whose stages are evaluated in lanes.
+  static constexpr bool for_stages_in_lanes = true;
+  static constexpr bool symplectic = false, symmetric = true;
+  static constexpr bool adaptive = false, chosen_by_auto = true;
+  /// hω beyond which the iteration takes more than a dozen rounds; it contracts up to about 11.
+  static constexpr double stability_limit = 4;
+
+  template <class S>
+  using Workspace = Gauss16Workspace<S>;
+  /// Large systems have no use for a method that holds eight accelerations and needs sixty for a step.
+  template <class S>
+  static constexpr bool fits = [] {
+    if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)
+      return false;
+    else
+      return VectorSpace<typename S::Vector>::dense && !has_costly_force<S>;
+  }();
+
+  template <class S>
+  static Status accepts(const S&) {
+    return {};
+  }
+
+  /// One step. The state is projected every few steps, and by `project_velocity`.
+  template <class S>
+  static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
+    // The last step's halvings are tried again, less one: a violent phase does not begin anew at every step.
+    constexpr int most_expected = 2;  // all parts of the next step are so short
+    const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
+    w.n_halvings = 0;
+    if (Status status = advance_in_parts(system, {h, h, 0}, n_expected, state, w); !status) return status;
+    constexpr int steps_between_projections = 32;
+    if (++w.n_unprojected < steps_between_projections) return {};
+    return project_velocity(system, state, w);
+  }
+
+  /// Position and velocity.
+  template <class S>
+  static Status project_velocity(const S& system, State<S>& state, Workspace<S>& w) {
+    w.n_unprojected = 0;
+    if constexpr (ConstrainedSystem<S>) {
+      if constexpr (unconstrained<S>)
+        return {};
+      else
+        return project_with_momenta(system, state, w);
+    } else if constexpr (ProjectedField<S>) {
+      return system.project(state.q, state.v, w.system);
+    }
+    return {};
+  }
+
+ private:
+  /// A step, or a part of one that has been halved `depth` times.
+  struct Part {
+    double outer_h, h;
+    int depth;
+  };
+
+  template <class S>
+  static Status advance_in_parts(const S& system, Part part, int n_expected, State<S>& state, Workspace<S>& w) {
+    const auto [outer_h, h, depth] = part;
+    w.n_halvings = std::max(w.n_halvings, depth);
+    if (depth >= n_expected) {
+      bool found = false;
+      Status status = step(system, outer_h, h, state, w, found);
+      if (found) return {};
+      const bool too_short = !(state.t + h / 2 != state.t);
+      if (depth >= w.most_halvings || too_short) return why_not_found(system, std::move(status), state, w);
+      if (!std::isfinite(h)) return Status::failure("the step is not finite");
+    }
+    for (int half = 0; half < 2; ++half)
+      if (Status status = advance_in_parts(system, {outer_h, h / 2, depth + 1}, n_expected, state, w); !status)
+        return status;
+    return {};
+  }
+
+  /// Steps that differ by the round-off of the sample times are the same.
+  static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
+
+  /// Makes the step if its stages are found; returns a failure of the force.
+  template <class S>
+  static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
+    ++w.counters.n_substeps;
+    const auto& field = field_of(system);
+    if (!same_step(h, w.tables.h))
+      w.tables.set_step(h);
+    else if (w.tables.c[0] == 0)  // of memory that has been restored
+      w.tables.set_step(w.tables.h);
+    GaussStages s{.n = static_cast<int>(w.n_entries),
+                  .t = state.t,
+                  .h = w.tables.h,
+                  .q = state.q.data(),
+                  .v = state.v.data(),
+                  .tables = &w.tables,
+                  .tolerance = w.iteration_tolerance,
+                  .outer_h = outer_h,
+                  .a = w.stages.data(),
+                  .sums = w.sums.data(),
+                  .scratch = w.scratch.data(),
+                  .scale = w.scale};
+    if (Status status = begin(field, state, w, s); !status) return status;
+    if (Status status = solve_stages(field, s, w.system); !status) return status;
+    w.counters.n_force += gauss::n_stages * s.n_iterations;
+    found = s.converged && error_of(s) <= w.tolerance;
+    if (!found) return {};
+    add_sums(s, state, w);
+    state.t += h;
+    w.stages.swap(w.last);
+    w.h_last = w.tables.h;
+    w.scale = s.scale;
+    return {};
+  }
+
+  /// The guess of the stages: by the polynomial of the last step, or where there is none, or one too short to look
+  /// ahead so far, the acceleration at the state.
+  template <class F>
+  static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
+    constexpr double longest_look = 1.5;
+    if (const double ratio = s.h / w.h_last; w.h_last != 0 && ratio > 0 && ratio < longest_look) {
+      const double clean = rounded_ratio(ratio);
+      if (clean != w.tables.ratio) w.tables.set_ratio(clean);
+      s.last = w.last.data();
+      return {};
+    }
+    ++w.counters.n_force;
+    if (Status status = field.acceleration(state.t, state.q, state.v, w.system, w.change); !status) return status;
+    for (std::size_t k = 0; k < w.n_entries; ++k) w.stages[k].fill(w.change.data()[k]);
+    return {};
+  }
+
+  /// Halves are halves, whatever the last digits of the sample times make of them.
+  static double rounded_ratio(double ratio) {
+    if (same_step(ratio, 1)) return 1;
+    const double power = std::exp2(std::round(std::log2(ratio)));
+    return same_step(ratio, power) ? power : ratio;
+  }
+
+  /// Of a step, with Legendre coefficients that fall off like ρᵏ: ρ^16, where the tail is ρ^6.5 or so, times what it
+  /// was too small by on SL(3).
+  static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
+
+  /// A failure of the force at a stage or at the state, or that the iteration has not converged.
+  template <class S>
+  [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const State<S>& state,
+                                                           Workspace<S>& w) {
+    if (!of_stages) return of_stages;
+    const auto& field = field_of(system);
+    if (Status status = field.acceleration(state.t, state.q, state.v, w.system, w.change); !status) return status;
+    if (!std::isfinite(w.change.squaredNorm())) return Status::failure("the force is not finite");
+    return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
+  }
+
+  /// In extended precision, with what rounding has kept back: the round-off of hv and of the sums, small as it is,
+  /// would make energy and momenta drift by 10⁻¹⁸ a step.
+  template <class S>
+  static void add_sums(const GaussStages& s, State<S>& state, Workspace<S>& w) {
+    using Real = gauss::Real;
+    const auto split = [](Real x, double& high, double& low) {
+      high = static_cast<double>(x);
+      low = static_cast<double>(x - high);
+    };
+    for (std::size_t k = 0; k < w.n_entries; ++k) {
+      const OfStages& sums = w.sums[k];
+      double &q = state.q.data()[k], &v = state.v.data()[k];
+      double &of_q = w.q_rounding.data()[k], &of_v = w.v_rounding.data()[k];
+      const Real whole_v = Real(v) + of_v;
+      split(Real(q) + of_q + (s.h * whole_v + sums[position] + sums[position_low]), q, of_q);
+      split(whole_v + (Real(sums[velocity]) + sums[velocity_low]), v, of_v);
+    }
+  }
+
+  template <ConstrainedSystem S>
+  static Status project_with_momenta(const S& system, State<S>& state, Workspace<S>& w) {
+    ++w.counters.n_projections;
+    auto& c = w.system.constraint;
+    auto& of_system = w.system.system;
+    c.direction_known = false;
+    const double tolerance = system.constraint_tolerance();
+    // The iteration squares what it finds. It is looked at again where that may be more than round-off.
+    const double foregone = S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * tolerance);
+    const auto move_position = [&] {
+      if constexpr (requires { system.add_reaction_rate(state.q, state.v, c.delta, w.change); }) {
+        scale(0.0, w.change);
+        system.add_reaction_rate(state.q, state.v, c.delta, w.change);
+        system.apply_inverse_mass(w.change, w.change);
+        add(-1.0, w.change, state.v, w.v_rounding);
+      }
+      add(1.0, c.reaction, state.q, w.q_rounding);
+      ++w.counters.n_position_iterations;
+    };
+    if (Status status = detail::meet_position_constraint(system, tolerance, state.q, state.q, of_system, c,
+                                                         move_position, foregone);
+        !status)
+      return status;
+    c.direction_known = false;
+    return detail::meet_velocity_constraint(system, tolerance, state.q, state.v, of_system, c,
+                                            [&] { add(1.0, c.reaction, state.v, w.v_rounding); });
+  }
+};
+
+}  // namespace pseudorigid::mechanics
