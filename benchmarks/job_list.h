@@ -93,6 +93,19 @@ inline const std::vector<double> steps_of_order_2{40, 160, 640}, steps_of_order_
     steps_of_order_6{4, 6, 8, 12, 16, 24, 32, 48, 64}, steps_of_order_8{4, 6, 8, 12, 16, 20, 24, 32, 40},
     steps_of_multistep{20, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80, 96, 112, 128, 160, 192, 256};
 
+/// To round-off, which keeps momenta, and to the tolerances that others are given.
+template <class System>
+void add_gauss(JobList& list, const Form<System>& form) {
+  const std::vector<double> n_steps{1, 2, 3, 4, 5, 6, 8};
+  const auto add = [&](const std::string& name, double tolerance) {
+    list.add(form, name, false, n_steps, [tolerance](const auto& f, double n) { return run_gauss(f, n, tolerance); });
+  };
+  add("gauss-16", 0);
+  add("gauss-16 iterated to 1e-8", 1e-8);
+  add("gauss-16 iterated to 1e-10", 1e-10);
+  add("gauss-16 iterated to 1e-12", 1e-12);
+}
+
 template <class System>
 void add_constrained(JobList& list, const Form<System>& form) {
   list.add_own<mechanics::Rattle>(form, steps_of_order_2);

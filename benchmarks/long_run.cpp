@@ -16,6 +16,7 @@
 
 #include "mechanics/methods/composition.h"
 #include "mechanics/methods/energy_momentum.h"
+#include "mechanics/methods/gauss_16.h"
 #include "mechanics/methods/symmetric_multistep.h"
 #include "mechanics/methods/time_loop.h"
 #include "reduced/observe.h"
@@ -40,7 +41,14 @@ struct Watch {
   template <class Workspace>
   Status sample(long k, const State<Sl3>& state, Workspace& w) {
     mechanics::ReducedObservables o;
-    if (Status status = reduced::observe(form.system, state, w.system, {.multiplier = false, .axes = false}, o);
+    auto& of_system = [&w]() -> auto& {
+      if constexpr (requires { w.system.system; })
+        return w.system.system;
+      else
+        return w.system;
+    }
+    ();
+    if (Status status = reduced::observe(form.system, state, of_system, {.multiplier = false, .axes = false}, o);
         !status)
       return status;
     if (k == 0) start = o;
@@ -131,6 +139,7 @@ int main(int argc, char** argv) {
   run<mechanics::Rattle8>(form, end, 28, &file);
   run<mechanics::Symmetric8>(form, end, 128, &file);
   run<mechanics::Symmetric12>(form, end, 80, &file);
+  run<mechanics::Gauss16>(form, end, 4, &file);
   run<mechanics::EnergyMomentum>(form, end, 20, &file);
   if (file.flush(); !file) {
     std::cerr << "cannot write " << output << "\n";

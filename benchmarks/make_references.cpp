@@ -22,48 +22,63 @@ using namespace pseudorigid::benchmarks;
 using Real = boost::multiprecision::float128;
 using std::array;
 
+using Matrix = array<Real, 9>;  // by rows
+using BodyState = array<Real, 18>;
+
+BodyState body_at(double stretch, const array<double, 9>& L) {
+  const array<Real, 3> axes{Real(stretch), Real(1), 1 / Real(stretch)};
+  BodyState y{};
+  for (int i = 0; i < 3; ++i) {
+    y[4 * i] = axes[i];
+    for (int j = 0; j < 3; ++j) y[9 + 3 * i + j] = axes[i] * Real(L[3 * i + j]);
+  }
+  return y;
+}
+
+Matrix cofactor(const Real* M) {
+  Matrix C;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
+      C[3 * i + j] = M[3 * a + c] * M[3 * b + d] - M[3 * a + d] * M[3 * b + c];
+    }
+  return C;
+}
+
+/// Q̈ = sC + f with C = cof Q and s such that det Q stays 1: C:Q̈ = tr((CᵀQ̇)²)/J.
+BodyState constrained_rate(const BodyState& y, const Matrix& C, const Matrix& f) {
+  const Real J = y[0] * C[0] + y[1] * C[1] + y[2] * C[2];
+  Matrix P{};  // CᵀQ̇
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (int k = 0; k < 3; ++k) P[3 * i + j] += C[3 * k + i] * y[9 + 3 * k + j];
+  Real curvature = 0, of_force = 0, norm = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) curvature += P[3 * i + j] * P[3 * j + i];
+  for (int i = 0; i < 9; ++i) {
+    of_force += C[i] * f[i];
+    norm += C[i] * C[i];
+  }
+  const Real s = (curvature / J - of_force) / norm;
+  BodyState rate;
+  for (int i = 0; i < 9; ++i) {
+    rate[i] = y[9 + i];
+    rate[9 + i] = s * C[i] + f[i];
+  }
+  return rate;
+}
+
 /// Q̈ = −κQ + λQ⁻ᵀ on SL(3): the part of the stress along Q⁻ᵀ is the multiplier's. y = (Q, Q̇) by rows.
 struct Sl3 {
   static constexpr const char* name = "sl3";
   static constexpr const char* columns = "Q11,Q12,Q13,Q21,Q22,Q23,Q31,Q32,Q33,V11,V12,V13,V21,V22,V23,V31,V32,V33";
-  using Y = array<Real, 18>;
+  using Y = BodyState;
 
-  static Y initial() {
-    const array<Real, 3> axes{Real(sl3::stretch), Real(1), 1 / Real(sl3::stretch)};
-    Y y{};
-    for (int i = 0; i < 3; ++i) {
-      y[4 * i] = axes[i];
-      for (int j = 0; j < 3; ++j) y[9 + 3 * i + j] = axes[i] * Real(sl3::L[3 * i + j]);
-    }
-    return y;
-  }
+  static Y initial() { return body_at(sl3::stretch, sl3::L); }
   Y operator()(const Y& y) const {
-    array<Real, 9> C, P;  // cof Q, (cof Q)ᵀQ̇ = J Q⁻¹Q̇
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        const int a = (i + 1) % 3, b = (i + 2) % 3, c = (j + 1) % 3, d = (j + 2) % 3;
-        C[3 * i + j] = y[3 * a + c] * y[3 * b + d] - y[3 * a + d] * y[3 * b + c];
-      }
-    const Real J = y[0] * C[0] + y[1] * C[1] + y[2] * C[2];
-    Real curvature = 0, stretch = 0, norm = 0;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        P[3 * i + j] = 0;
-        for (int k = 0; k < 3; ++k) P[3 * i + j] += C[3 * k + i] * y[9 + 3 * k + j];
-      }
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) curvature += P[3 * i + j] * P[3 * j + i];
-    for (int i = 0; i < 9; ++i) {
-      stretch += C[i] * y[i];
-      norm += C[i] * C[i];
-    }
-    const Real kappa(sl3::kappa), s = (curvature / J + kappa * stretch) / norm;
-    Y rate;
-    for (int i = 0; i < 9; ++i) {
-      rate[i] = y[9 + i];
-      rate[9 + i] = s * C[i] - kappa * y[i];
-    }
-    return rate;
+    Matrix f;
+    for (int i = 0; i < 9; ++i) f[i] = -Real(sl3::kappa) * y[i];
+    return constrained_rate(y, cofactor(y.data()), f);
   }
   static std::vector<Real> coordinates(const Y& y) { return {y.begin(), y.end()}; }
 };
@@ -113,6 +128,61 @@ struct DoublePendulum {
   }
 };
 
+/// The positive half of the rule of Gauss and Legendre with 2n nodes on [−1, 1].
+template <int n>
+struct HalfRule {
+  array<Real, n> x, weight;
+  HalfRule() {
+    for (int i = 0; i < n; ++i) {
+      Real y = cos(acos(Real(-1)) * (i + Real(3) / 4) / (2 * n + Real(1) / 2)), slope = 0;
+      for (int iteration = 0; iteration < 9; ++iteration) {
+        Real before = 1, P = y;
+        for (int k = 1; k < 2 * n; ++k) {
+          const Real next = ((2 * k + 1) * y * P - k * before) / (k + 1);
+          before = P;
+          P = next;
+        }
+        slope = 2 * n * (y * P - before) / (y * y - 1);
+        y -= P / slope;
+      }
+      x[i] = y;
+      weight[i] = 2 / ((1 - y * y) * slope * slope);
+    }
+  }
+};
+
+/// Q̈ = −(4/3) D Q + λQ⁻ᵀ. With s = A (1/w² − 1), A = ⅓ tr C,
+///   D = 3A ∫₀¹ w² K⁻¹ det(K)^(−1/2) dw,  K = A + w²(C − A).
+struct Gravitating {
+  static constexpr const char* name = "gravitating";
+  static constexpr const char* columns = Sl3::columns;
+  using Y = BodyState;
+
+  static Y initial() { return body_at(gravitating::stretch, gravitating::L); }
+  Y operator()(const Y& y) const {
+    static const HalfRule<24> rule;
+    Matrix metric{}, D{}, f{};  // C, D
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) metric[3 * i + j] += y[3 * i + k] * y[3 * j + k];
+    const Real A = (metric[0] + metric[4] + metric[8]) / 3;
+    for (std::size_t n = 0; n < rule.x.size(); ++n) {
+      const Real w2 = rule.x[n] * rule.x[n];
+      Matrix K;
+      for (int i = 0; i < 9; ++i) K[i] = w2 * metric[i] + (i % 4 == 0 ? A - w2 * A : Real(0));
+      const Matrix cof = cofactor(K.data());
+      const Real det = K[0] * cof[0] + K[1] * cof[1] + K[2] * cof[2];
+      const Real factor = 3 * A * rule.weight[n] * w2 / (det * sqrt(det));
+      for (int i = 0; i < 9; ++i) D[i] += factor * cof[i];
+    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k) f[3 * i + j] -= Real(4) / 3 * D[3 * i + k] * y[3 * k + j];
+    return constrained_rate(y, cofactor(y.data()), f);
+  }
+  static std::vector<Real> coordinates(const Y& y) { return {y.begin(), y.end()}; }
+};
+
 template <class Problem>
 std::vector<std::vector<Real>> samples(int n_steps) {  // steps between two samples
   auto y = Problem::initial();
@@ -158,4 +228,5 @@ int main(int argc, char** argv) {
   write<Sl3>(argv[1]);
   write<RigidBody>(argv[1]);
   write<DoublePendulum>(argv[1]);
+  write<Gravitating>(argv[1]);
 }

@@ -1,6 +1,7 @@
 #pragma once
 /// Runs of the program's own methods by its own time loop.
 
+#include "mechanics/methods/gauss_16.h"
 #include "mechanics/methods/time_loop.h"
 #include "work_precision.h"
 
@@ -25,6 +26,26 @@ struct KeepSamples {
     return true;
   }
 };
+
+/// Gauss collocation with `n_steps` steps between two samples, the accelerations iterated to a tolerance (0: to
+/// round-off).
+template <class System>
+Recording<System> run_gauss(const Form<System>& form, double n_steps, double iteration_tolerance) {
+  Recording<System> r;
+  r.samples.reserve(n_samples);
+  auto state = form.initial;
+  const Stopwatch watch;
+  KeepSamples<System> hooks{r.samples, std::lround(n_steps)};
+  mechanics::Gauss16Workspace<System> workspace(form.system);
+  workspace.iteration_tolerance = iteration_tolerance;
+  mechanics::Cursor cursor;
+  const auto result =
+      mechanics::run_time_loop<mechanics::Gauss16>(form.system, {end_time, n_samples}, state, cursor, workspace, hooks);
+  r.seconds = watch.seconds();
+  r.n_evaluations = workspace.counters.n_force;
+  r.failure = result.reason;
+  return r;
+}
 
 /// `parameter` is the tolerance of an adaptive method, the number of steps between two samples of another.
 template <class Method, class System>

@@ -27,4 +27,11 @@ namespace double_pendulum {
 inline constexpr double theta = 0.6, phi = 0.8;
 }
 
+/// (v) A fluid ellipsoid under its own gravity (Dirichlet, Riemann), time in 1/√(πGρ): Q̈ = −(4/3) D Q + λQ⁻ᵀ with
+/// D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds, C = QQᵀ. Q₀ = diag(1.2, 1, 1/1.2), Q̇₀ = Q₀L. By rows.
+namespace gravitating {
+inline constexpr double stretch = 1.2;
+inline constexpr std::array<double, 9> L{0.1, -0.4, 0.05, 0.3, -0.15, 0.1, 0, -0.05, 0.05};
+}  // namespace gravitating
+
 }  // namespace pseudorigid::benchmarks

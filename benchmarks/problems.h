@@ -3,14 +3,17 @@
 /// Lagrange, Euler), which are compared in the same coordinates with the same reference.
 
 #include <Eigen/Dense>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 #include <utility>
 
 #include "materials/ciarlet_geymonat.h"
 #include "mechanics/core/explicit_multiplier.h"
 #include "problem_data.h"
+#include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
 #include "systems/double_pendulum.h"
 #include "systems/euler_top.h"
@@ -39,12 +42,10 @@ struct Form {
   }
 };
 
-using Sl3 = reduced::PseudoRigidBody<materials::CiarletGeymonat, true>;
-
-inline Form<Sl3> sl3_form() {
-  const Sl3 body({1, 0}, reduced::ReferenceBody::unit_ball());
-  const Eigen::Matrix3d Q = Eigen::Vector3d(sl3::stretch, 1, 1 / sl3::stretch).asDiagonal();
-  const Eigen::Matrix3d L = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(sl3::L.data());
+template <class Body>
+Form<Body> body_form(const Body& body, double stretch, const std::array<double, 9>& L_by_rows) {
+  const Eigen::Matrix3d Q = Eigen::Vector3d(stretch, 1, 1 / stretch).asDiagonal();
+  const Eigen::Matrix3d L = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(L_by_rows.data());
   return {"",
           body,
           {0, Q, Q * L},
@@ -55,6 +56,20 @@ inline Form<Sl3> sl3_form() {
           },
           [body](const auto& s) { return body.kinetic_energy(s.v) + body.potential_energy(s.q); },
           [](const auto& s) { return std::abs(s.q.determinant() - 1); }};
+}
+
+using Sl3 = reduced::PseudoRigidBody<materials::CiarletGeymonat, true>;
+
+inline Form<Sl3> sl3_form() {
+  return body_form(Sl3({1, 0}, reduced::ReferenceBody::unit_ball()), sl3::stretch, sl3::L);
+}
+
+using GravitatingBody = reduced::PseudoRigidBody<reduced::Potential, true>;
+
+inline Form<GravitatingBody> gravitating_form() {
+  const auto ball = reduced::ReferenceBody::unit_ball();
+  const reduced::Potential gravity(materials::Fluid{}, ball, {.gravity_constant = std::numbers::inv_pi});
+  return body_form(GravitatingBody(gravity, ball), gravitating::stretch, gravitating::L);
 }
 
 inline Eigen::VectorXd rotation_and_velocity(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {

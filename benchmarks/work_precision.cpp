@@ -30,14 +30,16 @@ int main(int argc, char** argv) {
     else if (option == "--problem" && i + 1 < argc)
       problem = argv[++i];
     else {
-      std::cerr << "work_precision [--quick] [--output FILE.csv] [--problem sl3|rigid_body|double_pendulum]\n";
+      std::cerr << "work_precision [--quick] [--output FILE.csv] [--problem "
+                   "sl3|rigid_body|double_pendulum|gravitating]\n";
       return 2;
     }
   }
 
   std::vector<Job> jobs;
-  for (const auto& [name, jobs_of_problem] : {std::pair{"sl3", &sl3_jobs}, std::pair{"rigid_body", &rigid_body_jobs},
-                                              std::pair{"double_pendulum", &double_pendulum_jobs}})
+  for (const auto& [name, jobs_of_problem] :
+       {std::pair{"sl3", &sl3_jobs}, std::pair{"rigid_body", &rigid_body_jobs},
+        std::pair{"double_pendulum", &double_pendulum_jobs}, std::pair{"gravitating", &gravitating_jobs}})
     if (problem.empty() || problem == name)
       for (auto& job : jobs_of_problem()) jobs.push_back(std::move(job));
   std::vector<std::vector<Result>> results(jobs.size());

@@ -40,6 +40,7 @@ struct Job {
 std::vector<Job> sl3_jobs();
 std::vector<Job> rigid_body_jobs();
 std::vector<Job> double_pendulum_jobs();
+std::vector<Job> gravitating_jobs();
 
 /// Rows of a reference: the coordinates at the samples.
 using Reference = std::vector<Eigen::VectorXd>;
