@@ -155,8 +155,8 @@ TEST(Pefrl, ItsStepIsFoundFromATolerance) {
   const auto position = [](const mechanics::State<MassPoints>& s) { return s.q; };
   const mechanics::StepRequest request{.end = end, .window = end, .tolerance = tolerance, .rattle_limit = 0.2};
   namespace detail = mechanics::detail;
-  const auto method =
-      detail::fixed_step_method<Pefrl>(mechanics::id_of<mechanics::Rattle>, points, start, request, position);
+  const auto method = detail::fixed_step_method<Pefrl>(mechanics::id_of<mechanics::Rattle>, points, start, request,
+                                                       position, detail::NoEnergies{});
   const auto trial = detail::StepSearch(request, true).try_method(method, HUGE_VAL);
   ASSERT_EQ(trial.verdict, mechanics::detail::Trial::Verdict::accepted) << trial.reason;
   const long n_steps = mechanics::SampleTimes{end, 1}.steps_per_interval(trial.step);

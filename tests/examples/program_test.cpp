@@ -96,6 +96,10 @@ TEST_F(SphericalPendulumProgram, AMethodThatCannotRunTheBallIsRefused) {
   catalogue.models = {{.name = "reduced",
                        .adjective = "small",
                        .documentation = "",
+                       .discretized = false,
+                       .has_nonaffine = false,
+                       .columns = {},
+                       .header = {},
                        .needed = nothing,
                        .skipped = nothing,
                        .refuses = refuses}};

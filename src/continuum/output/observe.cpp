@@ -113,7 +113,7 @@ mechanics::Status observe(const CompressibleBall& ball, const BallState& state, 
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state) {
   mechanics::ContinuumObservables o;
   const mechanics::ObservableRequest request{
-      .energies = true, .momenta = false, .multiplier = false, .axes = false, .nonaffine = false};
+      {.state = false, .momenta = false, .multiplier = false, .axes = false, .nonaffine = false}};
   if (!observe_motion(ball, state, request, o)) return Eigen::Vector2d::Constant(NAN);
   return {o.kinetic, o.energy() - o.kinetic};
 }

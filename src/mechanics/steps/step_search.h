@@ -40,11 +40,10 @@
 /// for a change like t^(3/2) is 44 δ at the end; in small motions it comes and goes, and δ is small. In 123 runs of
 /// releases and spins of the ball (stretches of 1.001 to 1.3, degrees 2 to 4, 3 to 9 of polynomials, with the
 /// constraint and without, t = 20 to 1000) the change at the end was 0.09 to 42 times D + 44 δ, 0.9 in the median. It
-/// was more than 5 times in 12 runs, all from stretches of 1.2 or more with a spin: violent motions get more violent
-/// with time, and at the worst a compressible ball is squeezed to a fifth. The power 3/2 was chosen after that. A
-/// factor of 5 is in the target and in the reserve of the models. What goes beyond are parasitic roots, ±i for order 4,
-/// which sums of frequencies of the motion meet, of two from hω = 0.79 on, of three from 0.52 on. It falls faster than
-/// h^p.
+/// was more than 5 times in 12 runs: violent motions get more violent with time, and at the worst a compressible ball
+/// is squeezed to a fifth. The power 3/2 was chosen after that. A factor of 5 is in the target and in the reserve of
+/// the models. What goes beyond are parasitic roots, ±i for order 4, which sums of frequencies of the motion meet, of
+/// two from hω = 0.79 on, of three from 0.52 on. It falls faster than h^p.
 ///
 /// Round-off walks at random through the velocity and so costs about
 ///
