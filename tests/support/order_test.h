@@ -37,10 +37,17 @@ struct OrderCaseOf {
   template <class Method>
   using With = OrderCase<Factory, Method>;
 };
+
+/// A reference of order 8 cannot measure a higher order: such a method has a suite of its own (gauss_16_test.cpp).
+template <class Kind>
+struct UpToTheReference {
+  template <class Method>
+  static constexpr bool has = Kind::template has<Method> && Method::order <= mechanics::Rattle8::order;
+};
 }  // namespace detail
 
 template <class Factory, class Kind>
-using OrderCases = CasesOf<detail::OrderCaseOf<Factory>::template With, Kind>;
+using OrderCases = CasesOf<detail::OrderCaseOf<Factory>::template With, detail::UpToTheReference<Kind>>;
 
 template <class Case>
 class MethodOrder : public ::testing::Test {};
