@@ -42,7 +42,7 @@ struct OrderCaseOf {
 template <class Kind>
 struct UpToTheReference {
   template <class Method>
-  static constexpr bool has = Kind::template has<Method> && Method::order <= mechanics::Rattle8::order;
+  static constexpr bool has = Kind::template has<Method>&& Method::order <= mechanics::Rattle8::order;
 };
 }  // namespace detail
 
