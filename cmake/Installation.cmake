@@ -9,9 +9,10 @@ if(PSEUDORIGID_PROGRAM)
   if(PSEUDORIGID_CONTINUUM)  # the program opens it
     install(TARGETS pseudorigid-continuum DESTINATION ${CMAKE_INSTALL_LIBDIR}/pseudorigid)
   endif()
-  install(DIRECTORY params meshes tools DESTINATION ${data}
-    FILES_MATCHING PATTERN "*.prm" PATTERN "*.msh" PATTERN "*.py" PATTERN "README.md"
-    PATTERN "mutation" EXCLUDE PATTERN "__pycache__" EXCLUDE)
+  install(DIRECTORY params meshes DESTINATION ${data} FILES_MATCHING PATTERN "*.prm" PATTERN "*.msh" PATTERN "README.md")
+  # Debian's Python finds the package there if the prefix is /usr.
+  install(DIRECTORY python/pseudorigid DESTINATION lib/python3/dist-packages PATTERN "__pycache__" EXCLUDE)
+  install(DIRECTORY python/examples DESTINATION ${CMAKE_INSTALL_DOCDIR}/python PATTERN "__pycache__" EXCLUDE)
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
   install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
   install(FILES tools/completion.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME pseudorigid)

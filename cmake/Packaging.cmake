@@ -24,10 +24,12 @@ set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "Runs one scene with two models of the same ball, the elastic continuum by finite
 elements of high order and the pseudo-rigid body, whose motions are affine, and
 says where and by how much they differ.")
-# The libraries are those that dpkg-shlibdeps finds. numpy and matplotlib draw curves, VTK bodies.
+# The libraries are those that dpkg-shlibdeps finds. The Python package needs numpy, and reads
+# pictures with meshio; matplotlib draws curves, VTK bodies.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "libopenblas0-serial")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, python3, python3-matplotlib, python3-vtk9, paraview")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "openmpi-bin, python3, python3-numpy, python3-pandas, python3-meshio, python3-matplotlib, python3-pil, python3-vtk9, paraview")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/install/prerm)
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME pseudorigid-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

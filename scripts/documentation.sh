@@ -3,9 +3,9 @@
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
-#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md, docs/scope.md and
+#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md, docs/python.md, docs/scope.md and
 #               docs/tutorial.md
-#   pictures    docs/images: quickstart, report, equilibria, gallery
+#   pictures    docs/images: quickstart, phase portrait, report, equilibria, gallery
 #   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
 #   stress      scripts/stress.sh --fresh, half an hour
@@ -27,29 +27,32 @@ for part in "${@:-default}"; do
   esac
 done
 
-install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" python3-meshio "${drawing_packages[@]}"
+install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" python3-meshio python3-pandas "${drawing_packages[@]}"
 is_configured release || configure release -DPSEUDORIGID_TESTS=OFF
 build release pseudorigid pseudorigid-continuum
 cd "$root"
 program=build/release/bin/pseudorigid
+export PYTHONPATH=$root/python
 
 make_pages() {
   "$program" parameters --format markdown >docs/parameters.md
-  tools/equilibria_tables.py "$program" >docs/equilibria_tables.md
+  /usr/bin/python3 -m pseudorigid equilibria --program "$program" >docs/equilibria_tables.md
   tools/print_pages.py "$program"
 }
 
 make_pictures() {
   local images=docs/images runs=output/documentation
   "$program" run params/quickstart.prm --output "$runs/quickstart"
-  tools/plot_comparison.py "$runs/quickstart" --quantity Q33 --output "$images/quickstart_curves.svg"
+  MPLBACKEND=Agg /usr/bin/python3 python/examples/analyse_run.py "$runs/quickstart"
+  mv "$runs/quickstart/phase_portrait.png" "$images"
+  /usr/bin/python3 -m pseudorigid plot "$runs/quickstart" --quantity Q33 --output "$images/quickstart_curves.svg"
   "$program" run params/quickstart.prm --output "$runs/fine" --set "Continuum/Refinements=1" --set "Time/End=7" \
     --set "Output/Samples=140" --set "Output/Frames=29"
-  xvfb-run -a tools/render.py "$runs/fine" --output "$images/quickstart.png"
-  xvfb-run -a tools/animate.py "$runs/fine" --output "$images/both_balls.gif"
+  xvfb-run -a /usr/bin/python3 -m pseudorigid render "$runs/fine" --output "$images/quickstart.png"
+  xvfb-run -a /usr/bin/python3 -m pseudorigid animate "$runs/fine" --output "$images/both_balls.gif"
   "$program" run params/quickstart.prm --output "$runs/report" --set "Output/Report=true"
   tools/page_picture.py "$runs/report/report.html" --output "$images/report.png"
-  tools/plot_equilibria.py "$program" --output "$images/equilibria.svg"
+  /usr/bin/python3 -m pseudorigid equilibria --program "$program" --output "$images/equilibria.svg"
   xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
 }
 

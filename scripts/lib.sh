@@ -6,8 +6,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
 reduced_packages=(g++ cmake ninja-build libeigen3-dev libfmt-dev libspdlog-dev nlohmann-json3-dev libcli11-dev
   libmuparser-dev zlib1g-dev)
 continuum_packages=(libdeal.ii-dev libsuitesparse-dev libopenblas0-serial)
-test_packages=(libgtest-dev libgmock-dev libboost-dev python3-markdown-it python3-meshio python3-pandas
-  python3-vtk9)
+test_packages=(libgtest-dev libgmock-dev libboost-dev python3-markdown-it python3-matplotlib python3-meshio python3-pandas
+  python3-pip python3-setuptools python3-vtk9 python3-wheel)
 benchmark_packages=(libgsl-dev libboost-dev libsundials-dev libbenchmark-dev python3-matplotlib)
 log_directory=$root/build/log
 

@@ -59,7 +59,7 @@ while (($#)); do
   shift
 done
 
-install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${test_packages[@]}" python3-matplotlib
+install_packages "${reduced_packages[@]}" "${continuum_packages[@]}" "${test_packages[@]}"
 if [[ $sanitizers ]]; then
   run_sanitizers
   ((${#parts[@]})) || exit 0

@@ -6,8 +6,8 @@ import math
 import statistics
 from collections import defaultdict
 
-from run_directory import fail
-
+import package  # noqa: F401
+from pseudorigid.errors import WrongInput
 
 HISTORY_LEVELS = (1e-4, 1e-5)  # errors of the release whose run times are kept for each commit
 
@@ -33,7 +33,7 @@ def read_notes(folder, name):
 def read_runs(folder):
     path = folder / "runs.json"
     if not path.is_file():
-        fail(f"{path} does not exist; scripts/benchmark.sh writes it")
+        raise WrongInput(f"{path} does not exist; scripts/benchmark.sh writes it")
     return json.loads(path.read_text())
 
 

@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter  # noqa: E402
 
 from benchmark_data import (  # noqa: E402
     discretization, errors_of, front, read_rows, release_uncertainty, runs_of_skipping, work_precision)
-from run_directory import fail  # noqa: E402
+from pseudorigid import figures  # noqa: E402  (on the path by benchmark_data)
 
 # Okabe and Ito's colours and some more; marker and kind of line alone tell the methods apart. Own methods have full
 # lines, rivals broken ones.
@@ -48,7 +48,7 @@ KERNELS = {"force": ("#0072B2", "o", "force"), "constraint": ("#009E73", "s", "c
 
 
 def make(width=8, height=4.8):
-    plt.rcParams.update({"font.size": 11, "font.family": "DejaVu Sans", "svg.hashsalt": "pseudorigid"})
+    plt.rcParams.update({"font.size": 11, "font.family": "DejaVu Sans"})
     return plt.subplots(figsize=(width, height), layout="constrained")
 
 
@@ -66,11 +66,7 @@ def plain_numbers(axis):
 
 
 def save(figure, path):
-    try:
-        figure.savefig(path, dpi=120, metadata={"Date": None} if path.suffix == ".svg" else None)
-    except OSError as error:
-        fail(f"{path}: {error.strerror}")
-    plt.close(figure)
+    figures.save(figure, path, dpi=120)
     return path
 
 

@@ -16,10 +16,12 @@ import base64
 import html
 import pathlib
 import re
+import sys
 
 import benchmark_sections as sections
 import benchmark_tables as tables
-from run_directory import fail
+import package  # noqa: F401
+from pseudorigid.errors import WrongInput, exit_code_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TABLES = {
@@ -90,7 +92,7 @@ def spliced(text, data, path):
             text = TEXTS[name](data)
             return f"{begin}{text}\n{end}" if text else match[0]
         if name not in TABLES:
-            fail(f"{path}: there is no table or text {name}; tools/benchmark_page.py lists them")
+            raise WrongInput(f"{path}: there is no table or text {name}; tools/benchmark_page.py lists them")
         table = TABLES[name](data)
         return begin + as_markdown(table) + end if table else match[0]
 
@@ -171,7 +173,7 @@ def main():
     if arguments.check:
         stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
         if stale:
-            fail(f"tables of {', '.join(stale)} are not those of {data}; run tools/benchmark_page.py")
+            raise WrongInput(f"tables of {', '.join(stale)} are not those of {data}; run tools/benchmark_page.py")
         return
     import benchmark_figures as figures  # not for --check, which needs no matplotlib
 
@@ -184,4 +186,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_code_of(main))

@@ -11,7 +11,6 @@ Needs Debian's python3-matplotlib and python3-vtk9, which draws through an X ser
 import argparse
 import functools
 import pathlib
-import subprocess
 import sys
 
 import PIL.Image
@@ -19,7 +18,9 @@ import PIL.Image
 import gallery_bodies
 import gallery_curves
 import gallery_systems
-from run_directory import fail
+import package  # noqa: F401
+from pseudorigid.errors import WrongInput, exit_code_of
+from pseudorigid.program import run as run_scene
 
 WIDTH, N_COLOURS = 800, 256
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -36,11 +37,8 @@ class Runs:
     def __call__(self, scene, *overrides):
         """The run directory of params/SCENE.prm with overrides "Section/Entry=value"."""
         directory = self.directory / "-".join([scene, *(o.split("=")[1].replace("/", "_") for o in overrides)])
-        options = [word for o in overrides for word in ("--set", o)]
-        command = [self.program, "run", ROOT / "params" / f"{scene}.prm", "--quiet", "--output", directory, *options]
-        if subprocess.run(command).returncode != 0:
-            fail(f"{scene} has not run to its end")
-        return directory
+        options = dict(o.split("=", 1) for o in overrides)
+        return run_scene(ROOT / "params" / f"{scene}.prm", options, output=directory, program=self.program).directory
 
 
 def make_small(path):
@@ -65,7 +63,7 @@ def main():
     parser.add_argument("--runs", type=pathlib.Path, default=pathlib.Path("output/gallery"), help="of the runs")
     arguments = parser.parse_args()
     if not arguments.program.is_file():
-        fail(f"{arguments.program} does not exist; scripts/run.sh builds it")
+        raise WrongInput(f"{arguments.program} does not exist; scripts/run.sh builds it")
     arguments.output.mkdir(parents=True, exist_ok=True)
     run = Runs(arguments.program, arguments.runs)
     for name in arguments.only:
@@ -77,4 +75,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_code_of(main))

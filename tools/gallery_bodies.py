@@ -1,9 +1,5 @@
 """The pictures of docs/gallery.md that are bodies and surfaces, drawn off-screen with VTK (tools/gallery.py)."""
 
-import pathlib
-import subprocess
-import sys
-
 import numpy as np
 import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -16,10 +12,11 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkWindowToImageFilter
 
-import render
-from run_directory import read_csv, read_grid, read_pvd
+import package  # noqa: F401
+from pseudorigid import render
+from pseudorigid.frames import read_grid, read_pvd
+from pseudorigid.results import Run, read_csv
 
-TOOLS = pathlib.Path(__file__).resolve().parent
 BLUE, ORANGE, GREEN, BLACK = (0, 0.447, 0.698), (0.835, 0.369, 0), (0, 0.62, 0.451), (0, 0, 0)  # Okabe and Ito's
 GREY = (0.8, 0.8, 0.8)
 KINDS = {1: "S", 2: "T"}  # spheroidal, toroidal
@@ -104,9 +101,8 @@ def add_colour_bar(window, height, table, caption):
 
 
 def release(run, path):
-    """Both balls with their stress, by tools/render.py."""
-    directory = run("spin_and_stretch")
-    subprocess.run([sys.executable, TOOLS / "render.py", directory, "--frame", "3", "--output", path], check=True)
+    """Both balls with their stress, as `python3 -m pseudorigid render` draws them."""
+    print(render.picture(Run(run("spin_and_stretch")), path, frame=3))
 
 
 def rough_ball(run, path):

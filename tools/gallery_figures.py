@@ -6,17 +6,18 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
-from run_directory import read_csv  # noqa: E402
+import package  # noqa: E402, F401
+from pseudorigid.figures import BLACK, BLUE, GREEN, GREY, ORANGE, SKY  # noqa: E402, F401
+from pseudorigid.results import read_csv  # noqa: E402
 
-# Okabe and Ito's colours: distinct with every kind of colour vision; curves differ in their strokes as well.
-BLUE, ORANGE, GREEN, SKY, BLACK, GREY = "#0072B2", "#D55E00", "#009E73", "#56B4E9", "#000000", "#777777"
+# Curves differ in their strokes as well as in their colours.
 REDUCED = {"color": ORANGE, "linestyle": "--", "label": "pseudo-rigid ball"}
 CONTINUUM = {"color": BLUE, "linestyle": "-", "label": "elastic ball"}
 TIME = "time (r/c)"
 
 
 def table(directory, name):
-    return {column: np.array(values) for column, values in read_csv(directory / f"{name}.csv").items()}
+    return read_csv(directory / f"{name}.csv")
 
 
 def both(directory):

@@ -9,11 +9,13 @@ import argparse
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 
 from PIL import Image
 
-from run_directory import fail
+import package  # noqa: F401
+from pseudorigid.errors import WrongInput, exit_code_of
 
 # Colours of the picture's palette: enough for the shades of the bodies, and a quarter of the bytes.
 N_COLOURS = 128
@@ -35,7 +37,7 @@ def draw(page, width, height, picture):
              f"--user-data-dir={profile}", f"--window-size={width},{height}", f"--screenshot={picture}", page.as_uri()],
             capture_output=True, text=True, timeout=120)
     if run.returncode or not picture.is_file():
-        fail(f"chromium did not draw {page}: {run.stderr.strip().splitlines()[-1:]}")
+        raise WrongInput(f"chromium did not draw {page}: {run.stderr.strip().splitlines()[-1:]}")
 
 
 def main():
@@ -45,9 +47,9 @@ def main():
     parser.add_argument("--size", type=size, default=(1200, 888), help="WIDTHxHEIGHT in pixels (default 1200x888)")
     arguments = parser.parse_args()
     if not arguments.page.is_file():
-        fail(f"{arguments.page} does not exist")
+        raise WrongInput(f"{arguments.page} does not exist")
     if not shutil.which("chromium"):
-        fail("chromium is missing: apt-get install chromium")
+        raise WrongInput("chromium is missing: apt-get install chromium")
     with tempfile.TemporaryDirectory() as directory:
         drawn = pathlib.Path(directory) / "page.png"
         draw(arguments.page.resolve(), *arguments.size, drawn)
@@ -55,4 +57,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(exit_code_of(main))

@@ -9,8 +9,8 @@ import collections
 import json
 import pathlib
 import shutil
-import subprocess
-import sys
+
+import package  # noqa: F401
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 TITLES = {"scenes": "Random scenes", "ramps": "Ramps, near-inversion, coincident axes, steps about the limit",
@@ -104,8 +104,9 @@ def main():
         data = ROOT / "docs/data/stability_map.csv"
         data.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(results / "map.csv", data)
-        subprocess.run([sys.executable, ROOT / "tools/plot_stability_map.py", data, ROOT / "docs/images/stability_map.svg"],
-                       check=True)
+        from pseudorigid import stability_map
+
+        stability_map.write(data, ROOT / "docs/images/stability_map.svg")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The commands of README.md, docs/scope.md and docs/tutorial.md print what the pages say.
+"""The commands of README.md, docs/python.md, docs/scope.md and docs/tutorial.md print what the pages say.
 
 After a change of what the program prints, tools/print_pages.py writes the pages anew.
 """
@@ -39,6 +39,9 @@ class Documentation(ProgramTest):
 
     def test_readme(self):
         self.assertGreaterEqual(self.check("README.md"), 1)
+
+    def test_python(self):
+        self.assertGreaterEqual(self.check("docs/python.md"), 2)
 
     def test_scope(self):
         self.assertGreaterEqual(self.check("docs/scope.md"), 4)

@@ -5,6 +5,7 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 
 from program_test import ProgramTest, SOURCE, main
 
@@ -31,6 +32,7 @@ class Installation(ProgramTest):
         self.check_manual()
         self.check_completion()
         self.check_pages()
+        self.check_python()
         self.check_library()
         self.shell("cmake", "-P", self.build / "uninstall.cmake")
         left = [path for path in self.files("prefix") if (self.prefix / path).is_file() or "pseudorigid" in path]
@@ -72,6 +74,16 @@ class Installation(ProgramTest):
         self.assertEqual(completed("run", "own.prm", "--set", "Continuum/Ref"), ["Continuum/Refinements="])
         self.assertEqual(completed("run", "own.prm", "--set", "Initial state/Def"), ["Initial\\ state/Deformation="])
         self.assertEqual(completed("parameters", "--format", ""), ["prm", "markdown", "json"])
+
+    def check_python(self):
+        """The package finds the program that is installed with it, whatever else is on the path."""
+        package = self.prefix / "lib" / "python3" / "dist-packages"
+        environment = {**os.environ, "PYTHONPATH": str(package)}
+        del environment["PSEUDORIGID"]
+        ask = "import pseudorigid; print(pseudorigid.find_program(), pseudorigid.run({'Models': 'reduced', 'Time/End': 1}).models)"
+        self.assertEqual(self.shell(sys.executable, "-c", ask, env=environment), f"{self.program} ['reduced']\n")
+        examples = self.shares / "doc" / "pseudorigid" / "python" / "examples"
+        self.assertEqual({path.name for path in examples.iterdir()}, {path.name for path in (SOURCE / "python/examples").glob("*.py")})
 
     def check_library(self):
         """The example, built with what is installed and nothing else."""

@@ -91,7 +91,7 @@ class PseudoRigid(ReducedTest):
 
     def test_page_of_tables(self):
         """docs/equilibria_tables.md is what the program prints."""
-        printed = subprocess.run([sys.executable, SOURCE / "tools/equilibria_tables.py", self.program], capture_output=True,
+        printed = subprocess.run([sys.executable, "-m", "pseudorigid", "equilibria", "--program", self.program], capture_output=True,
                                  text=True, check=True).stdout
         self.assertEqual(printed, (SOURCE / "docs/equilibria_tables.md").read_text())
 

@@ -2,7 +2,6 @@
 import shutil
 import signal
 import subprocess
-import sys
 import unittest
 
 from program_test import DONE, PATIENCE, SOURCE, STOPPED, TIME_LIMIT, WRONG_INPUT, largest_difference
@@ -127,9 +126,9 @@ class Ranks(RanksTest):
         self.check_readers()
 
     def check_readers(self):
-        """The project's own tools read the pieces as one picture: of the same points, in another order."""
-        sys.path.insert(0, str(SOURCE / "tools"))
-        from run_directory import Run, read_grid
+        """The Python package reads the pieces as one picture: of the same points, in another order."""
+        from pseudorigid import Run
+        from pseudorigid.frames import read_grid
         for whole, joined in zip(Run(self.scratch / "alone").frames("continuum"),
                                  Run(self.scratch / "on2").frames("continuum")):
             self.assertEqual(joined.path.suffix, ".pvtu")

@@ -1,12 +1,9 @@
-"""report.html of runs that need no continuum, `pseudorigid report`, and tools/paraview_view.py when it is misused."""
+"""report.html of runs that need no continuum, and `pseudorigid report`."""
 import math
-import os
 import signal
-import subprocess
-import sys
 import unittest
 
-from program_test import SOURCE, STOPPED, WRONG_INPUT, without_free_space
+from program_test import STOPPED, without_free_space
 from refused_input import RefusedInputTest
 from report_page import Page, REPORTED, ReportTest
 
@@ -198,34 +195,6 @@ class Report(ReportTest, RefusedInputTest):
         self.refused("report", "output/scene", "--output", "output", fragments=("--output: cannot write 'output'", "directory"))
         (self.scratch / "output/scene/report.html/in the way").mkdir(parents=True)
         self.refused("report", "output/scene", fragments=("DIR: cannot write 'output/scene/report.html'", "directory"))
-
-    # A tool that is misused.
-
-    def assert_refused(self, result, *fragments):
-        self.assertEqual((result.returncode, result.stdout), (WRONG_INPUT, ""), result.stderr)
-        for fragment in ("error: ", *fragments):
-            self.assertIn(fragment, result.stderr)
-
-    def run_paraview_tool(self, *arguments):
-        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
-        return subprocess.run([sys.executable, str(SOURCE / "tools/paraview_view.py"), *map(str, arguments)], cwd=self.scratch,
-                              capture_output=True, text=True, env=environment)
-
-    def test_tools_name_a_missing_package(self):
-        # -S: without the folder of Debian's packages, as with another Python.
-        for tool in "plot_comparison", "render", "animate":
-            result = subprocess.run([sys.executable, "-S", SOURCE / f"tools/{tool}.py", "nowhere"], capture_output=True, text=True)
-            self.assert_refused(result, "No module named", "this tool needs Debian's python3-numpy")
-            self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-
-    def test_paraview_tool_refuses(self):
-        self.assert_refused(self.run_paraview_tool("nowhere"), "nowhere holds no pictures", "Output/Graphics=vtu")
-        self.scene({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 2})
-        self.run_done("run", "scene.prm")
-        run = "output/scene"
-        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png", "--animation", "a.avi"), "exclude one another")
-        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png", "--frame", 2), "--frame: expected a number from 0 to 1, got 2")
-        self.assert_refused(self.run_paraview_tool(run, "--picture", "a.png"), "xvfb-run")
 
 
 if __name__ == "__main__":

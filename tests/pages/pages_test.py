@@ -166,6 +166,8 @@ class Version(unittest.TestCase):
         self.assertEqual(re.search(r"^version: (\S+)$", citation, re.M)[1], version)
         newest, date = re.search(r"^## (\S+) – (\S+)$", changes, re.M).groups()
         self.assertEqual(newest, version)
+        package = (SOURCE / "python/pseudorigid/__init__.py").read_text()
+        self.assertEqual(re.search(r'^__version__ = "(.*)"$', package, re.M)[1], version)
         self.assertEqual(re.search(r"^date-released: (\S+)$", citation, re.M)[1], date)
 
 

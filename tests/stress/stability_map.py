@@ -1,5 +1,5 @@
 """The map of stability: the ball released with the velocity a(x, y, −2z), over the amplitude a, the step in parts of the
-stability limit at rest, and the degree, on the unrefined octant until t = 25 r/c. tools/plot_stability_map.py draws it.
+stability limit at rest, and the degree, on the unrefined octant until t = 25 r/c. `python3 -m pseudorigid map` draws it.
 
 Each run is one of: bounded, the energy stays within a tenth of the start's; lost, it does not; ended, the program stopped
 and said why. A run whose surface reached Biot's limit has the time of that."""

@@ -47,7 +47,7 @@ class Command:
 def make_workplace(folder, program):
     """What a clone has for the commands of a page: build/release/bin/pseudorigid is `program`, and scripts/run.sh hands
     its arguments to it without building anything."""
-    for name in ("params", "meshes", "tools"):
+    for name in ("params", "meshes", "python"):
         (folder / name).symlink_to(SOURCE / name)
     binaries = folder / "build" / "release" / "bin"
     binaries.mkdir(parents=True)

@@ -1,7 +1,8 @@
 """The base of the end-to-end tests: runs the executable under test in a scratch folder of its own.
 
 The executable's path is in the environment variable PSEUDORIGID; ctest sets it. By hand:
-    PSEUDORIGID=build/release/bin/pseudorigid python3 tests/app/bad_input_test.py -v
+    export PYTHONPATH=tests/support:python
+    PSEUDORIGID=build/release/bin/pseudorigid /usr/bin/python3 tests/app/bad_input_test.py -v
 """
 import csv
 import functools

@@ -1,13 +1,11 @@
-"""What tools/run_directory.py reads from the directory of a run: tables, matrices, comparison, pictures; its refusals."""
+"""What the Python package reads from the directory of a run: tables, matrices, comparison, pictures; its refusals."""
+import subprocess
 import sys
-import unittest
 
 import numpy as np
 
-from program_test import ProgramTest, SOURCE
-
-sys.path.insert(0, str(SOURCE / "tools"))
-from run_directory import Run  # noqa: E402
+from program_test import ProgramTest, SOURCE, main
+from pseudorigid import Run, WrongInput
 
 SCENE = {"Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,
          "Output/Samples": 10, "Initial state/Velocity": "0.1, 0.2, 0; 0, -0.2, 0; 0, 0, 0.1",
@@ -43,6 +41,38 @@ class Reading(ProgramTest):
             fitted = np.linalg.lstsq(reference, picture.points, rcond=None)[0].T
             np.testing.assert_allclose(fitted, run.matrices(model, "Q")[-1], atol=1e-9 if model == "reduced" else 0.05)
 
+    def test_an_example(self):
+        self.scene({**SCENE, "Output/Quantities": "all"})
+        self.run_done("run", "scene.prm")
+        printed = subprocess.run([sys.executable, SOURCE / "python/examples/analyse_run.py", "output/scene"], cwd=self.scratch, check=True,
+                                 capture_output=True, text=True).stdout
+        run = Run(self.scratch / "output/scene")
+        self.assertIn(run.comparison["summary"], printed)
+        self.assertIn(f"{len(run.frames('continuum')[-1].read().points)} points", printed)
+        self.assertTrue((run.directory / "phase_portrait.png").is_file())
+
+    def test_three_models(self):
+        self.scene({**SCENE, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 2, "Output/Graphics": "none"})
+        self.run_done("run", "scene.prm")
+        run = Run(self.scratch / "output/scene")
+        self.assertEqual(sorted(run.models), ["continuum", "polynomial", "reduced"])
+        for model in "reduced", "polynomial":
+            self.assertIn("summary", run.comparison_of(model))
+            self.assertGreater(len(run.table(f"comparison-{model}")), 1)
+
+    def test_curved_cells(self):
+        """Lagrange cells have the same points as linear ones, in fewer cells."""
+        self.scene({**SCENE, "Models": "continuum"})
+        pictures = []
+        for cells in "linear", "lagrange":
+            self.run_done("run", "scene.prm", "--set", f"Output/Cells={cells}", "--output", cells)
+            pictures.append(Run(self.scratch / cells).frames("continuum")[-1].read())
+        linear, lagrange = pictures
+        self.assertEqual(lagrange.points.shape, linear.points.shape)
+        self.assertEqual(len(linear.cells[0]), 2**3 * len(lagrange.cells[0]))
+        self.assertEqual(lagrange.fields["cauchy_stress"].shape, (len(linear.points), 3, 3))
+        self.assertEqual(lagrange.constants["TimeValue"], 0.5)
+
     def test_tables_without_units(self):
         """The same motion in two systems of units is the same table in units of the scene: r = 1, and r = 2 with r/c = 4."""
         tables = []
@@ -65,9 +95,8 @@ class Reading(ProgramTest):
         self.assertFalse(run.has_frames("reduced"))
         for ask in (lambda: run.frames("reduced"), lambda: run.matrices("reduced", "F"), lambda: run.entry("Body/Raduis"),
                     lambda: run.columns("continuum"), lambda: Run(self.scratch)):
-            with self.assertRaises(SystemExit) as refusal:
+            with self.assertRaises(WrongInput):
                 ask()
-            self.assertEqual(refusal.exception.code, 2)
 
     def test_a_system(self):
         self.scene({"System": "double pendulum", "Double pendulum/Angles": "0.3, 0.1", "Time/End": 1, "Output/Samples": 5})
@@ -81,4 +110,4 @@ class Reading(ProgramTest):
 
 
 if __name__ == "__main__":
-    unittest.main()
+    main()

@@ -1,57 +1,65 @@
-#!/usr/bin/env python3
-"""Writes docs/equilibria_tables.md: figures of equilibrium of fluid and elastic bodies, computed by the program.
+"""Figures of equilibrium of fluid and elastic bodies, computed by the program: the page docs/equilibria_tables.md on
+standard output, or with --output the picture of docs/equilibria.md. The picture shows the squared spin of fluid bodies over
+their angular momentum, and the spin of elastic spheroids between a ball of rubber and a ball of water.
 
-    tools/equilibria_tables.py build/release/bin/pseudorigid > docs/equilibria_tables.md
+    python3 -m pseudorigid equilibria > docs/equilibria_tables.md
+    python3 -m pseudorigid equilibria --output docs/images/equilibria.svg
+
+The picture needs Debian's python3-matplotlib.
 """
-import csv
+
+import argparse
 import pathlib
-import subprocess
-import sys
 import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from pseudorigid.errors import Stopped
+from pseudorigid.program import run
+
+Row = dict[str, float]  # of equilibria.csv
 
 KINDS = {1: "fold", 3: "index", 4: "instability"}
 FLUID = {"Material/Law": "none", "Gravity/Constant": "$(1/pi)"}  # πGρ = 1
 
 
-def family(program, entries):
-    """The rows of equilibria.csv, as dictionaries of numbers; none where there is no such figure."""
+def family(entries: Mapping[str, Any], program: pathlib.Path | None = None) -> list[Row]:
+    """The rows of equilibria.csv; none if there is no such figure."""
     with tempfile.TemporaryDirectory() as folder:
-        scene = pathlib.Path(folder, "scene.prm")
-        scene.write_text("set Models = reduced\nset Analysis = equilibrium\n")
-        options = [word for path, value in entries.items() for word in ("--set", f"{path}={value}")]
-        result = subprocess.run([program, "run", scene, "--quiet", "--output", folder + "/out", *options], stderr=subprocess.PIPE)
-        if result.returncode == 3:
+        try:
+            found = run({"Models": "reduced", "Analysis": "equilibrium"}, entries, output=folder + "/out", program=program)
+        except Stopped:
             return []
-        result.check_returncode()
-        with open(folder + "/out/equilibria.csv", newline="") as file:
-            return [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        columns = found.columns("equilibria")
+        return [dict(zip(columns, row)) for row in zip(*(values.tolist() for values in columns.values()))]
 
 
-def members(program, name, values, extra=None, **more):
+def members(program: pathlib.Path | None, name: str, values: Iterable[float], extra: Mapping[str, Any] | None = None,
+            **more: Any) -> list[Row]:
     """One row for each value of the family's parameter."""
     rows = []
     for value in values:
-        rows += family(program, {**(FLUID if extra is None else extra), "Equilibrium/Family": name, "Equilibrium/First": value,
-                                 "Equilibrium/Last": value, "Equilibrium/Number": 1,
-                                 **{f"Equilibrium/{key.replace('_', ' ')}": v for key, v in more.items()}})
+        rows += family({**(FLUID if extra is None else extra), "Equilibrium/Family": name, "Equilibrium/First": value,
+                        "Equilibrium/Last": value, "Equilibrium/Number": 1,
+                        **{f"Equilibrium/{key.replace('_', ' ')}": v for key, v in more.items()}}, program)
     return rows
 
 
-def table(header, rows):
+def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in rows]) + "\n"
 
 
-def stability(row):
+def stability(row: Row) -> str:
     return "stable" if row["stable"] and not row["n_negative"] else "stable without friction" if row["stable"] \
         else f"grows at {row['growth_rate']:.6f}"
 
 
-def maclaurin(program):
+def maclaurin(program: pathlib.Path | None) -> str:
     eccentricities = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.812670011, 0.85, 0.9, 0.929955685, 0.95, 0.952886702, 0.97, 0.99]
     rows = [[f"{r['parameter']:.9g}", f"{r['a3'] / r['a1']:.6f}", f"{r['omega3'] ** 2:.9f}", f"{r['J3']:.6f}", f"{r['energy']:.6f}",
              stability(r)] for r in members(program, "maclaurin", eccentricities)]
-    special = [r for r in family(program, {**FLUID, "Equilibrium/First": 0.02, "Equilibrium/Last": 0.99, "Equilibrium/Number": 98})
+    special = [r for r in family({**FLUID, "Equilibrium/First": 0.02, "Equilibrium/Last": 0.99, "Equilibrium/Number": 98}, program)
                if r["kind"]]
     found = [[KINDS[int(r["kind"])], f"{r['parameter']:.9f}", f"{r['omega3'] ** 2:.9f}"] for r in special]
     return ("## Maclaurin\n\nSpheroids that turn rigidly, by the eccentricity e of their meridian.\n\n"
@@ -59,7 +67,7 @@ def maclaurin(program):
             + "\nSpecial points, located along the family (e = 0.02 … 0.99):\n\n" + table(["kind", "e", "Ω²/πGρ"], found))
 
 
-def jacobi(program):
+def jacobi(program: pathlib.Path | None) -> str:
     rows = [[f"{r['parameter']:.2f}", f"{r['a3'] / r['a1']:.6f}", f"{r['omega3'] ** 2:.6f}", f"{r['J3']:.6f}", f"{r['energy']:.6f}",
              stability(r)] for r in members(program, "jacobi", [0.99, 0.96, 0.92, 0.88, 0.84, 0.8, 0.72, 0.64, 0.56, 0.48, 0.44, 0.4,
                                                                 0.32, 0.24, 0.16])]
@@ -67,7 +75,7 @@ def jacobi(program):
             "exchanged.\n\n" + table(["a₂/a₁", "a₃/a₁", "Ω²/πGρ", "J", "energy", "stability"], rows))
 
 
-def riemann(program):
+def riemann(program: pathlib.Path | None) -> str:
     text = "## Riemann S\n\nSpin Ω and circulation Λ about the axis 3, by the axis ratios; f = ζ/Ω.\n"
     for ratio in (0.8, 0.5, 0.3):
         rows = [[f"{r['parameter']:.2f}", f"{r['omega3']:.6f}", f"{r['Lambda3']:.6f}", f"{r['f']:.6f}", f"{r['J3']:.6f}", f"{r['Z3']:.6f}",
@@ -76,7 +84,7 @@ def riemann(program):
     return text
 
 
-def elastic(program):
+def elastic(program: pathlib.Path | None) -> str:
     rows = []
     for gravity, name in ((0, "no gravity"), (0.2, "G = 0.2"), (1, "G = 1")):
         for r in members(program, "spheroids", [0.95, 0.9, 0.8, 0.7, 0.5, 0.3], extra={"Gravity/Constant": gravity}):
@@ -85,15 +93,23 @@ def elastic(program):
             + table(["gravity", "a₃", "Ω", "J", "energy", "stability"], rows))
 
 
-def page(program):
-    return ("# Tables of relative equilibria\n\nPrinted by `tools/equilibria_tables.py` from the program's own `equilibria.csv`; "
+def page(program: pathlib.Path | None) -> str:
+    return ("# Tables of relative equilibria\n\nPrinted by `python3 -m pseudorigid equilibria` from the program's own `equilibria.csv`; "
             "[equilibria.md](equilibria.md) says what the families are. Fluid bodies: units in which r = ρ = πGρ = 1. Stability is that of "
             "affine disturbances: *stable* means even with dissipation, *stable without friction* that the energy at fixed J and Z has "
             "falling directions but no small motion grows.\n\n"
             + "\n".join(part(program) for part in (maclaurin, jacobi, riemann, elastic)))
 
 
-if __name__ == "__main__":
-    if len(sys.argv) != 2:
-        sys.exit(__doc__)
-    print(page(sys.argv[1]), end="")
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--program", type=pathlib.Path, metavar="PATH", help="of the program; default: the one that is installed or built")
+    parser.add_argument("--output", type=pathlib.Path, metavar="SVG/PNG", help="draws the picture, and prints no tables")
+
+
+def main(arguments: argparse.Namespace) -> None:
+    if arguments.output:
+        from pseudorigid import equilibria_picture
+
+        equilibria_picture.write(arguments.program, arguments.output)
+    else:
+        print(page(arguments.program), end="")

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """A picture of the bodies of a run at one time, drawn off-screen with VTK.
 
 Every model of the run has its body, the richest on the left, coloured by von Mises stress on one scale and seen by one
@@ -10,17 +9,21 @@ The run must have been made with Output/Graphics = vtu. Needs Debian's python3-v
 an X server; without a screen:
 
     apt-get install python3-vtk9 xvfb xauth libgl1-mesa-dri
-    xvfb-run -a tools/render.py output/quickstart --frame 14 --output ball.png
+    xvfb-run -a python3 -m pseudorigid render output/quickstart --frame 14 --output ball.png
 """
 
 import argparse
 import math
 import os
 import pathlib
+from collections.abc import Sequence
+from typing import Any
 
-from run_directory import Run, fail, missing, read_grid
+from pseudorigid.errors import WrongInput, needs
+from pseudorigid.frames import read_grid
+from pseudorigid.results import Run
 
-try:
+with needs("python3-vtk9"):
     import numpy as np
     import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
     import vtkmodules.vtkRenderingFreeType  # noqa: F401
@@ -39,8 +42,6 @@ try:
         vtkTextActor,
         vtkWindowToImageFilter,
     )
-except ImportError as error:
-    missing(error, "python3-vtk9")
 
 WIDTH, HEIGHT = 1020, 680
 FIELD = "von_mises"
@@ -58,21 +59,24 @@ VIRIDIS = [
 ]  # fmt: skip
 
 
-def read_points(path):
+def read_points(path: pathlib.Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Positions x, displacements x - X and stresses at the points of a .vtu."""
     grid = read_grid(path)
     data = grid.GetPointData()
     if data.GetArray(FIELD) is None or data.GetArray("displacement") is None:
-        fail(f"{path} cannot be read, or lacks the fields displacement and {FIELD}")
+        raise WrongInput(f"{path} cannot be read, or lacks the fields displacement and {FIELD}")
     x = vtk_to_numpy(grid.GetPoints().GetData())
     return x, vtk_to_numpy(data.GetArray("displacement")), vtk_to_numpy(data.GetArray(FIELD))
+
+
+Scene = tuple[float, float, dict[str, tuple[np.ndarray, np.ndarray]]]  # time, radius, and by the title of a model position and stress
 
 
 class Faces:
     """The faces of the blocks that are to be seen, on a grid finer than their nodes: the polynomials through the nodes are
     evaluated, so that curved faces look curved. A block is (degree + 1)^3 points, by their numbers."""
 
-    def __init__(self, blocks, reference, nodes, radius, cut):
+    def __init__(self, blocks: np.ndarray, reference: np.ndarray, nodes: np.ndarray, radius: float, cut: bool) -> None:
         self.to_fine = interpolation(nodes)
         lattices = reference[blocks]
         self.chosen = [
@@ -83,13 +87,13 @@ class Faces:
             if is_seen(np.take(lattice, side, axis), lattice.mean(axis=(0, 1, 2)), radius, cut)
         ]
 
-    def of(self, values):
+    def of(self, values: np.ndarray) -> np.ndarray:
         """Values at the points -> values on the faces, (face, i, j, component)."""
         nodes = values.reshape(len(values), -1)[np.array(self.chosen)]
         return np.einsum("ai,bj,fijc->fabc", self.to_fine, self.to_fine, nodes)
 
 
-def is_seen(face, centre, radius, cut):
+def is_seen(face: np.ndarray, centre: np.ndarray, radius: float, cut: bool) -> bool:
     """On the surface of the ball or, where the quarter x > 0 > y is taken out, on the cut."""
     near = 1e-6 * radius
     if cut and centre[0] > 0 > centre[1]:
@@ -100,18 +104,18 @@ def is_seen(face, centre, radius, cut):
     return cut and bool((on_x and centre[1] < 0) or (on_y and centre[0] > 0))
 
 
-def interpolation(nodes):
+def interpolation(nodes: np.ndarray) -> np.ndarray:
     """Lagrange's polynomials on these nodes in [-1, 1] at equidistant points."""
     degree, vandermonde = len(nodes) - 1, np.polynomial.legendre.legvander
     return vandermonde(np.linspace(-1, 1, FINE + 1), degree) @ np.linalg.inv(vandermonde(nodes, degree))
 
 
-def gauss_lobatto(degree):
+def gauss_lobatto(degree: int) -> np.ndarray:
     inner = np.polynomial.legendre.Legendre.basis(degree).deriv().roots().real
     return np.concatenate(([-1], np.sort(inner), [1]))
 
 
-def blocks_of(hexahedra, degree):
+def blocks_of(hexahedra: np.ndarray, degree: int) -> np.ndarray:
     """The points of each block, from its degree^3 hexahedra with straight edges, the first direction fastest:
     (block, k, j, i)."""
     cells = hexahedra.reshape(-1, degree, degree, degree, 8)
@@ -121,7 +125,7 @@ def blocks_of(hexahedra, degree):
     return blocks
 
 
-def surface(positions, stress):
+def surface(positions: np.ndarray, stress: np.ndarray) -> Any:
     """Quadrilaterals of all faces; positions and stress as from Faces.of."""
     data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     points.SetData(numpy_to_vtk(positions.reshape(-1, 3), deep=True))
@@ -138,7 +142,7 @@ def surface(positions, stress):
     return data
 
 
-def polylines(curves):
+def polylines(curves: Any) -> Any:
     data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
     for curve in curves:
         cells.InsertNextCell(len(curve))
@@ -149,11 +153,11 @@ def polylines(curves):
     return data
 
 
-def edges(positions):
+def edges(positions: np.ndarray) -> Any:
     return polylines([side for f in positions for side in (f[0], f[-1], f[:, 0], f[:, -1])])
 
 
-def colours(largest):
+def colours(largest: float) -> Any:
     table = vtkLookupTable()
     table.SetNumberOfTableValues(256)
     table.SetRange(0, largest)
@@ -165,7 +169,7 @@ def colours(largest):
     return table
 
 
-def body(data, table):
+def body(data: Any, table: Any) -> Any:
     normals = vtkPolyDataNormals()
     normals.SetInputData(data)
     normals.SplittingOff()
@@ -184,7 +188,7 @@ def body(data, table):
     return actor
 
 
-def lines(polydata, colour, width, opacity=1.0):
+def lines(polydata: Any, colour: Any, width: float, opacity: float = 1.0) -> Any:
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(polydata)
     mapper.ScalarVisibilityOff()
@@ -199,11 +203,11 @@ def lines(polydata, colour, width, opacity=1.0):
     return actor
 
 
-def normalized(a):
+def normalized(a: Any) -> np.ndarray:
     return a / np.linalg.norm(a)
 
 
-def dashed_circle(radius, distance, n_dashes=48):
+def dashed_circle(radius: float, distance: float, n_dashes: int = 48) -> Any:
     """Outline of the undeformed ball, held `distance` before it so that nothing hides it."""
     to_camera = normalized(VIEW_FROM)
     right = normalized(np.cross((0, 0, 1), to_camera))
@@ -213,7 +217,7 @@ def dashed_circle(radius, distance, n_dashes=48):
     return polylines(radius * in_plane + distance * to_camera)
 
 
-def text(content, size, x, y, bold=False):
+def text(content: str, size: int, x: float, y: float, bold: bool = False) -> Any:
     actor = vtkTextActor()
     actor.SetInput(content)
     style(actor.GetTextProperty(), size, bold)
@@ -223,7 +227,7 @@ def text(content, size, x, y, bold=False):
     return actor
 
 
-def style(properties, size, bold=False):
+def style(properties: Any, size: int, bold: bool = False) -> None:
     properties.SetFontFamilyToArial()
     properties.SetFontSize(size)
     properties.SetColor(0.1, 0.1, 0.1)
@@ -232,7 +236,7 @@ def style(properties, size, bold=False):
     properties.SetShadow(False)
 
 
-def colour_bar(table):
+def colour_bar(table: Any) -> Any:
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetOrientationToHorizontal()
@@ -249,7 +253,7 @@ def colour_bar(table):
     return bar
 
 
-def renderer(window, x0, y0, x1, y1):
+def renderer(window: Any, x0: float, y0: float, x1: float, y1: float) -> Any:
     view = vtkRenderer()
     view.SetViewport(x0, y0, x1, y1)
     view.SetBackground(1, 1, 1)
@@ -257,7 +261,7 @@ def renderer(window, x0, y0, x1, y1):
     return view
 
 
-def aim(view, extent):
+def aim(view: Any, extent: float) -> None:
     camera = view.GetActiveCamera()
     camera.ParallelProjectionOn()
     camera.SetFocalPoint(0, 0, 0)
@@ -268,7 +272,7 @@ def aim(view, extent):
     view.ResetCameraClippingRange()
 
 
-def rounded_up(value):
+def rounded_up(value: float) -> float:
     """The next 1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8 or 10 times a power of ten: divided by 4 it is short."""
     if value <= 0:
         return 1
@@ -276,12 +280,12 @@ def rounded_up(value):
     return power * next(m for m in (1, 1.2, 1.6, 2, 2.4, 3.2, 4, 6, 8, 10) if m * power >= 0.999 * value)
 
 
-def caption(largest, table):
+def caption(largest: float, table: Any) -> str:
     beyond = f"; largest {largest:.2g}" if largest > table.GetRange()[1] else ""
     return f"von Mises stress (the scene's unit of pressure{beyond})"
 
 
-def degree_of(run, model):
+def degree_of(run: Run, model: str) -> int:
     """Of the blocks of a model's pictures; of finite elements their own, as it was asked for or found."""
     if not run.has_elements(model):
         return BLOCK_OF_ANALYTIC_MODELS
@@ -289,14 +293,14 @@ def degree_of(run, model):
     return int(run.counter(model, "degree") if degree == "auto" else degree)
 
 
-def cells_of(path):
+def cells_of(path: pathlib.Path) -> np.ndarray:
     """The points of each cell."""
     grid = read_grid(path)
     cells = grid.GetCells()
     return vtk_to_numpy(cells.GetConnectivityArray()).reshape(cells.GetNumberOfCells(), -1)
 
 
-def faces_of(run, model, path, reference, radius, cut):
+def faces_of(run: Run, model: str, path: pathlib.Path, reference: np.ndarray, radius: float, cut: bool) -> Faces:
     """Finite elements have their points one element after the other; other models are drawn with hexahedra, in blocks, or
     by their surface alone, each cell a face of its own."""
     degree = degree_of(run, model)
@@ -307,21 +311,21 @@ def faces_of(run, model, path, reference, radius, cut):
         if cells.shape[1] == 4:
             return Faces(cells[:, [0, 1, 3, 2]].reshape(-1, 1, 2, 2), reference, np.array([-1, 1]), radius, cut=False)
         if cells.shape[1] != 8:
-            fail(f"{path} has curved cells; run the scene with Output/Cells = linear, or use tools/paraview_view.py")
+            raise WrongInput(f"{path} has curved cells; run the scene with Output/Cells = linear, or use python3 -m pseudorigid paraview")
         blocks, nodes = blocks_of(cells, degree), np.linspace(-1, 1, degree + 1)
     return Faces(blocks, reference, nodes, radius, cut)
 
 
-def read_bodies(run, frame, cut):
+def read_bodies(run: Run, frame: int, cut: bool) -> Scene:
     """Time, radius, and by the title of each model position and stress on material faces; an affine body has those of the elements that are
     beside it."""
     models = [model for model in reversed(run.models) if run.has_frames(model)]
     if not models:
-        fail(f'{run.directory} holds no pictures; run the scene with --set "Output/Graphics=vtu"')
+        raise WrongInput(f'{run.directory} holds no pictures; run the scene with --set "Output/Graphics=vtu"')
     frames = {model: run.frames(model) for model in models}
     n_frames = min(map(len, frames.values()))
     if not -n_frames <= frame < n_frames:
-        fail(f"--frame: expected a number from 0 to {n_frames - 1}, got {frame}")
+        raise WrongInput(f"--frame: expected a number from 0 to {n_frames - 1}, got {frame}")
     radius = float(run.entry("Body/Radius"))
     bodies, elements = {}, None
     for model in models:
@@ -340,19 +344,19 @@ def read_bodies(run, frame, cut):
     return frames[models[0]][:n_frames][frame].time, radius, bodies
 
 
-def common_limits(pictures):
+def common_limits(pictures: Sequence[Scene]) -> tuple[float, float, float]:
     """For pictures, each as read_bodies gives it, on one scale: end of the colour bar, largest stress, half of the view."""
     stress = np.concatenate([faces[1].ravel() for _, _, bodies in pictures for faces in bodies.values()])
     extent = max(max(radius, *(np.abs(x - centre_of(x)).max() for x, _ in bodies.values())) for _, radius, bodies in pictures)
     return rounded_up(np.quantile(stress, SATURATED)), stress.max(), extent
 
 
-def centre_of(positions):
+def centre_of(positions: np.ndarray) -> np.ndarray:
     points = positions.reshape(-1, 3)
     return (points.max(axis=0) + points.min(axis=0)) / 2
 
 
-def draw(picture, limits, output):
+def draw(picture: Scene, limits: tuple[float, float, float], output: str | os.PathLike[str]) -> None:
     time, radius, bodies = picture
     end_of_bar, largest, extent = limits
     table = colours(end_of_bar)
@@ -383,27 +387,29 @@ def draw(picture, limits, output):
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
     if writer.GetErrorCode():
-        fail(f"--output: {output} cannot be written")
+        raise WrongInput(f"--output: {output} cannot be written")
 
 
-def check_screen():
+def check_screen() -> None:
     if not os.environ.get("DISPLAY"):
-        fail("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
+        raise WrongInput("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def picture(run: Run, output: str | os.PathLike[str], frame: int = -1, cut: bool = True) -> str:
+    """Draws a frame, from 0, or from the last by negative numbers, into a PNG file; says what the file shows."""
+    check_screen()
+    bodies = read_bodies(run, frame, cut)
+    draw(bodies, common_limits([bodies]), output)
+    return f"{output}: {' and '.join(title.lower() for title in bodies[2])} at time {bodies[0]:g}"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("directory", type=pathlib.Path, metavar="RUN_DIRECTORY")
     parser.add_argument("--frame", type=int, default=-1, metavar="N", help="from 0; -1, the default, is the last")
     parser.add_argument("--output", type=pathlib.Path, metavar="PNG", help="default: RUN_DIRECTORY/bodies.png")
     parser.add_argument("--whole", action="store_true", help="do not take a quarter out of the balls")
-    arguments = parser.parse_args()
-    check_screen()
-    picture = read_bodies(Run(arguments.directory), arguments.frame, not arguments.whole)
+
+
+def main(arguments: argparse.Namespace) -> None:
     output = arguments.output or arguments.directory / "bodies.png"
-    draw(picture, common_limits([picture]), output)
-    print(f"{output}: {' and '.join(title.lower() for title in picture[2])} at time {picture[0]:g}")
-
-
-if __name__ == "__main__":
-    main()
+    print(picture(Run(arguments.directory), output, arguments.frame, not arguments.whole))

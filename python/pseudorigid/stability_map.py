@@ -1,33 +1,28 @@
-#!/usr/bin/python3
 """The map of stability (docs/stress.md) from its CSV file. Needs Debian's python3-matplotlib.
 
-    tools/plot_stability_map.py docs/data/stability_map.csv docs/images/stability_map.svg
+    python3 -m pseudorigid map docs/data/stability_map.csv docs/images/stability_map.svg
 """
 import argparse
 import csv
 import pathlib
+from typing import Any
 
-import matplotlib
+from pseudorigid.errors import WrongInput
+from pseudorigid.figures import ORANGE, SKY, YELLOW, plt, save
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.patches import Patch  # noqa: E402
-
-from run_directory import fail  # noqa: E402
-
-# Okabe and Ito's colours, with a hatching for each: distinct with every kind of colour vision and in print.
-OUTCOMES = {"bounded": ("#56B4E9", "", "energy within 10 % until t = 25 r/c"),
-            "lost": ("#E69F00", "....", "energy off by more than 10 %"),
-            "ended": ("#D55E00", "////", "ended with a reason at the time in the square, in r/c")}
+# With a hatching for each, the colours are distinct in print as well.
+OUTCOMES = {"bounded": (SKY, "", "energy within 10 % until t = 25 r/c"),
+            "lost": (YELLOW, "....", "energy off by more than 10 %"),
+            "ended": (ORANGE, "////", "ended with a reason at the time in the square, in r/c")}
 
 
-def edges(values):
+def edges(values: list[float]) -> list[float]:
     """Between neighbours half-way, and as far beyond the ends: cells whose middles are the values."""
     middle = [(a + b) / 2 for a, b in zip(values, values[1:])]
     return [2 * values[0] - middle[0], *middle, 2 * values[-1] - middle[-1]]
 
 
-def draw(axes, runs, degree, biot):
+def draw(axes: Any, runs: list[dict[str, Any]], degree: int, biot: float) -> None:
     mine = [run for run in runs if run["degree"] == degree]
     amplitudes = sorted({run["amplitude"] for run in mine})
     parts = sorted({run["part_of_limit"] for run in mine})
@@ -54,20 +49,24 @@ def draw(axes, runs, degree, biot):
     axes.set_title(f"degree {degree}, stability limit {limit:.4f} r/c", fontsize=10)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("data", type=pathlib.Path)
     parser.add_argument("picture", type=pathlib.Path)
-    options = parser.parse_args()
-    if not options.data.is_file():
-        fail(f"{options.data} does not exist; scripts/stress.sh map makes it")
-    with open(options.data, newline="") as file:
+
+
+def main(options: argparse.Namespace) -> None:
+    write(options.data, options.picture)
+
+
+def write(data: pathlib.Path, picture: pathlib.Path) -> None:
+    if not data.is_file():
+        raise WrongInput(f"{data} does not exist; scripts/stress.sh map makes it")
+    with open(data, newline="") as file:
         lines = list(csv.DictReader(file))
     biot = next(float(line["amplitude"]) for line in lines if line["kind"].startswith("Biot"))
     runs = [{**line, "degree": int(line["degree"]), "amplitude": float(line["amplitude"]), "step": float(line["step"]),
              "part_of_limit": float(line["part_of_limit"])} for line in lines if line["degree"] and line["outcome"]]
     degrees = sorted({run["degree"] for run in runs})
-    plt.rcParams["svg.hashsalt"] = "pseudorigid"  # the same picture is the same file
     figure, grid = plt.subplots(2, 2, figsize=(9, 7.6), sharex=True, sharey=True)
     figure.subplots_adjust(left=0.08, right=0.98, top=0.96, bottom=0.21, wspace=0.06, hspace=0.13)
     for axes, degree in zip(grid.flat, degrees):
@@ -76,7 +75,7 @@ def main():
         axes.set_xlabel("amplitude a of the release, in c/r")
     for axes in grid[:, 0]:
         axes.set_ylabel("step / stability limit at rest")
-    handles = [Patch(facecolor=colour, hatch=hatch, edgecolor="white",
+    handles = [plt.Rectangle((0, 0), 1, 1, facecolor=colour, hatch=hatch, edgecolor="white",
                      label=f"{label} ({sum(run['outcome'] == name for run in runs)} runs)")
                for name, (colour, hatch, label) in OUTCOMES.items()]
     handles.append(plt.Line2D([], [], marker="o", markersize=5, color="black", markeredgecolor="white", linestyle="",
@@ -86,9 +85,4 @@ def main():
     handles.append(plt.Line2D([], [], color="black", linewidth=1, linestyle="--",
                               label="stability limit of small motions at rest"))
     figure.legend(handles=handles, loc="lower center", ncol=2, fontsize=9, frameon=False)
-    options.picture.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(options.picture, metadata={"Date": None} if options.picture.suffix == ".svg" else None)
-
-
-if __name__ == "__main__":
-    main()
+    save(figure, picture)

@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Curves of a run: one component of the deformation over time, and below it
 
 - of two models their difference, and the part of the elastic ball's kinetic energy that is in non-affine motion;
@@ -7,38 +6,35 @@
 The component is the one that comparison.json names (C33, say, of C = Q^T Q, on which rotations do not count), of one model
 the component of C that varies most, or an entry of Q or C of your choice. Needs Debian's python3-matplotlib.
 
-    tools/plot_comparison.py output/quickstart
-    tools/plot_comparison.py output/quickstart --quantity Q33 --output curves.svg
+    python3 -m pseudorigid plot output/quickstart
+    python3 -m pseudorigid plot output/quickstart --quantity Q33 --output curves.svg
 """
 
 import argparse
 import pathlib
 import re
+from typing import Any
 
-from run_directory import Run, fail, missing
+from pseudorigid.errors import WrongInput, needs
+from pseudorigid.figures import BLUE, GREEN, ORANGE, YELLOW, plt, save
+from pseudorigid.results import Run
 
-try:
-    import matplotlib
+with needs("python3-numpy"):
     import numpy as np
 
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-except ImportError as error:
-    missing(error, "python3-matplotlib")
-
-# Okabe and Ito's colours: distinct with every kind of colour vision.
-STYLES = [{"color": "#0072B2", "linestyle": "-"}, {"color": "#D55E00", "linestyle": "--"}, {"color": "#009E73", "linestyle": "-."}]
-AXES = ["#0072B2", "#E69F00", "#009E73"]
+STYLES = [{"color": BLUE, "linestyle": "-"}, {"color": ORANGE, "linestyle": "--"}, {"color": GREEN, "linestyle": "-."}]
+FONT_SIZE = 13
+AXES = [BLUE, YELLOW, GREEN]
 
 
-def component(run, model, quantity):
-    """Of Q or of C = Q^T Q."""
+def component(run: Run, model: str, quantity: str) -> np.ndarray:
+    """The samples of an entry of Q or of C = Q^T Q."""
     letter, i, j = quantity[0], int(quantity[1]) - 1, int(quantity[2]) - 1
     Q = run.matrices(model, "Q")
     return (Q if letter == "Q" else np.einsum("nki,nkj->nij", Q, Q))[:, i, j]
 
 
-def named_quantity(run):
+def named_quantity(run: Run) -> str:
     """What comparison.json names, or the component of C with the largest variance."""
     if run.comparison and run.comparison.get("frequency"):
         return run.comparison["frequency"]["signal"]
@@ -47,7 +43,7 @@ def named_quantity(run):
     return f"C{min(i, j) + 1}{max(i, j) + 1}"
 
 
-def draw_difference(run, quantity, n, axes):
+def draw_difference(run: Run, quantity: str, n: int, axes: Any) -> None:
     """The richest model beside the others, and below what the comparison says."""
     reference, *others = reversed(run.models)
     for model in others:
@@ -62,7 +58,7 @@ def draw_difference(run, quantity, n, axes):
         axes[2].set_ylabel("non-affine /\nall kinetic\nenergy")
 
 
-def draw_alone(table, axes):
+def draw_alone(table: dict[str, np.ndarray], axes: Any) -> None:
     """Semi-axes and energies, as far as the table has them."""
     for names, ax, label in (("a1 a2 a3".split(), axes[1], "semi-axes"), ("kinetic elastic".split(), axes[2], "energies")):
         for name, colour in zip(names, AXES):
@@ -73,12 +69,24 @@ def draw_alone(table, axes):
             ax.legend(loc="center left", bbox_to_anchor=(1, 0.5), frameon=False)
 
 
-def draw(run, quantity, output):
+def n_common_samples(run: Run) -> int:
+    """A model that stopped early has fewer samples."""
+    return min(len(run.columns(model)["time"]) for model in run.models)
+
+
+def curves(run: Run, quantity: str | None = None) -> Any:
+    """The figure of matplotlib."""
     if not run.models or run.manifest.get("system"):
-        fail(f"{run.directory} holds no motion of the ball")
+        raise WrongInput(f"{run.directory} holds no motion of the ball")
+    quantity = quantity or named_quantity(run)
+    if not re.fullmatch("[QC][123][123]", quantity):
+        raise WrongInput(f"--quantity: expected Q11 to Q33 or C11 to C33, got {quantity}")
+    with plt.rc_context({"font.size": FONT_SIZE, "font.family": "DejaVu Sans"}):
+        return drawn(run, quantity, n_common_samples(run))
+
+
+def drawn(run: Run, quantity: str, n: int) -> Any:
     models = list(reversed(run.models))
-    n = min(len(run.columns(model)["time"]) for model in models)  # a model that stopped early has fewer samples
-    plt.rcParams.update({"font.size": 13, "font.family": "DejaVu Sans", "svg.hashsalt": "pseudorigid"})
     heights = [3, 1.6, 1.6]
     figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7, 1.1 * sum(heights)), height_ratios=heights, layout="constrained")
     for model, style in zip(models, STYLES):
@@ -95,30 +103,23 @@ def draw(run, quantity, output):
     for ax in axes:
         ax.grid(color="#dddddd", linewidth=0.6)
         ax.spines[["top", "right"]].set_visible(False)
+        ax.tick_params(labelsize=FONT_SIZE)  # ticks are made later, when the figure is drawn
     shown = [ax for ax in axes if ax.get_visible()][-1]
     shown.set_xlabel("time (the scene's unit)")
     shown.tick_params(labelbottom=True)
     shown.set_xlim(0, run.columns(models[0])["time"][n - 1])
     figure.align_ylabels()
-    try:
-        figure.savefig(output, dpi=120, metadata={"Date": None} if output.suffix == ".svg" else None)
-    except (OSError, ValueError) as error:
-        fail(f"--output: {error}")
-    print(f"{output}: {quantity} of {n} samples")
+    return figure
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("directory", type=pathlib.Path, metavar="RUN_DIRECTORY")
     parser.add_argument("--quantity", metavar="Qij|Cij", help="default: the one that comparison.json names, or that varies most")
     parser.add_argument("--output", type=pathlib.Path, metavar="SVG/PNG", help="default: RUN_DIRECTORY/comparison.svg")
-    arguments = parser.parse_args()
+
+
+def main(arguments: argparse.Namespace) -> None:
     run = Run(arguments.directory)
-    quantity = arguments.quantity or named_quantity(run)
-    if not re.fullmatch("[QC][123][123]", quantity):
-        fail(f"--quantity: expected Q11 to Q33 or C11 to C33, got {quantity}")
-    draw(run, quantity, arguments.output or arguments.directory / "comparison.svg")
-
-
-if __name__ == "__main__":
-    main()
+    output = arguments.output or arguments.directory / "comparison.svg"
+    save(curves(run, arguments.quantity), output, dpi=120)
+    print(f"{output}: {arguments.quantity or named_quantity(run)} of {n_common_samples(run)} samples")

@@ -1,22 +1,20 @@
-#!/usr/bin/python3
 """The same picture of a body with linear cells and with Lagrange cells (Output/Cells), side by side, as VTK draws them.
 
 Above is the body, below a part of its outline; white lines are edges of cells, colours the von Mises stress. Lagrange cells
 are drawn with Nonlinear Subdivision Level 4. Needs Debian's python3-vtk9 and an X server:
 
     apt-get install python3-vtk9 xvfb xauth libgl1-mesa-dri
-    xvfb-run -a tools/cells_picture.py LINEAR.vtu LAGRANGE.vtu --output cells.png
+    xvfb-run -a python3 -m pseudorigid cells LINEAR.vtu LAGRANGE.vtu --output cells.png
 """
 
 import argparse
 import pathlib
+from typing import Any
 
-import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from render import FIELD, VIEW_FROM, VIRIDIS, check_screen
-from run_directory import fail, read_grid
-from vtkmodules.vtkCommonCore import reference, vtkLookupTable, vtkPoints
+from pseudorigid.errors import WrongInput
+from pseudorigid.frames import read_grid
+from pseudorigid.render import FIELD, VIEW_FROM, check_screen, colours
+from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -35,14 +33,14 @@ LARGEST = 0.5  # stress at the end of the colours, in the scene's unit
 CLOSE = 0.22  # height of the lower views, in that of the upper ones
 
 
-def grid_of(path):
+def grid_of(path: pathlib.Path) -> Any:
     grid = read_grid(path)
     if not grid.GetNumberOfCells() or not grid.GetPointData().HasArray(FIELD):
-        fail(f"{path} holds no cells with {FIELD}")
+        raise WrongInput(f"{path} holds no cells with {FIELD}")
     return grid
 
 
-def surface(grid):
+def surface(grid: Any) -> Any:
     """The outer faces, curved ones in straight pieces."""
     faces = vtkDataSetSurfaceFilter()
     faces.SetInputData(grid)
@@ -51,7 +49,7 @@ def surface(grid):
     return faces.GetOutput()
 
 
-def edges(grid):
+def edges(grid: Any) -> Any:
     """Edges of the outer faces of cells, each as a curve."""
     counts, faces = {}, []
     for k in range(grid.GetNumberOfCells()):
@@ -80,24 +78,12 @@ def edges(grid):
     return curves
 
 
-def table():
-    colours = vtkLookupTable()
-    colours.SetNumberOfTableValues(256)
-    for i in range(256):
-        place = i / 255 * (len(VIRIDIS) - 1)
-        k = min(int(place), len(VIRIDIS) - 2)
-        colours.SetTableValue(i, *(a + (place - k) * (b - a) for a, b in zip(VIRIDIS[k], VIRIDIS[k + 1])), 1)
-    colours.SetRange(0, LARGEST)
-    colours.Build()
-    return colours
-
-
-def actors(grid):
+def actors(grid: Any) -> tuple[Any, Any]:
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(surface(grid))
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectColorArray(FIELD)
-    mapper.SetLookupTable(table())
+    mapper.SetLookupTable(colours(LARGEST))
     mapper.SetScalarRange(0, LARGEST)
     body = vtkActor()
     body.SetMapper(mapper)
@@ -115,7 +101,7 @@ def actors(grid):
     return body, drawn
 
 
-def view(window, grid, title, column):
+def view(window: Any, grid: Any, title: str, column: int) -> None:
     """Above the whole body, below its upper right outline."""
     extent = max(abs(x) for x in grid.GetBounds())
     for row, (scale, focus) in enumerate((((1.15 * extent), (0, 0, 0)), (CLOSE * extent, None))):
@@ -146,12 +132,13 @@ def view(window, grid, title, column):
         window.AddRenderer(renderer)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("linear", type=pathlib.Path)
     parser.add_argument("lagrange", type=pathlib.Path)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("cells.png"))
-    arguments = parser.parse_args()
+
+
+def main(arguments: argparse.Namespace) -> None:
     check_screen()
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
@@ -167,7 +154,3 @@ def main():
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
     print(arguments.output)
-
-
-if __name__ == "__main__":
-    main()

@@ -1,0 +1,173 @@
+"""The directory of a run: tables with their units, the comparison, pictures."""
+
+import csv
+import json
+import os
+import pathlib
+from typing import TYPE_CHECKING, Any
+
+from pseudorigid.errors import WrongInput, needs
+from pseudorigid.frames import Frame, read_pvd
+
+with needs("python3-numpy"):
+    import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+
+# Columns that number the rows of a table; of other tables it is the time.
+INDICES = {"sweep": ["run"], "connections": ["curve"], "trajectories": ["run", "time"], "manifolds": ["curve", "time"]}
+OF_ALL_TABLES = {"time": "time", "frequency": "1/time"}  # units that the manifest need not say
+# What the columns of a sweep add to the name of a column.
+OF_A_RUN = ("_end", "_min", "_max", "_drift")
+
+
+def existing(directory: str | os.PathLike[str], name: str, remedy: str) -> pathlib.Path:
+    path = pathlib.Path(directory) / name
+    if not path.is_file():
+        raise WrongInput(f"{path} does not exist; {remedy}")
+    return path
+
+
+def read_csv(path: pathlib.Path) -> dict[str, np.ndarray]:
+    """Columns by name."""
+    with open(path, newline="") as file:
+        rows = csv.reader(file)
+        names = next(rows, [])
+        try:
+            values = np.array([[float(text) for text in row] for row in rows])
+        except ValueError as error:
+            raise WrongInput(f"{path} has a damaged row; run the scene again") from error
+    if not len(values):
+        raise WrongInput(f"{path} holds no samples")
+    return dict(zip(names, values.T))
+
+
+def read_json(path: pathlib.Path) -> dict[str, Any]:
+    try:
+        return json.loads(path.read_text()) if path.is_file() else {}
+    except ValueError as error:
+        raise WrongInput(f"{path} is damaged; run the scene again") from error
+
+
+class Run:
+    """The directory of a run. What is missing is a WrongInput."""
+
+    def __init__(self, directory: str | os.PathLike[str]):
+        self.directory = pathlib.Path(directory)
+        self.manifest: dict[str, Any] = read_json(existing(directory, "manifest.json", "is this the directory of a run?"))
+
+    def __repr__(self) -> str:
+        return f"Run({str(self.directory)!r})"
+
+    @property
+    def models(self) -> list[str]:
+        """The models of the ball that have run, or the one system, by the names of their files."""
+        names = [model["name"] for model in self.manifest.get("ball", [])] or [self.manifest.get("system", "")]
+        return [name for name in names if (self.directory / f"{name}.csv").is_file()]
+
+    def title(self, model: str) -> str:
+        """As the ball of a model is called: 'Elastic ball'."""
+        adjectives = {ball["name"]: ball["adjective"] for ball in self.manifest.get("ball", [])}
+        return f"{adjectives[model].capitalize()} ball" if model in adjectives else model.replace("_", " ").capitalize()
+
+    def has_elements(self, model: str) -> bool:
+        return any(ball["name"] == model and ball["discretized"] for ball in self.manifest.get("ball", []))
+
+    def entry(self, path: str) -> str:
+        """The text of an entry as the run had it: entry("Body/Radius")."""
+        values = self.manifest.get("entries", {})
+        if path not in values:
+            raise WrongInput(f"{self.directory}/manifest.json has no value of {path}; run the scene again")
+        return values[path]
+
+    def counter(self, model: str, name: str) -> float:
+        """What a model has counted: counter("continuum", "steps")."""
+        return self.manifest["models"][model]["counters"][name]
+
+    @property
+    def comparison(self) -> dict[str, Any] | None:
+        """comparison.json; None if one model has run."""
+        return read_json(self.directory / "comparison.json") or None
+
+    def comparison_of(self, model: str) -> dict[str, Any]:
+        """Of a model with the richest one, if more than two have run."""
+        return read_json(existing(self.directory, f"comparison-{model}.json", "it is written if more than two models run"))
+
+    def columns(self, name: str) -> dict[str, np.ndarray]:
+        """The columns of <name>.csv by name."""
+        return read_csv(existing(self.directory, f"{name}.csv", "run the scene with another list of Models?"))
+
+    def records(self, name: str) -> np.ndarray:
+        """<name>.csv as a structured array, a record a row: the table without pandas."""
+        columns = self.columns(name)
+        return np.rec.fromarrays(list(columns.values()), names=list(columns))
+
+    def table(self, name: str) -> "pandas.DataFrame":
+        """<name>.csv as a pandas table. Its index is the time, of a sweep the number of the run; attrs["units"] has the units."""
+        with needs("python3-pandas"):
+            import pandas
+
+        table = pandas.DataFrame(self.columns(name))
+        table.attrs["units"] = self.units(name, table.columns)
+        index = [column for column in INDICES.get(name, ["time"]) if column in table]
+        for column in set(index) - {"time"}:
+            table[column] = table[column].astype(int)
+        return table.set_index(index[0] if len(index) == 1 else index) if index else table
+
+    def sweep(self) -> "pandas.DataFrame | np.ndarray":
+        """The runs of a sweep, as table("sweep") or, without pandas, as records("sweep")."""
+        try:
+            return self.table("sweep")
+        except WrongInput as error:
+            if not isinstance(error.__cause__, ImportError):
+                raise
+            return self.records("sweep")
+
+    def matrices(self, model: str, letter: str) -> np.ndarray:
+        """A matrix column, such as Q, Qdot or F, of shape (samples, 3, 3)."""
+        columns = self.columns(model)
+        names = [f"{letter}{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+        absent = [name for name in names if name not in columns]
+        if absent:
+            raise WrongInput(f"{model}.csv has no column {absent[0]}; run the scene with Output/Quantities = all")
+        return np.stack([columns[name] for name in names], axis=1).reshape(-1, 3, 3)
+
+    def described(self, name: str) -> dict[str, dict[str, Any]]:
+        """{column: {'unit', 'meaning', of the ball 'factor'}} of <name>.csv, as the manifest has it."""
+        return {column["name"]: column for column in self.manifest.get("columns", {}).get(f"{name}.csv", [])}
+
+    def units(self, name: str, columns: Any = None) -> dict[str, str]:
+        """The dimension of each column of <name>.csv, in words; '' of a pure number and of what the manifest does not describe."""
+        described = self.described(name)
+        if name in ("sweep", "trajectories"):  # columns of the system, or of the model that varies
+            described = {column: about for file in self.manifest.get("columns", {}) for column, about in
+                         self.described(file.removesuffix(".csv")).items()}
+
+        def unit(column: str) -> str:
+            of_motion = next((column.removesuffix(end) for end in OF_A_RUN if column.endswith(end)), column)
+            return OF_ALL_TABLES.get(column) or described.get(column, described.get(of_motion, {})).get("unit", "")
+
+        return {column: unit(column) for column in (self.columns(name) if columns is None else columns)}
+
+    def unit(self, name: str, column: str) -> str:
+        return self.units(name, [column])[column]
+
+    def dimensionless(self, name: str) -> "pandas.DataFrame":
+        """The table divided by the scene's own units: lengths r, masses rho r^3, times r/c (with self-gravity another)."""
+        table = self.table(name)
+        factors = {column: what["factor"] for column, what in self.described(name).items() if "factor" in what}
+        if not factors:
+            raise WrongInput(f"{self.directory}/manifest.json does not say the units of {name}.csv; run the scene again")
+        table = table.div([factors.get(column, 1) for column in table.columns], axis=1)
+        table.index = table.index / self.manifest["unit_of_time"]
+        table.attrs["units"] = dict.fromkeys(table.columns, "")
+        return table
+
+    def has_frames(self, model: str) -> bool:
+        return (self.directory / f"{model}.pvd").is_file()
+
+    def frames(self, model: str) -> list[Frame]:
+        """The pictures of a model in the order of time; frames("modes") those of modes."""
+        path = existing(self.directory, f"{model}.pvd", 'run the scene with --set "Output/Graphics=vtu"')
+        return [Frame(time, file) for time, file in read_pvd(path)]

@@ -1,0 +1,92 @@
+"""The commands of `python3 -m pseudorigid`: curves, bodies before they are drawn, refusals."""
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+from program_test import ProgramTest, WRONG_INPUT, main
+from pseudorigid import Run, render
+from pseudorigid.plot import component, curves
+
+SCENE = {"Models": "reduced, polynomial", "Polynomial/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 1, "Output/Samples": 10,
+         "Initial state/Deformation": "0.8, 0, 0; 0, 1.25, 0; 0, 0, 1", "Output/Graphics": "vtu", "Output/Frames": 2}
+
+
+class Drawing(ProgramTest):
+    def command(self, arguments):
+        """Of the package, not of the program."""
+        return [sys.executable, "-m", "pseudorigid", *map(str, arguments)]
+
+    def make_run(self, **changes):
+        self.scene({**SCENE, **changes})
+        subprocess.run([self.program, "run", "scene.prm"], cwd=self.scratch, check=True, capture_output=True)
+        return Run(self.scratch / "output/scene")
+
+    def test_help_lists_the_commands(self):
+        listed = self.run_done("--help").stdout
+        for name in "plot", "render", "animate", "paraview", "cells", "equilibria", "map":
+            self.assertIn(f"\n  {name} ", listed)
+            self.assertIn(f"pseudorigid {name}", self.run_done(name, "--help").stdout)
+        self.assert_exit(self.run_program("draw"), WRONG_INPUT)
+
+    def test_curves(self):
+        run = self.make_run()
+        figure = curves(run, "Q11")
+        drawn = {line.get_label(): line.get_ydata() for line in figure.axes[0].lines}
+        self.assertEqual(list(drawn), [run.title(model) for model in reversed(run.models)])
+        for model in run.models:
+            np.testing.assert_array_equal(drawn[run.title(model)], run.columns(model)["Q11"])
+        np.testing.assert_array_equal(figure.axes[1].lines[0].get_ydata(),
+                                      component(run, "reduced", "Q11") - component(run, "polynomial", "Q11"))
+        # The same picture is the same file.
+        for name in "one.svg", "two.svg":
+            self.assertIn("C11 of 11 samples", self.run_done("plot", run.directory, "--quantity", "C11", "--output", name).stdout)
+        self.assertEqual(self.bytes("one.svg"), self.bytes("two.svg"))
+        self.run_done("plot", run.directory)
+        self.assertTrue((run.directory / "comparison.svg").is_file())
+
+    def test_curves_of_one_model(self):
+        figure = curves(self.make_run(Models="reduced"))
+        self.assertEqual([line.get_label() for line in figure.axes[1].lines], ["a1", "a2", "a3"])
+
+    def test_misuse_is_one_sentence(self):
+        run = self.make_run()
+        for arguments, fragment in ((("plot", "nowhere"), "nowhere/manifest.json"), (("plot", run.directory, "--quantity", "Q14"), "Q14"),
+                                    (("plot", run.directory, "--output", "a.xyz"), "--output"), (("map", "nowhere.csv", "a.svg"), "nowhere.csv"),
+                                    (("equilibria", "--program", "nowhere"), "nowhere"), (("render", run.directory, "--frame", 9), "")):
+            environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+            self.assert_one_sentence(self.run_program(*arguments, env=environment), fragment)
+
+    def test_bodies(self):
+        """The faces on the surface have the radius at rest; a quarter taken out adds those of the cut."""
+        run = self.make_run()
+        time, radius, bodies = render.read_bodies(run, -1, cut=False)
+        self.assertEqual((time, radius, list(bodies)), (1, 1, [run.title(model) for model in ("polynomial", "reduced")]))
+        Q = run.matrices("reduced", "Q")[-1]
+        x, stress = bodies[run.title("reduced")]
+        np.testing.assert_allclose(np.linalg.norm(x @ np.linalg.inv(Q).T, axis=-1), 1, atol=1e-4)  # faces are polynomials of degree 4
+        self.assertEqual(x.shape[:-1], stress.shape[:-1])
+        _, _, with_cut = render.read_bodies(run, -1, cut=True)
+        self.assertLess(np.linalg.norm(with_cut[run.title("reduced")][0], axis=-1).min(), 1e-6)
+        with self.assertRaisesRegex(Exception, "--frame: expected a number from 0 to 1, got 2"):
+            render.read_bodies(run, 2, cut=True)
+
+    def test_a_missing_package_is_named(self):
+        # -S: without the folder of Debian's packages, as with another Python.
+        for tool in "plot", "render", "animate", "map", "cells":
+            result = subprocess.run([sys.executable, "-S", "-m", "pseudorigid", tool, "nowhere"], capture_output=True, text=True)
+            self.assert_one_sentence(result, "No module named", "this needs Debian's python3-")
+
+    def test_paraview_refuses(self):
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        run = self.make_run(Models="reduced").directory
+        for arguments, fragments in ((("nowhere",), ("nowhere holds no pictures", "Output/Graphics=vtu")),
+                                     ((run, "--picture", "a.png", "--animation", "a.avi"), ("exclude one another",)),
+                                     ((run, "--picture", "a.png", "--frame", 2), ("--frame: expected a number from 0 to 1, got 2",)),
+                                     ((run, "--picture", "a.png"), ("xvfb-run",))):
+            self.assert_one_sentence(self.run_program("paraview", *arguments, env=environment), *fragments)
+
+
+if __name__ == "__main__":
+    main()
