@@ -40,9 +40,9 @@ if frequency["ratio_uncertainty"]:  # none if an error is not known, or if the b
 
 # %% A phase portrait of both models: C33, the squared stretch along z, and its rate.
 figure, ax = plt.subplots(figsize=(5, 4), layout="constrained")
-for model, style in {"continuum": "-", "reduced": "--"}.items():
-    C33, colour = C[model][:, 2, 2], {"continuum": "#0072B2", "reduced": "#D55E00"}[model]
-    ax.plot(C33, np.gradient(C33, run.columns(model)["time"]), style, color=colour, label=run.title(model))
+for model, colour in {"continuum": "#0072B2", "reduced": "#D55E00"}.items():
+    C33 = C[model][:, 2, 2]
+    ax.plot(C33, np.gradient(C33, run.columns(model)["time"]), color=colour, label=run.title(model))
 ax.set_xlabel("C$_{33}$ (squared stretch along z)")
 ax.set_ylabel("dC$_{33}$/dt (c/r)")
 ax.legend(frameon=False)
