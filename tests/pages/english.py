@@ -207,7 +207,7 @@ def with_who(sentence):
 PRIVATE = re.compile(
     r"\b(richest|poorest|richer model|poorer model|(stretches|starts|drawn|chosen|taken) by chance|long and flat|let go|set off|level to second order|likewise|"
     r"at hand|stands? (what|beside)|lets? go|come(s)? right|the word of|promises? of|its promises|"
-    r"bears? (the|a|what|its|no)|asks? for (nothing|no)|knows? (nothing|of|no)|wants? (a|an|the|no|to)|"
+    r"bears? (the|a|what|its|no)|asks? for (nothing|no)|knows? (nothing|of|no)|wants (a|an|the|no|to)|"
     r"says? (nothing|no)|say (nothing|no)|speaks? of|nor is|such a one|the one of|the ones of|a whole turn|as it likes)\b")
 OPENINGS = re.compile(r"(Of|Nor|That of|Those of|The same of|Seen|Beside|Besides|Who|Likewise|Not that|Said|Such are|None of)\b"
                       r"(?! course\b)")
