@@ -45,17 +45,17 @@ class Finding:
 
 # Sentences of a text.
 
-ABBREVIATION = re.compile(r"(\b(e\.g|i\.e|cf|vs|etc|approx|no|nos|eq|eqs|fig|vol|ed|eds|pp?|ch|sec|proc|soc|math|[A-Z])|\.\.)\.$", re.I)
+ABBREVIATION = re.compile(r"\b(e\.g|i\.e|cf|vs|etc|approx|nos?|eqs?|figs?|vol|eds?|pp?|ch|sec|[Pp]roc|[Ss]oc|[Mm]ath|Ex)\.$|\.\.\.$|"
+                          r"(^|[,(]|\b(and|by|see))\s*([A-Z]\. ?)+$")  # the last are initials of a name
+END = re.compile(r"[.!?…]['\"”)*]*(?=\s+['\"“(]?(?:[A-ZÀ-ÞΑ-Ω‹0-9]|\w+\.(?:md|h|prm)\b|$))|\Z")
 
 
 def split_sentences(text):
     """(offset, sentence) for each sentence of a text."""
     start = 0
-    for end in re.finditer(r"[.!?…:]['\"”)*]*(?=\s+['\"“(]?(?:[A-ZÀ-ÞΑ-Ω‹0-9]|$))|\Z", text):
+    for end in END.finditer(text):
         stop = end.end()
-        if end[0].startswith((".", "…")) and ABBREVIATION.search(text[start:stop]) and stop < len(text):
-            continue
-        if end[0].startswith(":"):  # ends no sentence, unless a list follows
+        if ABBREVIATION.search(text[start:stop]) and stop < len(text):
             continue
         piece = text[start:stop]
         if piece.strip():
@@ -141,7 +141,7 @@ def n_words(text):
     return len(re.findall(r"[^\W\d_][\w'’-]*|‹code›", text))
 
 
-VERBS = """accept act add admit agree allow amplify answer appear apply arrive ask assume attract be bear become begin
+VERBS = """pull push wrap accept act add admit agree allow amplify answer appear apply arrive ask assume attract be bear become begin
 behave belong bend bound break bring build call can carry cause change check choose circulate cite clone close coincide
 collect combine come compare compile complete compute concern confirm conserve consist contain continue contribute converge
 convert cost could count cover create cross cut decide declare define delete deliver depend derive describe determine die
@@ -172,7 +172,7 @@ for verb in VERBS:
 def is_fragment(sentence):
     words = re.findall(r"[a-z][a-z'’]*", sentence.text.lower())
     return (sentence.needs_verb and sentence.text.endswith(".") and len(words) >= 3
-            and not any(word in VERB_FORMS for word in words) and not re.search(r"[=≤≥<>≈]|‹code›", sentence.text))
+            and not any(word in VERB_FORMS for word in words) and not re.search(r"[=≤≥<>≈]|‹code›|^\w+: ", sentence.text))
 
 
 # A clause with "what" or "where" may be a question, and may follow a verb that asks or answers one.
@@ -194,7 +194,7 @@ def with_where(sentence):
         return False
     text = re.sub(rf"\b({ASKED}|{PLACES}|(every|no|any|some|else)),? (and )?where\b", "", text, flags=re.I)
     text = re.sub(r"\b(to|from|near|of|at|is|are|on|behind) where\b|, where\b|\bwhere (to|it is used|it is defined)\b", "", text)
-    text = re.sub(r"^where\b|\bwhere( \S+ [=≠<>≤≥]|[.,;:)]|$)", "", text)  # of formulas, and alone
+    text = re.sub(r"^where\b|\b[Ww]here( \S+ [=≠<>≤≥]|[.,;:)]|$)", "", text)  # of formulas, and alone
     return re.search(r"\b[Ww]here\b", text)
 
 

@@ -52,7 +52,8 @@ class Rules(unittest.TestCase):
 class Sentences(unittest.TestCase):
     def test_where_sentences_end(self):
         for text, n in (("One is. Two are.", 2), ("It is 1.5 long, e.g. here.", 1), ("See i.e. This one. And that.", 2), ("Is it? It is!", 2),
-                        ("Two: one is. ‹code› is two.", 2), ("W. M. Oliva writes it.", 1)):
+                        ("Two: one is. ‹code› is two.", 2), ("W. M. Oliva writes it.", 1),
+                        ("It has the normal n. On x it is F. In P it is 1.", 3), ("It is long. glossary.md lists it.", 2)):
             self.assertEqual(len(list(english.split_sentences(text))), n, text)
 
     def test_words(self):
