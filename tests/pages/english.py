@@ -78,9 +78,11 @@ def page_sentences(page, later_in_cells=False):
         row = token.map[0] + 1 if token.map else row
         if token.type != "inline" or before.type == "heading_open":
             continue
-        parts = [{"softbreak": "\n", "hardbreak": "\n", "code_inline": CODE, "text": part.content}.get(part.type, "")
+        parts = [{"softbreak": "\n", "hardbreak": "\n", "code_inline": CODE, "text": part.content,
+                  "strong_open": "\x02", "strong_close": "\x02"}.get(part.type, "")
                  for part in token.children]
         text = re.sub(r"\$\$.*?\$\$|\$[^$\n]+\$", CODE, "".join(parts), flags=re.DOTALL)
+        text = re.sub(r"^\x02[^\x02]*\.\x02", "", text).replace("\x02", "")  # the title of a paragraph, set in bold
         is_caption = token.content.startswith("*") and token.content.endswith("*")
         in_paragraph = not (depth["list_item"] or depth["table"] or is_caption)
         yield from sentences_of(text, row, in_paragraph, in_paragraph or (later_in_cells and depth["table"] > 0))
@@ -171,8 +173,8 @@ for verb in VERBS:
 
 def is_fragment(sentence):
     words = re.findall(r"[a-z][a-z'’]*", sentence.text.lower())
-    return (sentence.needs_verb and sentence.text.endswith(".") and len(words) >= 3
-            and not any(word in VERB_FORMS for word in words) and not re.search(r"[=≤≥<>≈]|‹code›|^\w+: ", sentence.text))
+    return (sentence.needs_verb and not sentence.text[0].islower() and sentence.text.endswith(".")
+            and len(words) >= 3 and not any(word in VERB_FORMS for word in words) and not re.search(r"[=≤≥<>≈]|‹code›|^\w+: ", sentence.text))
 
 
 # A clause with "what" or "where" may be a question, and may follow a verb that asks or answers one.

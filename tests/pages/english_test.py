@@ -60,11 +60,11 @@ class Sentences(unittest.TestCase):
         self.assertEqual(english.n_words("The ball's ‹code› is well-kept: 3.5 (μ)."), 6)
 
     def test_a_page(self):
-        page = ("# What stands beside\n\nOne is\nhere. Two `beside`\nare.\n\n- an item\n\n| what |\n|---|\n| beside it |\n\n"
+        page = ("# What stands beside\n\nOne is\nhere. Two `beside`\nare.\n\n**A title.** A **part** is.\n\n- an item\n\n| what |\n|---|\n| beside it |\n\n"
                 "```sh\nbeside\n```\n\n$$\nbeside\n$$\n\n![beside](x.png)\n")
         self.assertEqual([(s.line, s.text, s.needs_verb) for s in english.page_sentences(page) if s.text != english.CODE],
-                         [(3, "One is here.", True), (4, "Two ‹code› are.", True), (7, "an item", False), (9, "what", False),
-                          (11, "beside it", False)])
+                         [(3, "One is here.", True), (4, "Two ‹code› are.", True), (7, "A part is.", True), (9, "an item", False),
+                          (11, "what", False), (13, "beside it", False)])
 
     def test_a_header(self):
         header = ('/// The size. Of all\n/// parts.\n///     beside();\n///\n/// A part.\nint n;  ///< what it is\nauto x = "// beside";\n// SPDX-License-Identifier: MIT\n')
