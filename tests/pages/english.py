@@ -227,7 +227,7 @@ RULES = {
     "private": lambda s: PRIVATE.search(s.text),
     "opening": lambda s: OPENINGS.match(s.text.lstrip("*_(")) or re.search(r"\bthe same of\b", s.text),
     "is no": lambda s: IS_NO.search(s.text),
-    "semicolons": lambda s: s.text.count(";") > 1,
+    "semicolons": lambda s: s.text.count(";") > 1 and re.search(r"[^\W\d_]", s.text.replace(CODE, "")),
 }
 
 
