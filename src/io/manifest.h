@@ -64,7 +64,7 @@ class ManifestFile {
     std::optional<int> exit_code{};
     std::string message{};
   };
-  /// No end: the run is on its way.
+  /// Without an end, the run is in progress.
   void write(const std::optional<End>& end);
   std::filesystem::path path_;
   Manifest content_;
@@ -72,10 +72,10 @@ class ManifestFile {
   bool finished_ = false;
 };
 
-/// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
+/// Called by a rank that aborts the run but does not keep the manifest. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// What moves, by the manifest of a run: the names of its CSV files, of the system or of the models of the ball.
+/// Names of the trajectories listed in a run's manifest: of the system, or of the models of the ball.
 /// UserError if the file is no manifest of this program, or of a version whose manifests had less than a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 

@@ -22,7 +22,7 @@ class RunLock {
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;
 
-  /// For who ends a run by force and does not hold its lock: another rank.
+  /// Called by a rank that aborts the run without holding the lock.
   static void remove(const std::filesystem::path& directory) noexcept;
 
  private:

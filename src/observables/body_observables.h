@@ -34,7 +34,7 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// What somebody will look at; the rest is not evaluated.
+/// Quantities requested by the output; others are not computed.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };

@@ -67,7 +67,7 @@ class PolynomialBody {
   /// Of loads that depend on time, those at t = 0; not finite where some det F ≤ 0.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// The turns of space about axes that the symmetry planes leave free, where no load depends on the direction.
+  /// Rotational symmetries: axes of rotation under which the symmetry planes and the loads are invariant.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 

@@ -19,7 +19,8 @@ namespace pseudorigid::scene {
 enum class Analysis { motion, modes, equilibrium, manifolds, section };
 /// Which crossings of a section count: with a column that rises, that falls, or both.
 enum class Crossings { up, down, both };
-/// Families of relative equilibria (reduced/equilibrium_families.h), and the equilibria at rest, which are no family.
+/// Families of relative equilibria (reduced/equilibrium_families.h), and `static`, the equilibria at rest,
+/// which are not members of a family.
 enum class Family {
   none,
   maclaurin,

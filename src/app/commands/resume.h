@@ -1,5 +1,5 @@
 #pragma once
-/// What a run that goes on from checkpoints may change of its scene, and what not.
+/// Which parameters may differ between a run and its resumption.
 
 #include <filesystem>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-/// The polynomial body of a scene, incompressible or compressible, as ModelRun wants it.
+/// Adapter of the polynomial body of a scene, incompressible or compressible, to the RunnableModel interface.
 
 #include <fmt/format.h>
 

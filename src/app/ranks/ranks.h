@@ -16,7 +16,7 @@ class Ranks {
   virtual bool any(bool mine) const { return mine; }
   /// The first rank on which it is true, size() if there is none. Collective.
   virtual int first_where(bool mine) const { return mine ? 0 : 1; }
-  /// What it is on that rank. Collective.
+  /// Broadcasts `mine` from `rank`. Collective.
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
   /// Ends all ranks at once, wherever they are; a single process goes on, to end by itself.

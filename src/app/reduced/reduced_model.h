@@ -26,7 +26,7 @@ class ReducedModel {
   using State = mechanics::State<System>;
   using Workspace = typename System::Workspace;
   static constexpr const char* name = "reduced";
-  /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
+  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
   static constexpr int steps_between_looks = 256;
   static constexpr double pilot_reserve = 1;
 

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::app {
 
-/// Of a run at the largest frequency of small motions about it, which bounds its step.
+/// Estimated largest frequency of small motions about the motion, which limits the step size.
 struct LooksAtFrequency {
   long next = 0, last = 0;    ///< samples
   double stable_step = 0;     ///< of RATTLE at the last look, without reserve; 0: there was none

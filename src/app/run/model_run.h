@@ -194,7 +194,7 @@ class ModelRun {
     return true;
   }
 
-  /// At a sample, from which on the state alone matters.
+  /// Restarts the method at a sample; the history of a multistep method is discarded.
   void step_anew() {
     std::swap(position_.method, next_stepping_->method);
     std::swap(position_.step, next_stepping_->step);

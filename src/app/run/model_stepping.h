@@ -144,7 +144,7 @@ class ModelStepping {
     if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
     const auto choice = mechanics::choose_step(
         model_.system(), from_zero, request, [&](const State& s) { return model_.configuration(s); }, energies());
-    // Nothing is begun with a step that an interrupted search has not found.
+    // If the search for the step was interrupted, the run does not start.
     if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
     if (!choice.status)
       fall_back(choice, request, position);
@@ -261,7 +261,7 @@ class ModelStepping {
     context_.log->debug("{}: {}", model_.name, choice.why);
   }
 
-  /// Said of a method that keeps less than the others.
+  /// Log suffix that names a property the method lacks.
   static std::string_view promise(mechanics::MethodId id) {
     return mechanics::with_method(id, []<class Method>(Method) {
       return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");

@@ -22,7 +22,7 @@ class TensionWatch {
 
   bool watches() const { return is_fluid_; }
 
-  /// Silently what was seen, and reported, before a run was interrupted.
+  /// Restores the state after a resume without repeating the message.
   void take_up(const std::vector<double>& times, const std::vector<double>& lambdas) {
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }

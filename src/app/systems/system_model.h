@@ -1,5 +1,5 @@
 #pragma once
-/// A system of the table in one of its forms (systems/any_model.h), as ModelRun wants it.
+/// Adapter of a system of the table, in one of its forms (systems/any_model.h), to the RunnableModel interface.
 
 #include <algorithm>
 #include <string>
@@ -13,13 +13,13 @@
 
 namespace pseudorigid::app {
 
-/// It refers to the model.
+/// Keeps a reference; the model must outlive it.
 template <class Form>
 class SystemModel {
  public:
   using System = Form;
   using State = mechanics::State<System>;
-  /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
+  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
   static constexpr int steps_between_looks = 256;
   static constexpr double pilot_reserve = 1;
   const char* const name;

@@ -62,7 +62,7 @@ class MemoryLayout {
 
   /// The memory of all ranks as one list on rank 0, from every rank's own. Collective.
   std::vector<double> collect(std::span<const double> own) const;
-  /// A rank's own list out of that. std::invalid_argument if it does not fit.
+  /// Inverse of collect: this rank's part of the whole list. std::invalid_argument if the size does not fit.
   std::vector<double> take(std::span<const double> whole) const;
 
  private:

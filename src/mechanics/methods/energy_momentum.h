@@ -151,7 +151,7 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Whether the promises of the method hold for this system; if not, why.
+  /// An error if the system violates the method's requirements.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))

@@ -190,7 +190,7 @@ struct Rattle {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
-  /// Whether the promises of the method hold for this system; if not, why.
+  /// An error if the system violates the method's requirements.
   template <ConstrainedSystem S>
   static Status accepts(const S&) {
     return {};

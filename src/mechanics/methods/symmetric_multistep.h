@@ -231,8 +231,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Newton's iteration squares the residual of a few constraints, whose Gram matrix is exact, by the curvature of g,
-  /// which is left a factor of 10⁴.
+  /// For a few constraints the Gram matrix is exact, and Newton's iteration squares the residual, times the
+  /// curvature of g; a safety factor of 10⁴ is allowed for it.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);

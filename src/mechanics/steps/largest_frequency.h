@@ -28,7 +28,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// ω, or why it could not be had.
+/// The frequency ω, or the reason why it could not be computed.
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
