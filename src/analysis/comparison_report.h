@@ -20,7 +20,7 @@ nlohmann::ordered_json comparison_json(const Comparison& comparison);
 /// Writes both into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Of comparisons with one reference, a line each for the terminal, and the same as JSON.
+/// Comparisons with one reference, as one line each for the terminal, and as JSON.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 

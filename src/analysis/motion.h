@@ -40,11 +40,12 @@ struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
 
-  /// Of a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are no motion.
+  /// Of a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are not taken as a
+  /// motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
   std::vector<double> component(int i, int j) const;
-  /// That of the largest variance.
+  /// The component with the largest variance.
   std::pair<int, int> liveliest_component() const;
 };
 
@@ -87,15 +88,16 @@ struct MotionSummary {
 
 /// What is known of the scene of a run.
 struct SceneFacts {
-  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
+  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are not a motion
   double energy_unit = 0;     ///< of the scene
   std::vector<double> load_frequencies{};  ///< angular, of loads that depend on time
 };
 
-/// Of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at least.
+/// Summary of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at
+/// least.
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
-/// Of another system: the range of each of its columns, and the drift of its energy over what energy there is.
+/// Summary of another system: the range of each of its columns, and the relative drift of its energy.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// For the terminal: a line for each number, at most 20 lines.

@@ -29,7 +29,7 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// `got "…"`: the problem where nothing better can be said.
+/// `got "…"`: the problem if nothing better can be said.
 std::string got(std::string_view text);
 
 /// The whole text as a finite number; nothing if it is anything else.
@@ -195,7 +195,7 @@ struct Rows {
 /// What to say of a word that is not among those allowed.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// The names of an enumeration, each beside its value.
+/// The names of an enumeration, each with its value.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 

@@ -16,7 +16,7 @@ inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsi
 /// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 
-/// cof Q = det(Q) Q^-T. Where Q is diagonal or block diagonal, the zeros of the result are exact.
+/// cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {
   Matrix3 cof{};
   for (std::size_t i = 0; i < 3; ++i)

@@ -50,7 +50,7 @@ class CsvWriter {
 
   CsvWriter(CsvWriter&& other) noexcept;
   CsvWriter& operator=(CsvWriter&&) = delete;
-  ~CsvWriter();  ///< flushes, silently: who wants to hear of errors calls flush()
+  ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
   /// One value per column, all finite: a std::logic_error names the column that is not, and nothing of the row is kept.
   void append(std::span<const double> row);

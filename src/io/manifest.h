@@ -43,8 +43,8 @@ struct Manifest {
   std::map<std::string, Model> models;           ///< what has run, by name
 };
 
-/// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by
-/// the destructor (state "failed"), so that a thrown exception leaves a manifest too.
+/// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, without a call of finish,
+/// by the destructor (state "failed"), so that a thrown exception leaves a manifest too.
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -54,7 +54,7 @@ class ManifestFile {
 
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
-  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. Where the
+  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. If the
   /// disk has no room for a new file the old one says "failed" in place of "running", and the WriteError goes on.
   void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
@@ -76,12 +76,13 @@ class ManifestFile {
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
 /// Names of the trajectories listed in a run's manifest: of the system, or of the models of the ball.
-/// UserError if the file is no manifest of this program, or of a version whose manifests had less than a report needs.
+/// UserError if the file is not a manifest of this program, or if its version did not record the data that a report
+/// needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();
-/// Largest resident set of this process so far, in bytes; 0 where the system does not say.
+/// Largest resident set of this process so far, in bytes; 0 if the system does not say.
 std::int64_t peak_memory();
 
 }  // namespace pseudorigid::io

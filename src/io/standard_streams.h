@@ -9,8 +9,7 @@ namespace pseudorigid::io {
 /// and what is meant for the terminal lands in it. To be called before any file is opened.
 void open_standard_descriptors();
 
-/// To standard output, at once. WriteError if it cannot be written, unless it is a pipe that nobody reads any more:
-/// who has closed it has seen what he wanted.
+/// To standard output, at once. WriteError if it cannot be written, unless it is a pipe that its reader has closed.
 void print(std::string_view text);
 
 }  // namespace pseudorigid::io

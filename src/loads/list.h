@@ -117,7 +117,7 @@ inline bool depend_on_time(const Loads& loads) {
   return any;
 }
 
-/// Of those that are periodic.
+/// The periodic loads only.
 inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {

@@ -7,10 +7,10 @@
 ///                                 which reflections it admits: a matrix without entries off the diagonal in the rows
 ///                                 and columns of the normal, a vector without the component along it. The units give
 ///                                 its values in internal units.
-///   forcing()                     what it does (forcing.h); zero where it is absent
+///   forcing()                     what it does (forcing.h); zero if it is absent
 ///   no_equilibria                 why no relative equilibrium is known under it, a sentence for the first of its
 ///                                 entries; empty if the families of equilibria know it
-///   needed(body), skipped         the lines of `pseudorigid check` where it is present and where not; empty: none
+///   needed(body), skipped         the lines of `pseudorigid check` if it is present and if not; empty: none
 ///
 /// or, where the force depends on time, in place of forcing() both  forcing(t)  and  forcing_rate(t), its derivative,
 /// with  largest_forcing()  of all times, and if it is periodic  angular_frequency(), so that a motion that follows it
@@ -33,7 +33,7 @@ struct BodyFacts {
   double volume_by_inertia;  ///< Vol/m̄, by which a pressure is that of the column `multiplier`
 };
 
-/// For the entries of a load where nobody looks at them.
+/// For the entries of a load that are not used.
 struct IgnoresEntries {
   void operator()(auto&, const auto&, const scene::About&) const {}
 };

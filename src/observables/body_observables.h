@@ -9,7 +9,7 @@
 /// All in the program's internal units (length r, mass ρr³, time r/c).
 ///
 /// A new observable is a member, set by the models that have it (reduced/observe.h, polynomial/observe.cpp,
-/// continuum/output/observe.cpp). One that nobody sets stays NaN, which ends a run at its first sample.
+/// continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at its first sample.
 
 #include <Eigen/Core>
 #include <array>

@@ -20,7 +20,7 @@ class FieldsAtPoints {
   /// Points of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// `lambda`: empty of a body without constraint. Fails where det F ≤ 0.
+  /// `lambda`: empty of a body without constraint. Fails if det F ≤ 0.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 

@@ -3,8 +3,8 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// A pressure on the surface is carried by the constraint and is no force here. λ = Σλ_bψ_b is the Kirchhoff pressure
-/// Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
+/// A pressure on the surface is carried by the constraint and is not a force here. λ = Σλ_bψ_b is the Kirchhoff
+/// pressure Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
 
 #include <cmath>
 

@@ -11,7 +11,7 @@ namespace pseudorigid::polynomial {
 
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
-/// Fails where the force fails.
+/// Fails if the force fails.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);

@@ -64,7 +64,7 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// Of loads that depend on time, those at t = 0; not finite where some det F ≤ 0.
+  /// Loads that depend on time are taken at t = 0; not finite if some det F ≤ 0.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
   /// Rotational symmetries: axes of rotation under which the symmetry planes and the loads are invariant.

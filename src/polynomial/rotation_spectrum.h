@@ -26,7 +26,7 @@ namespace pseudorigid::polynomial {
 /// A class of small motions.
 struct MotionClass {
   bool odd_in_z;  ///< under x₃ ↦ −x₃
-  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 where even under the half turn, otherwise 1
+  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
 };
 
 struct ClassStability {

@@ -45,7 +45,7 @@ struct SteadyRotation {
 
 class SteadyRotations {
  public:
-  /// `setup.reflect` is not used, nor loads beside gravity and pressure.
+  /// `setup.reflect` is not used, nor loads other than gravity and pressure.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
   /// The affine figure x = A X, A diagonal.

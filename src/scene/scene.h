@@ -64,7 +64,7 @@ inline constexpr int largest_number_of_samples = 10'000'000;
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 
 struct Scene {
-  const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
+  const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
   std::vector<std::string> models;  ///< of the catalogue, in its order
   std::string system{ball};         ///< or the name of a system of the catalogue

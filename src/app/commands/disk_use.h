@@ -15,7 +15,8 @@ namespace pseudorigid::app {
 /// with --resume.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
-/// UserError if the samples of a sweep would find no room: they are kept beside its rows if the scene asks for it.
+/// UserError if the disk is too small for the samples of a sweep, which are kept in addition to its rows if the scene
+/// requests it.
 void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
                                    const io::RunDirectory& directory);
 

@@ -12,7 +12,7 @@
 namespace pseudorigid::app {
 
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// Runs at the same time, as a sweep has many; nothing where each has to run by itself.
+/// Runs at the same time, as a sweep has many; nothing if each has to run by itself.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {

@@ -2,8 +2,8 @@
 /// The rule of quadrature of a polynomial body in a run: the number of its points, and their error of Q
 /// (polynomial/quadrature_error.h).
 ///
-/// The least rule costs least, and its error is far below what the degree leaves of the continuum. Who asks for less
-/// than 1e-6, the default of Time/Tolerance, asks for the motion of this body itself: then points are added until the
+/// The least rule costs least, and its error is far below what the degree leaves of the continuum. A tolerance below
+/// 1e-6, the default of Time/Tolerance, requires the motion of this body itself. Points are then added until the
 /// estimate is half of the tolerance. Those of gravity on the surface, whose cost grows as the fourth power, are the
 /// scene's.
 

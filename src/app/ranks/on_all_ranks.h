@@ -27,7 +27,7 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Collective. The work itself is not: a rank that fails in its midst must leave nobody waiting.
+/// Collective. The work itself is not: a rank that fails during the work must not leave the others waiting.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();

@@ -1,6 +1,6 @@
 #pragma once
-/// The processes of a run. Of those that a launcher has started together one runs a scene without finite elements. With
-/// finite elements all compute together: the first writes and speaks for all.
+/// The processes of a run. If a launcher has started several processes, only one of them runs a scene without finite
+/// elements. With finite elements all compute together: the first writes and speaks for all.
 
 #include <string>
 

@@ -49,7 +49,7 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 
 ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of that form; elastic and diagonal only where form_of says so.
+/// The system of that form; elastic and diagonal only if form_of says so.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;

@@ -1,7 +1,7 @@
 #pragma once
-/// The files that one model's run writes as it goes: rows, pictures and their list, shapes, checkpoints. Of several
-/// ranks the first writes them, and each its piece of a picture. What fails on one rank for want of disk space fails on
-/// all.
+/// The files that one model's run writes as it goes: rows, pictures and their list, shapes, checkpoints. If there are
+/// several ranks, the first writes them, and each rank writes its piece of a picture. What fails on one rank for want
+/// of disk space fails on all.
 
 #include <filesystem>
 #include <optional>

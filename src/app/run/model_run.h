@@ -225,7 +225,7 @@ class ModelRun {
       if constexpr (has_shapes)
         if (sink_->has_shapes()) sink_->create_shapes(model_.shape_file(), model_.shape_columns());
       // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
-      // gives where none was found.
+      // gives if none was found.
       save(good_);
       if (!status) return status;
     }
@@ -265,7 +265,7 @@ class ModelRun {
     if (const double at = times_[position_.cursor.sample]; std::abs(state_.t - at) < 1e-12 * times_.end)
       state_.t = good_.state.t = at;
     const bool complete = position_.cursor.sample == times_.n_samples;
-    const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
+    const bool has_step = position_.step > 0;  // none was found at the start if that ended the run
     if (!has_step && state_.t == 0) return choose_stepping();
     if constexpr (has_quadrature)
       if (state_.t == 0) model_.estimate_quadrature(state_, position_.looks.stable_step);  // unless it is known

@@ -52,8 +52,8 @@ class ModelStepping {
                 double interval)
       : model_(model), context_(context), known_(known), end_(end), interval_(interval) {}
 
-  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
-  /// somebody is announced and noted in the statistics.
+  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice by the
+  /// search is logged and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
     const std::optional<double> error_so_far = std::exchange(position.time_error, std::nullopt);
     if (known_) return take_over(*known_, state, position);
@@ -94,12 +94,12 @@ class ModelStepping {
     }
   }
 
-  /// Whether the step may change along the motion: nobody has fixed it.
+  /// Whether the step may change along the motion, because the scene does not fix it.
   bool adapts(const RunPosition& position) const { return !context_.scene.time.step && !is_adaptive(position.method); }
 
-  /// Of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for meets it to
-  /// what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are those of
-  /// 1e-13 to three digits.
+  /// Tolerance of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for
+  /// meets it to what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are
+  /// those of 1e-13 to three digits.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
@@ -154,7 +154,7 @@ class ModelStepping {
     return {};
   }
 
-  /// Of a state, where the model knows them.
+  /// Energies of a state, if the model has them.
   auto energies() const {
     if constexpr (requires(const State& s) { model_.energies(s); })
       return [this](const State& s) { return model_.energies(s); };

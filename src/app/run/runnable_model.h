@@ -1,6 +1,6 @@
 #pragma once
 /// What a model tells ModelRun: how its motion starts, how fast it may change, and what is written of it. A model may
-/// offer more, which ModelRun asks for where it is there:
+/// offer more, which ModelRun asks for if it is there:
 ///
 ///   void take_up(rows)                        what the rows of an interrupted run know of the past
 ///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
@@ -36,7 +36,7 @@ concept RunnableModel = requires(M& model, const M& known, const mechanics::Stat
   { known.system() } -> std::same_as<const typename M::System&>;
   { known.initial_state() } -> std::same_as<mechanics::State<typename M::System>>;
   known.configuration(state);                                         // what Time/Tolerance speaks of, of Eigen
-  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, beside its largest frequency
+  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, in addition to its largest frequency
   { known.pilot_window(t) } -> std::convertible_to<double>;           // how long a pilot looks at a motion until t
   { known.columns() } -> std::convertible_to<std::vector<std::string>>;
   { model.row(t, state, workspace, row) } -> std::same_as<mechanics::Status>;

@@ -45,7 +45,7 @@ class DiscretizationSearch {
   void start_afresh() const;
   void load();
   void save() const;
-  // Of one rank.
+  // The number for one rank.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
 

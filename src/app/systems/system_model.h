@@ -36,7 +36,8 @@ class SystemModel {
   double constraint_scale() const { return 1; }
   Eigen::VectorXd configuration(const State& state) const { return state.q; }
   double rate(const State& state) const { return model_.rate(state); }
-  /// Of most runs the whole, in a fraction of a second: a window does not know what a motion does later.
+  /// For most runs it is the whole run, which takes a fraction of a second: a shorter window does not contain the later
+  /// motion.
   double pilot_window(double end) const { return std::min(end, 1000.0); }
 
   const std::vector<std::string>& columns() const { return columns_.names; }

@@ -77,13 +77,13 @@ class BallBody {
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its place.
   LeastPlace least_jacobian(const Vector& x) const;
-  /// Likewise the least value of a function of F.
+  /// The least value of a function of F, with its place.
   LeastPlace least(const Vector& x, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
-  /// Likewise the least reserve of the law (materials/law_limits.h).
+  /// The least reserve of the law, with its place (materials/law_limits.h).
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
-  /// Fails where `least`, of J and the reserve of the law over the points of this rank, is not positive. Collective.
+  /// Fails if `least`, of J and the reserve of the law over the points of this rank, is not positive. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.
   void fill_irregular(Vector& x) const;
@@ -93,7 +93,7 @@ class BallBody {
  protected:
   /// f of all but reactions.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// Adds loads and gravity to the force of the stress; fails where `least`, which its kernel returned, is not
+  /// Adds loads and gravity to the force of the stress; fails if `least`, which its kernel returned, is not
   /// positive.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const;
 

@@ -6,7 +6,7 @@
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
-/// so the constraint's operators read one scalar of geometry a point beside its position.
+/// so the constraint's operators read one scalar of geometry a point in addition to its position.
 
 #include <cmath>
 #include <utility>

@@ -7,7 +7,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Nodal values of a cell, one column a node. Ghost nodes are read where the cell has some.
+/// Nodal values of a cell, one column a node. Ghost nodes are read if the cell has some.
 inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, unsigned int cell) {
   const auto& nodes = space.cell_nodes(cell);
   Eigen::Matrix3Xd values(3, nodes.size());

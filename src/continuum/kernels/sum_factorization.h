@@ -31,7 +31,7 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q (+)= Σ_i M_qi in_i for entries `stride` apart; M has the sign + where `symmetric`.
+  /// out_q (+)= Σ_i M_qi in_i for entries `stride` apart; M has the sign + if `symmetric`.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];

@@ -26,10 +26,10 @@ class SurfaceInterpolation {
   SurfaceInterpolation(const BallSpace& space, int n_points);
 
   std::size_t n_points() const { return weights_.size(); }
-  /// Of the quadrature on [0,1]²; negative where ∂x/∂ξ_p × ∂x/∂ξ_q points inwards.
+  /// Weight of the quadrature on [0,1]²; negative if ∂x/∂ξ_p × ∂x/∂ξ_q points inwards.
   const std::vector<double>& weights() const { return weights_; }
 
-  /// Of a vector with the ghost nodes of this rank's cells.
+  /// For a vector with the ghost nodes of this rank's cells.
   Jets jets(const Vector& u) const;
   /// f_n ← f_n − Σ over points of the derivatives by u, ∂u/∂ξ_p, ∂u/∂ξ_q times those by u_n, f with its ghost nodes.
   void subtract_derivative(const Jets& by_jets, Vector& f) const;

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::continuum {
 
-/// One frequency with its 2n+1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate of growth.
+/// One frequency with its 2n+1 modes. Internal units. For unstable motions ω is negative, and −ω is the growth rate.
 struct BallFrequency {
   double omega;           ///< mean of the copies
   double least, largest;  ///< of the copies; they differ by what the mesh does to the symmetry of the sphere

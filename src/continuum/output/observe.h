@@ -10,13 +10,13 @@ namespace pseudorigid::continuum {
 
 using BallState = mechanics::VectorState<Vector>;
 
-/// Fails where the force fails.
+/// Fails if the force fails.
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
-/// Kinetic and potential; not finite where the force fails. Collective.
+/// Kinetic and potential; not finite if the force fails. Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 
 }  // namespace pseudorigid::continuum

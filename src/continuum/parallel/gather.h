@@ -31,7 +31,7 @@ class MpiType {
 };
 
 /// Counts of entries as MPI takes them, and where those of each rank begin; the last offset is where all end. Throws
-/// std::length_error where a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
+/// std::length_error if a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
 /// sizes.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {

@@ -41,7 +41,7 @@ struct SystemInterface {
                                  Vector& lambda) const = 0;
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
-  // Of conservative systems; the others have no energy, no symmetries and are not asked for the rest.
+  // Only for conservative systems. The others do not have energy and symmetries, and the rest is not called.
   virtual double kinetic_energy(const Vector& v) const = 0;
   virtual double potential_energy(const Vector& q) const = 0;
   virtual void apply_mass(const Vector& v, Vector& f) const = 0;

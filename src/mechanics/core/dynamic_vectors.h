@@ -1,6 +1,6 @@
 #pragma once
 /// Eigen vectors of dynamic size in place of a system's own vectors and multipliers, whose entries they hold column by
-/// column. `read_as<V>` and `WriteAs<V>` are what a function of a system is called with: a copy where V has a fixed
+/// column. `read_as<V>` and `WriteAs<V>` are what a function of a system is called with: a copy if V has a fixed
 /// size. Of matrices of dynamic size it is a view for a function that takes Eigen::Ref, and else a copy too, which is
 /// slow.
 

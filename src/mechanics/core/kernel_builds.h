@@ -33,7 +33,7 @@ struct KernelChoice {
 /// Index of the first build that runs here or, where `wanted` is not empty, of the one that it names. Throws NoKernels.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
-/// The value of the environment variable; empty where it is not set.
+/// The value of the environment variable; empty if it is not set.
 std::string_view wanted_instructions();
 
 /// The build that this process uses.

@@ -119,7 +119,7 @@ struct Lanes {
     NativeBits bits;
     std::memcpy(&bits, &x.v, sizeof bits);
     constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
-    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow where x is not positive
+    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow if x is not positive
     const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
     const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
     Native m;

@@ -5,7 +5,7 @@
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit),
 ///
 /// by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník, Comput. Math. Appl. 50
-/// (2005) 1069). Where orbits are of lower dimension (axes that coincide, a point on its axis of rotation), the vectors
+/// (2005) 1069). If orbits are of lower dimension (axes that coincide, a point on its axis of rotation), the vectors
 /// that depend on earlier ones are left out.
 
 #include <cmath>

@@ -4,7 +4,7 @@
 /// for q̈ = a(t, q, q̇). With q̇ = v only accelerations are stages (dormand_prince_8_tableau.h):
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected where the field can
+///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can
 ///
 /// Error of a step: e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) for p = 5, 3,
 ///
@@ -62,7 +62,7 @@ struct DormandPrince8Workspace {
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;
-  bool acceleration_known = false;  // A[12] is that of the state; to be cleared by who changes the state
+  bool acceleration_known = false;  // A[12] is that of the state; to be cleared when the state is changed
   bool dense_known = false;
   Counters counters;
 

@@ -28,8 +28,8 @@
 /// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
 /// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
 /// up. ν is that of the first state as long as P is so large that round-off corrected by mistake does no harm. It grows
-/// along a motion (terms of V cancel in another way where the body has turned), so it is measured at every step, and
-/// where a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
+/// along a motion (terms of V cancel in another way if the body has turned), so it is measured at every step, and
+/// if a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
 /// is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right to round-off without θ,
 /// which is left out. What round-off takes of the momenta is given back too (momentum_keeper.h).
 ///
@@ -214,7 +214,7 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// How much V changes where the entries of q change by a few units of their last place: terms that cancel do not show
+  /// How much V changes if the entries of q change by a few units of their last place: terms that cancel do not show
   /// in V itself.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {

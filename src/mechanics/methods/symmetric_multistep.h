@@ -9,7 +9,7 @@
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// The first k − 1 steps are made by another method (multistep_start.h). The steps do not use the velocity; where it is
+/// The first k − 1 steps are made by another method (multistep_start.h). The steps do not use the velocity; if it is
 /// looked at,
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
@@ -170,7 +170,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
+  /// w.acceleration ← M⁻¹f at the state; if that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
   /// of the start λ is 0, so that the acceleration known there will do.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {

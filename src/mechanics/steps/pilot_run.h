@@ -62,7 +62,7 @@ struct FixedStepMethod {
   double order, n_stages, step_limit;
   /// Over a window, n_steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
-  /// The same with the kinetic and the potential energy in place of the configuration; empty where they are not known.
+  /// The same with the kinetic and the potential energy in place of the configuration; empty if they are not known.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
@@ -100,7 +100,7 @@ struct PilotHooks {
   }
 };
 
-/// Of a pilot run that has not reached its end.
+/// The failure of a pilot run that has not reached its end.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
@@ -122,7 +122,7 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 }
 
 /// A control of the step sees nothing of kicks that are far below its tolerance. On a body that rests steps would grow
-/// beyond stability, and the method itself would magnify them. Of a stiff system this costs a bounded number of steps.
+/// beyond stability, and the method itself would magnify them. For a stiff system this costs a bounded number of steps.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known

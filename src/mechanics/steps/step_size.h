@@ -2,7 +2,7 @@
 /// Method and step from a tolerance of the time error of the configuration over a run (maximum norm over samples).
 ///
 /// An adaptive method (tolerance_search.h) is tried first: it finds its way through motions of every kind, and bounds
-/// what the search among the others may cost. It is taken where it needs less than half of their forces, for it does
+/// what the search among the others may cost. It is taken if it needs less than half of their forces, for it does
 /// not keep the invariants of the motion; that is on short runs, since its error grows like T², and on motions with
 /// short violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at
 /// its stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon
@@ -46,7 +46,7 @@ inline double rattle_step_limit(double omega, double rate, double safety = 0.8) 
 /// half a digit each time, γ the largest rate of damping.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
-/// Whether Method = auto considers a method for systems of type S, if its promises hold. Where forces cost little, one
+/// Whether Method = auto considers a method for systems of type S, if its promises hold. If forces cost little, one
 /// of fixed step that is not symplectic is for those who ask for it.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto && (Method::adaptive || Method::symplectic ||
@@ -58,7 +58,7 @@ namespace detail {
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
-/// The one that is asked for, or any that auto may take and whose promises hold. Where a force costs much, an adaptive
+/// The one that is asked for, or any that auto may take and whose promises hold. If a force costs much, an adaptive
 /// method is for dissipative systems, to which no method of fixed step and high order is open.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
