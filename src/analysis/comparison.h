@@ -48,7 +48,7 @@ struct ComparisonOptions {
 
 struct Series {
   std::string name;      ///< column of comparison.csv
-  double reference = 1;  ///< what the values are divided by, in the unit of the input; 1: they are ratios
+  double reference = 1;  ///< divisor of the values, in the unit of the input; 1 for ratios
   std::vector<double> values;
   double max = 0;          ///< largest absolute value
   double time_of_max = 0;  ///< when it is first met
@@ -77,7 +77,7 @@ struct Comparison {
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< from then on the reference's results depend on its mesh
-  std::vector<std::string> not_compared;     ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
+  std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
   /// Whether the models differ by more than the discretisation may have made, if that is known.

@@ -1,5 +1,5 @@
 #pragma once
-/// What one model's run shows by itself: its frequency, how far it deforms, what it should conserve.
+/// Summary of one model's run: its frequency, its deformation and its conserved quantities.
 
 #include <Eigen/Core>
 #include <initializer_list>
@@ -21,7 +21,7 @@ struct ModelRunTable {
   RunErrors errors{};
 };
 
-/// What one model does on its own. Drifts are the largest departures from the initial value, over what energies and
+/// Summary of the motion of one model. Drifts are the largest departures from the initial value, over what energies and
 /// momenta are compared with (energy_reference, momentum_reference).
 struct ModelSummary {
   std::string name, adjective;
@@ -35,7 +35,7 @@ struct ModelSummary {
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
 };
 
-/// One model's Q, C = QᵀQ and what they say about its motion.
+/// One model's Q and C = QᵀQ, and the summary of its motion.
 struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
@@ -86,7 +86,7 @@ struct MotionSummary {
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK
 };
 
-/// What is known of the scene of a run.
+/// Data of the scene of a run.
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are not a motion
   double energy_unit = 0;     ///< of the scene

@@ -50,7 +50,7 @@ PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& m
 /// The sums over two sets of sources.
 PairSums add(const PairSums& more, PairSums sums);
 
-/// What belongs to points that move, and its rate.
+/// Quantities of moving points, and their rates.
 template <class T>
 struct Moving {
   T at, rate;

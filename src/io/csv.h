@@ -29,7 +29,8 @@ Table read_csv(const std::filesystem::path& path);
 /// How many rows a table begins with whose first value is less than this. A row torn by a kill does not count.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
-/// UserError "path:line: …" unless the file begins with this header and so many sound rows, whatever follows them.
+/// UserError "path:line: …" unless the file begins with this header and so many sound rows; later content is not
+/// checked.
 void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
 /// Names of the columns; UserError likewise.

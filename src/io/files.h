@@ -40,13 +40,13 @@ class Descriptor {
 /// Whether something bears this name, be it a link that leads nowhere.
 bool is_there(const std::filesystem::path& path);
 
-/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for what a link to a file names, and if
+/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for the target of a link to a file, and if
 /// there is nothing.
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to `path`.partial and renames it: a reader sees the old file or the new one, never a
 /// mixture, and after a WriteError the old one is still there. No fsync: this guards against a killed program and a
-/// full disk, not against a power cut. A link stays, and what it leads to is replaced. Pipes and devices are written
+/// full disk, not against a power cut. A link is kept, and its target is replaced. Pipes and devices are written
 /// into; a pipe without a reader is ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the run says: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
+/// Messages of a run: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// manifest.json: what ran, with what, on what, for how long, and how it ended.
+/// manifest.json: scene, program, machine, duration and end of a run.
 
 #include <chrono>
 #include <cstdint>
@@ -36,11 +36,11 @@ struct Manifest {
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< by file, without the time
-  std::optional<Units> units;                    ///< of a ball: what the scene's own units are in the files
-  std::map<std::string, std::string> libraries;  ///< name → version
-  std::string instructions;                      ///< that the kernels are compiled for; empty without any
-  std::vector<BallRun> ball;                     ///< the runs of models of the ball, in their order
-  std::map<std::string, Model> models;           ///< what has run, by name
+  std::optional<Units> units;                                 ///< of a ball: the scene's own units in the files
+  std::map<std::string, std::string> libraries;               ///< name → version
+  std::string instructions;                                   ///< that the kernels are compiled for; empty without any
+  std::vector<BallRun> ball;                                  ///< the runs of models of the ball, in their order
+  std::map<std::string, Model> models;                        ///< the models or the system of the run, by name
 };
 
 /// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, without a call of finish,

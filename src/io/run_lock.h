@@ -30,7 +30,7 @@ class RunLock {
   void remove_if_stale() const;
 
   std::filesystem::path path_;
-  std::string identity_;  ///< what the file says; empty when the lock has been handed on
+  std::string identity_;  ///< contents of the file; empty when the lock has been handed on
 };
 
 }  // namespace pseudorigid::io

@@ -1,5 +1,5 @@
 #pragma once
-/// The loads, and what can be asked of all of them. A new load is its header and one line of the list.
+/// The loads, and the functions that all of them have. A new load is its header and one line of the list.
 
 #include <tuple>
 #include <type_traits>

@@ -39,7 +39,7 @@ template <class Law>
     return true;
 }
 
-/// What has happened if F is not admitted; empty if all are.
+/// The reason if F is not admitted; empty if all F are.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)

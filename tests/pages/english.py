@@ -187,7 +187,7 @@ PLACES = (r"(place|point|file|line|folder|directory|region|surface|cell|node|pos
 
 def with_what(sentence):
     text = re.sub(rf"\b({ASKED}),? (and )?what\b|\bwhat to\b", "", sentence.text, flags=re.I)
-    return not text.endswith("?") and re.search(r"\b[Ww]hat(ever)?\b", text)
+    return not text.endswith("?") and re.search(r"\b[Ww]hat(ever)?\b(?!\()", text)
 
 
 def with_where(sentence):

@@ -1,5 +1,5 @@
 #pragma once
-/// What the files of a run take on the disk, estimated before it begins, and what the disk still has.
+/// Disk space that the files of a run will take, estimated before it begins, and free disk space.
 ///
 /// A number of a table takes some 20 bytes, one of a picture, compressed, some 5. Both are measured for motions without
 /// symmetry; columns of zeros take a tenth of that, so a symmetric motion takes less.

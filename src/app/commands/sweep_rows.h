@@ -19,7 +19,7 @@
 
 namespace pseudorigid::app {
 
-/// What is written of one run.
+/// Output of one run.
 struct RunRows {
   std::vector<double> row;  ///< of sweep.csv
   io::Table samples;

@@ -1,5 +1,5 @@
 #pragma once
-/// The models of the ball. A model is one source file of this folder, which says what it is and what runs it, and its
+/// The models of the ball. A model is one source file of this folder, which describes the model and runs it, and its
 /// two lines below.
 
 #include <optional>

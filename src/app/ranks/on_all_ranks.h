@@ -16,7 +16,7 @@
 
 namespace pseudorigid::app {
 
-/// Thrown by all ranks, with what the first has to say on which the work failed.
+/// Thrown by all ranks, with the message of the first rank on which the work failed.
 class FailureOnAllRanks : public std::runtime_error {
  public:
   explicit FailureOnAllRanks(const Failure& failure)

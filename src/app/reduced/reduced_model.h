@@ -87,7 +87,7 @@ class ReducedModel {
                     least, tolerance));
   }
 
-  /// Goes on with what the rows of an interrupted run say of the past.
+  /// Restores the history from the rows of an interrupted run.
   void take_up(const io::Table& rows) {
     const auto row = rows.row(rows.n_rows() - 1);
     if (request_.bipolar) {

@@ -27,7 +27,7 @@ struct LooksAtFrequency {
   double fastest_change = 0;  ///< of ln(stable_step) from sample to sample, over the looks so far
 };
 
-/// Where a run stands and what it steps with.
+/// Position of a run in time, and its method and step.
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
@@ -47,7 +47,7 @@ struct RunIdentity {
   std::string frozen_scene, stepping, choice;
 };
 
-/// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
+/// The scene without the entries that a resumed run may change (step, method, tolerance, where results go), as text.
 inline RunIdentity run_identity(const scene::Scene& scene) {
   scene::Scene frozen = scene, stepping, choice;
   stepping.time = choice.time = scene.time;

@@ -1,5 +1,5 @@
 #pragma once
-/// One model's run, the same for all systems: choice of method and step, time loop, and what goes to its sink: rows,
+/// One model's run, the same for all systems: choice of method and step, time loop, and output to its sink: rows,
 /// pictures, checkpoints, progress.
 
 #include <algorithm>
@@ -233,7 +233,7 @@ class ModelRun {
     return {};
   }
 
-  /// Of a run that begins: also the rule of quadrature.
+  /// At the start of a run this includes the rule of quadrature.
   Status choose_stepping() {
     if constexpr (has_quadrature) model_.choose_quadrature(state_);
     Status status = stepping_.choose(state_, position_, statistics_);

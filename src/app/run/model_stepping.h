@@ -27,7 +27,7 @@ void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
   });
 }
 
-/// Says where the tolerance is beyond what the arithmetic gives.
+/// Warns if the tolerance is below the accuracy of the arithmetic.
 inline void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context) {
   if (choice.round_off_rules_from)
     context.log->warn(
@@ -76,7 +76,8 @@ class ModelStepping {
   }
   void shorten(RunPosition& position) const { position.step = std::min(position.step, step_bound()); }
 
-  /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
+  /// Halves the step, once or more, if the motion has raised the largest frequency above the stability limit of the
+  /// step.
   void reconsider(const State& state, RunPosition& position) const {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       position.looks.next = position.cursor.sample + samples_between_looks();
@@ -112,9 +113,9 @@ class ModelStepping {
 
  private:
   static constexpr int n_lanczos = 24;
-  /// Of ω², where a force costs much: a step shorter by a hundredth costs less than knowing better.
+  /// Relative accuracy of ω² if a force is expensive: a step shorter by a hundredth costs less than a better estimate.
   static constexpr double accuracy = mechanics::has_costly_force<System> ? 0.02 : 0;
-  /// A step is at most this part of what is stable at the state that it was chosen for.
+  /// A step is at most this part of the stability limit at the state for which it was chosen.
   static constexpr double reserve = 0.8;
 
   double step_bound() const {
@@ -214,7 +215,7 @@ class ModelStepping {
   }
   long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
 
-  /// What another run has found, the step no longer than stability admits here.
+  /// Method and step found by another run, with a step no longer than the stability limit of this one.
   Status take_over(const Stepping& known, const State& state, RunPosition& position) const {
     position.method = known.method;
     position.step = known.step;

@@ -33,7 +33,7 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// What was seen and reported, for a run that goes on.
+  /// Events already reported, for a resumed run.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];

@@ -23,10 +23,10 @@
 
 namespace pseudorigid::app {
 
-/// Estimates; bytes are within a third of what was measured.
+/// Estimates; bytes are within a third of the measured ones.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
-  double checkpoint_bytes;     ///< with what a method remembers; the first rank has it in memory as a whole
+  double checkpoint_bytes;     ///< with the memory of the method; complete on the first rank
   double n_points_of_picture;  ///< of the whole ball; elements share none
 };
 

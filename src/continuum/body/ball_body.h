@@ -1,5 +1,5 @@
 #pragma once
-/// What the compressible and the incompressible finite-element ball have in common: space, kernels, forces, mass and
+/// Common parts of the compressible and the incompressible finite-element ball: space, kernels, forces, mass and
 /// the moments of nodal fields.
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)

@@ -22,7 +22,7 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, Euclidean norm
+    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, Euclidean norm
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

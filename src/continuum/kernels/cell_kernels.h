@@ -76,7 +76,7 @@ class CellKernels {
   int degree_;
 };
 
-/// What the kernels of a space are made of.
+/// Data of the kernels of a space.
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.

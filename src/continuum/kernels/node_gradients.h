@@ -1,5 +1,5 @@
 #pragma once
-/// Fields of one cell at its own nodes, for what is computed seldom: set-up and pictures. Steps use the kernels.
+/// Fields of one cell at its own nodes, for rare computations: set-up and pictures. Steps use the kernels.
 
 #include <Eigen/Core>
 

@@ -48,7 +48,7 @@ struct Parity {
 /// Bits of the number are the negative signs: 0 is the symmetric motion.
 Parity parity_of_sector(int number);
 
-/// What all sectors share: space, stiffness and constraint of every cell. The space must be that of an octant.
+/// Shared by all sectors: space, stiffness and constraint of every cell. The space must be that of an octant.
 struct RestProblem {
   /// Self-gravity is that of an incompressible body.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,

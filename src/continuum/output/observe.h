@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of the finite-element ball (continuum.csv), whole ball, internal units. What is measured against an
-/// affine motion (Q_M, J, Z, the nonaffine parts) is measured from the centre of mass.
+/// Observables of the finite-element ball (continuum.csv), whole ball, internal units. Quantities relative to an affine
+/// motion (Q_M, J, Z, the nonaffine parts) are taken about the centre of mass.
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"

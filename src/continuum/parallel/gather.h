@@ -91,7 +91,7 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   const auto size = static_cast<std::ptrdiff_t>(values.size());
   long n_own = size, before = 0;
   MPI_Exscan(&n_own, &before, 1, MPI_LONG, MPI_SUM, communicator);
-  if (this_rank(communicator) == 0) before = 0;  // what MPI_Exscan leaves there is undefined
+  if (this_rank(communicator) == 0) before = 0;  // the result of MPI_Exscan there is undefined
   std::vector<T> all = gather_on_all(communicator, values);
   all.erase(all.begin() + before, all.begin() + before + size);
   return all;

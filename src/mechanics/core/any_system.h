@@ -23,7 +23,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// What is called of a system. Without constraints, nothing that concerns them.
+/// Functions of a system that methods call. Without constraints, nothing that concerns them.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -210,7 +210,7 @@ class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// What methods may rely on where the system is not conservative.
+  /// Properties on which methods may rely if the system is not conservative.
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

@@ -1,6 +1,6 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and what
-/// follows from it,
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and
+/// derived quantities,
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)

@@ -58,7 +58,7 @@ class ExplicitMultiplier {
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
 
-    /// What a solver of Gram systems remembers.
+    /// Memory of a solver of Gram systems.
     template <class Visit>
     void visit_memory(Visit&& visit) {
       if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);

@@ -2,7 +2,7 @@
 /// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
 /// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
 ///
-/// What stands here depends on the instructions that a file is compiled for. So it is in a namespace of theirs: two
+/// This header depends on the instructions for which a file is compiled. So it is in a namespace of theirs: two
 /// files that are compiled for different ones have different vectors, functions and numbers of lanes, and share none.
 
 #if defined(__x86_64__)

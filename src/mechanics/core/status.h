@@ -1,5 +1,5 @@
 #pragma once
-/// Failure as a value: what a force, a constraint or a step returns instead of throwing or passing on a NaN.
+/// Failure as a value, which a force, a constraint or a step returns instead of an exception or a NaN.
 
 #include <cstdio>
 #include <memory>

@@ -29,7 +29,7 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
   static void scale(double a, V& x) {
     if (a == 0)
-      x.setZero();  // clears what is not finite as well
+      x.setZero();  // also clears numbers that are not finite
     else
       x *= a;
   }
