@@ -14,15 +14,15 @@
 
 namespace pseudorigid::analysis {
 
-/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), its samples and their errors.
+/// A run of a model: its name, the name of its ball in sentences ("elastic"), its samples and their errors.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
   RunErrors errors{};
 };
 
-/// Summary of the motion of one model. Drifts are the largest departures from the initial value, over what energies and
-/// momenta are compared with (energy_reference, momentum_reference).
+/// Summary of the motion of one model. Drifts are the largest departures from the initial value, relative to reference
+/// values (energy_reference, momentum_reference).
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
@@ -40,8 +40,8 @@ struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
 
-  /// Of a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are not taken as a
-  /// motion.
+  /// The motion in a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are not
+  /// taken as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
   std::vector<double> component(int i, int j) const;
@@ -52,7 +52,7 @@ struct Deformation {
 /// Of samples of a component of C. The times need not be equally spaced, but then there is none.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
-/// What energies of one or more models are compared with: max_t (kinetic + elastic) or, if that is round-off of the
+/// Reference value for energies of one or more models: max_t (kinetic + elastic) or, if that is round-off of the
 /// energies that there are, the largest of them. `unit` is the scene's unit of energy, of which 1e-24 is as much as
 /// round-off of velocities has.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
@@ -62,7 +62,7 @@ inline constexpr double round_off_drift = 1e-13;
 /// "3.2e-07" or "round-off".
 std::string drift_in_words(double drift);
 
-/// What angular momenta or circulations are compared with: their largest norm or, if that is round-off, m̄|Q||Q̇| where
+/// Reference value for angular momenta or circulations: their largest norm or, if that is round-off, m̄|Q||Q̇| where
 /// |Q̇| is largest, a bound of both up to a factor √2, with m̄ from K = ½m̄|Q̇|². 0 if the table cannot tell.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 

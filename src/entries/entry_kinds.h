@@ -1,6 +1,7 @@
 #pragma once
-/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and says
-/// in words what it expects. The entries themselves are in scene/entries.h and in the headers of src/loads/.
+/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and
+/// describes the expected value in words. The entries themselves are in scene/entries.h and in the headers of
+/// src/loads/.
 ///
 /// Every kind has, for its value type T:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
@@ -128,7 +129,7 @@ struct Text {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The name of a directory, which is taken as it is: what a shell would have replaced is refused.
+/// The name of a directory, which is taken literally: text that a shell would have replaced is refused.
 struct Directory {
   static constexpr std::string_view type = Text::type;
   Problem read(std::string_view text, std::string& value) const;

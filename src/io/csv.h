@@ -33,7 +33,7 @@ std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 /// checked.
 void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Names of the columns; UserError likewise.
+/// Names of the columns; the same UserError.
 std::vector<std::string> columns_in(const std::filesystem::path& path);
 
 /// Keeps the header and the first n_rows rows, for a resumed run (a row torn by a kill may follow them).

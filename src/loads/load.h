@@ -1,5 +1,5 @@
 #pragma once
-/// What a load says of itself; with one header and one line in list.h it is known everywhere.
+/// Interface of a load; one header and one line in list.h add it to the whole program.
 ///
 /// A load is a struct of parameters, absent by default, in the user's units as in internal ones, with
 ///
@@ -27,7 +27,7 @@
 
 namespace pseudorigid::loads {
 
-/// What a line about a load may say of the body.
+/// Data of the body for a line about a load.
 struct BodyFacts {
   bool incompressible;
   double volume_by_inertia;  ///< Vol/m̄, by which a pressure is that of the column `multiplier`

@@ -1,7 +1,7 @@
 #pragma once
-/// What is observed of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
-/// that show it. A column is declared here, below the observable that it shows: name, group, unit, what it means, and
-/// how it is had. Headers, rows, units and documentation follow (io/trajectory.h).
+/// Observables of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
+/// that show it. A column is declared here, below the observable that it shows: name, group, unit, meaning and
+/// computation. Headers, rows, units and documentation follow (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
@@ -116,7 +116,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
 };
 
-/// What only the reduced body has.
+/// Observables of the reduced body only.
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
@@ -147,7 +147,7 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
      [](const ReducedObservables& o) { return singular_values(o.Q); }},
 };
 
-/// What only a body that bends has.
+/// Observables of bodies with non-affine motions only.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)

@@ -12,7 +12,8 @@ namespace pseudorigid::mechanics {
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;
-  /// Of a model that bends, not asked for by name: with the energies, where the volumetric stabilisation is on.
+  /// A group of models with non-affine motions, which has no keyword: it is written with the energies if the volumetric
+  /// stabilisation is on.
   bool volumetric = false;
 };
 

@@ -49,7 +49,7 @@ class GramSolver {
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// The position of the factor, and what has been spent beside it.
+  /// The position of the factor, and the cost of iterations since then.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);

@@ -20,7 +20,7 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, maximum norm
+    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, maximum norm
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

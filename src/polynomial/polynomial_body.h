@@ -31,7 +31,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// What a body is made of and what acts on it.
+/// Material of a body, and its loads.
 struct BodySetup {
   int degree = 3;
   std::array<bool, 3> reflect{};  ///< the symmetry planes of the motion

@@ -1,5 +1,5 @@
 #pragma once
-/// What the rules of quadrature of a polynomial body do to Q, and the number of points that a tolerance asks for. The
+/// Error of Q by the quadrature of a polynomial body, and the number of points that a tolerance requires. The
 /// same body with another rule makes another motion. Pilot runs of both over a window w of a run of length T, by RATTLE
 /// with the same long steps, whose errors cancel, give
 ///
@@ -11,10 +11,10 @@
 /// and the factor of the volume is 60: there the long steps hide more of the difference. In the motions that the
 /// factors were chosen with the error was at most 0.75 e. docs/theory.md has those that judge them.
 ///
-/// For the volume, Q' has one point more in each direction of an octant. Of self-gravity it has two less on the
+/// For the volume, Q' has one point more in each direction of an octant. For self-gravity it has two less on the
 /// surface: that costs a quarter, and the difference is no less than the error if that falls with the fourth power.
 ///
-/// It knows of no instability: errors that the motion magnifies beyond the window are larger.
+/// It does not include instability: errors that the motion magnifies beyond the window are larger.
 
 #include <functional>
 #include <optional>

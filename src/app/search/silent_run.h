@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// `scene`: that of the context, but for what may differ in its section Time.
+/// `scene`: that of the context, except for the entries of its section Time.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;

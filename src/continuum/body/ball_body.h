@@ -39,7 +39,7 @@ class BallBody {
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh, likewise. `n_gravity_points`: body/surface_gravity_forces.h.
+  /// The same for the body of a mesh. `n_gravity_points`: body/surface_gravity_forces.h.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // its parts refer to one another

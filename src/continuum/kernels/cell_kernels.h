@@ -50,9 +50,9 @@ class CellKernels {
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
   LeastPlace locate_least_jacobian(const Vector& x) const;
-  /// Likewise the least value of a function of F, given row by row.
+  /// The least value of a function of F, given row by row, with its place.
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
-  /// Likewise the least reserve of the law (materials/law_limits.h).
+  /// The least reserve of the law, with its place (materials/law_limits.h).
   LeastPlace locate_least_reserve(const Vector& x) const;
   /// λ_h at the nodes of a cell (first direction fastest).
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
@@ -80,7 +80,7 @@ class CellKernels {
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
-/// Degree 1 is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.
+/// Degree 1 is for compressible bodies: the functions of the constraint then throw std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

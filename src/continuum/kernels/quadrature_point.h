@@ -1,6 +1,6 @@
 #pragma once
-/// Geometry of a quadrature point of a batch of cells, one lane a cell. What the constraint reads is stored here and
-/// what the law reads apart (stress_points.h): each kernel streams its own numbers and no others.
+/// Geometry of a quadrature point of a batch of cells, one lane a cell. The data of the constraint are stored here, and
+/// those of the law apart (stress_points.h): each kernel streams only its own numbers.
 
 #include <cstddef>
 

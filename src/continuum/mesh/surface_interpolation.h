@@ -1,5 +1,5 @@
 #pragma once
-/// Functions of the nodes at Gauss points of the free surface, and what acts at the points on the nodes. Face by face,
+/// Functions of the nodes at Gauss points of the free surface, and the forces of the points on the nodes. Face by face,
 /// with ℓ_i the Lagrange polynomials on the Gauss–Lobatto nodes and points (ξ_p, ξ_q),
 ///
 ///   u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij,

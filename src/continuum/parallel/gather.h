@@ -47,7 +47,7 @@ struct Counts {
   std::vector<int> sizes, offsets{0};
 };
 
-/// Of the vectors of all ranks. Collective.
+/// Sizes of the vectors of all ranks. Collective.
 template <class T>
 Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
   const long n = static_cast<long>(values.size());

@@ -128,7 +128,7 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// What of it every constrained system has.
+/// The members that every constrained system has.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);

@@ -1,5 +1,5 @@
 #pragma once
-/// Fields over a body at one time, for pictures: what a model of the ball says of its points, in internal units. All
+/// Fields over a body at one time, for pictures: values at the points of a model of the ball, in internal units. All
 /// that a picture shows is computed from them (io/body_picture.h), alike for every model.
 
 #include <Eigen/Core>

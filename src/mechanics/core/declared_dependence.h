@@ -1,6 +1,6 @@
 #pragma once
 /// Whether the force of a system depends on time and velocity only if the system says so (second_order_field.h). A
-/// misspelt member says nothing, and methods would then rely on what is not true.
+/// misspelt member is ignored, and methods would then rely on a false property.
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/second_order_field.h"
@@ -8,7 +8,7 @@
 namespace pseudorigid::mechanics {
 
 /// Compares forces at the position of `state` with those at another time and with those at rest, of a state at rest
-/// with those in motion: equal to the last bit, or declared to differ. Of a field only the time is asked for, since
+/// with those in motion: equal to the last bit, or declared to differ. For a field only the time is tested, since
 /// accelerations of charts have terms in the velocity.
 template <class S>
 Status check_declared_dependence(const S& system, const State<S>& state) {

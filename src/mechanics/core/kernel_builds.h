@@ -24,7 +24,7 @@ struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A build by what it says of itself.
+/// A build, described by its instructions.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;

@@ -38,8 +38,8 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of what is left, and 0 if that is
-  /// round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
+  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of the remainder, and 0 if this
+  /// is round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

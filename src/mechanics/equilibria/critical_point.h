@@ -1,6 +1,6 @@
 #pragma once
-/// A critical point of V on N = {g = 0}, ∇V = Gᵀλ, and what is near it (Oliva, Geometric Mechanics, 5.8). With a basis
-/// T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
+/// A critical point of V on N = {g = 0}, ∇V = Gᵀλ, and the motions near it (Oliva, Geometric Mechanics, 5.8). With a
+/// basis T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
 ///
 ///   H = Tᵀ(∇²V − Σ λ_k D²g_k)T,   D = TᵀCT,
 ///   ÿ + Dẏ + Hy = 0:   z²y + zDy + Hy = 0.

@@ -8,8 +8,8 @@
 /// symplectic form W = [2G, Id; −Id, 0].
 ///
 /// A symmetry takes the equilibrium to others, and its direction (y, ẏ) belongs to an invariant space N whose rates are
-/// known and say nothing. What is left is the space of fixed momenta modulo the group that keeps them
-/// (Marsden–Weinstein),
+/// known and do not depend on the equilibrium. The remainder is the space of fixed momenta modulo the group that keeps
+/// them (Marsden–Weinstein),
 ///
 ///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N},
 ///

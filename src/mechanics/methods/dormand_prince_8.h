@@ -57,7 +57,7 @@ struct DormandPrince8Workspace {
   double h_max = HUGE_VAL;         // no step is longer
   double t_start = 0, h_last = 0;  // of the last step
   Vector q_start, v_start, q_end, v_end;
-  Vector q_rounding, v_rounding;          // what rounding has kept back, of the state
+  Vector q_rounding, v_rounding;          // remainder of the compensated sums of the state
   Vector q_rounding_end, v_rounding_end;  // and of a trial
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
@@ -66,7 +66,7 @@ struct DormandPrince8Workspace {
   bool dense_known = false;
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  /// Hands out the parts of the computation's state that a checkpoint must contain.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);

@@ -50,7 +50,7 @@ using MethodTable = std::tuple<Rattle,          //
                                EnergyMomentum,  //
                                DormandPrince8>;
 
-/// What every method says of itself; one that leaves a trait out does not compile.
+/// Traits of every method; a method without one of them does not compile.
 template <class M>
 concept DeclaresTraits = requires {
   { M::name } -> std::convertible_to<std::string_view>;

@@ -152,7 +152,7 @@ struct RattleWorkspace {
   typename S::Workspace system;
   typename S::Vector acceleration, q_start;  // M⁻¹f at the state (symmetric_multistep.h adds a reaction); q_n
   VelocityIteration<S> settling;
-  typename S::Vector q_rounding, v_rounding;  // what rounding has kept back from q and v
+  typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
@@ -163,7 +163,7 @@ struct RattleWorkspace {
   bool acceleration_known = false;
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -277,8 +277,8 @@ struct Rattle {
       }
       axpy(-1.0, state.v, before);
       const double size = max_norm(before), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
-      // What the projection may leave of G v, and so of v, need not be resolved, and does not indicate divergence
-      // either.
+      // The residual of G v, and so of v, that the projection may leave need not be resolved, and does not indicate
+      // divergence either.
       const double enough = std::max(round_off / 4, w.constraint_tolerance / 10);
       const double jitter = std::max(100 * round_off, 1000 * w.constraint_tolerance);
       // Changes that fall by a factor c each time add up to another size c/(1 − c).
@@ -311,7 +311,7 @@ struct Rattle {
       add(h, state.v, state.q, w.q_rounding);
       const auto apply = [&] {
         axpy(1 / h, w.constraint.delta, w.impulse);
-        // q moves by h times what is added to v. With fl(1/h) for the one and 1 for the other the step would not be
+        // q moves by h times the increment of v. With fl(1/h) for the one and 1 for the other the step would not be
         // symplectic, by h fl(1/h) − 1, which is the same in every step.
         scale(1 / h, w.constraint.reaction);
         add(1.0, w.constraint.reaction, state.v, w.v_rounding);
@@ -340,7 +340,7 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// λ(t_n) = Λ / weight. If substeps of opposite sign meet, the weight may nearly vanish and says nothing.
+  /// λ(t_n) = Λ / weight. If substeps of opposite sign meet, the weight may nearly vanish and cannot be used.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

@@ -41,8 +41,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Slot i mod (k − 1) of the history holds d_i and a_i, for the last k − 1 points. What a step shares with RATTLE's is
-/// RATTLE's.
+/// Slot i mod (k − 1) of the history holds d_i and a_i, for the last k − 1 points. RATTLE provides the parts that the
+/// steps of both methods share.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -66,7 +66,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  /// Hands out the parts of the computation's state that a checkpoint must contain.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     RattleWorkspace<S>::visit_memory(visit);

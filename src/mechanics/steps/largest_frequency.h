@@ -73,7 +73,7 @@ void fill_irregular(const S& system, typename S::Vector& x) {
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of what is changed by differences, 0 counting as 1.
+  /// `scale` is the size of the vector that differences change, 0 counting as 1.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),

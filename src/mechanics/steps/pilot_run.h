@@ -35,8 +35,8 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
-/// chaos.
+/// Differences above this, in the system's unit of length, do not depend on the order: they are caused by collisions
+/// and chaos.
 inline constexpr double asymptotic_difference = 0.1;
 /// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
 inline constexpr long max_pilot_forces = 4'000'000;
@@ -74,7 +74,7 @@ struct AdaptiveMethod {
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Q_of(state) is what the tolerance speaks of.
+/// Q_of(state) is the configuration to which the tolerance applies.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -106,7 +106,7 @@ inline Status failure_of(RunResult result) {
                                                            : "it takes too many steps to look ahead");
 }
 
-/// `form`: what the method works on. `prepare(workspace)` comes first.
+/// `form`: the form of the system that the method integrates. `prepare(workspace)` comes first.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -185,7 +185,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
 }
 
-/// What one method offers.
+/// Result of the search for one method.
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;

@@ -70,9 +70,9 @@ bool is_candidate(const S& system, const StepRequest& request) {
 
 }  // namespace detail
 
-/// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration that the tolerance
-/// speaks of: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half the
-/// step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
+/// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration to which the
+/// tolerance applies: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half
+/// the step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
 /// symplectic may change the sum by the tolerance.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
