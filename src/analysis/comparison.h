@@ -42,16 +42,16 @@ inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.66562
 
 struct ComparisonOptions {
   SceneFacts facts{};
-  std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value where the scene has one
+  std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value if the scene has one
   std::optional<double> surface_limit_time{};     ///< when the reference's surface reached Biot's limit, if it did
 };
 
 struct Series {
   std::string name;      ///< column of comparison.csv
-  double reference = 1;  ///< what the values are divided by, in the unit of the input; 1: they are ratios
+  double reference = 1;  ///< divisor of the values, in the unit of the input; 1 for ratios
   std::vector<double> values;
   double max = 0;          ///< largest absolute value
-  double time_of_max = 0;  ///< where it is met first
+  double time_of_max = 0;  ///< when it is first met
   double rms = 0;          ///< over the samples
 };
 
@@ -72,12 +72,12 @@ struct Comparison {
   /// the same with those of their rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< none if one of the lines is that of a load
-  std::optional<double> exact_ratio;    ///< only where it applies: the body does not spin
+  std::optional<double> exact_ratio;    ///< only if it applies: the body does not spin
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< from then on the reference's results depend on its mesh
-  std::vector<std::string> not_compared;     ///< what the files lack: "semi-axes (no column a1 in continuum.csv)"
+  std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
   /// Whether the models differ by more than the discretisation may have made, if that is known.

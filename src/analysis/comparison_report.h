@@ -14,17 +14,17 @@ namespace pseudorigid::analysis {
 /// comparison.csv: the time and every series.
 io::Table comparison_table(const Comparison& comparison);
 
-/// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, what is missing.
+/// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, missing data.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 /// Writes both into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Of comparisons with one reference, a line each for the terminal, and the same as JSON.
+/// Comparisons with one reference, as one line each for the terminal, and as JSON.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
-/// What the comparison means, in one sentence that ends with a full stop.
+/// The result of the comparison in one sentence, with a full stop.
 std::string summary_sentence(const Comparison& comparison);
 
 /// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", of Q relative to

@@ -25,7 +25,7 @@ struct ErrorBar {
   }
 };
 
-/// An error to one digit, rounded up: what is printed is a bound as well. "0.003", "2e-06".
+/// An error to one digit, rounded up, so that the printed number is a bound as well. "0.003", "2e-06".
 inline std::string printed_error(double error) {
   if (!(error > 0)) return "0";
   const double place = std::pow(10, std::floor(std::log10(error)));

@@ -4,13 +4,13 @@
 ///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1] over the record,  P_k Legendre
 ///
 /// The coefficients d, a, b are eliminated (variable projection: G. Golub, V. Pereyra, SIAM J. Numer. Anal. 10 (1973);
-/// Kaufman's form), the frequencies follow by Gauss–Newton steps that may not raise the residual. Lines are added where
+/// Kaufman's form), the frequencies follow by Gauss–Newton steps that may not raise the residual. Lines are added if
 /// the Hann-windowed periodogram of the residual has a peak, as long as that lowers the standard error of the first
 /// frequency. A peak at a multiple k of the first line's frequency is tied to it, ω = kω₀, so that an anharmonic motion
 /// yields its fundamental from all its harmonics; the tie is cut when the residual contradicts it.
 ///
 /// Limits: at least one period in the record; lines two resolution widths 2π/T apart (closer ones are told apart only
-/// where they explain everything: a modulated or damped line also looks like a cluster); frequencies below Nyquist's
+/// if they explain everything: a modulated or damped line also looks like a cluster); frequencies below Nyquist's
 /// (a signal sampled too coarsely appears at an alias, which no fit can tell).
 
 #include <span>

@@ -31,7 +31,7 @@ ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation
                          const std::vector<double>& time, const RunErrors& errors);
 
 /// The load among those of these angular frequencies whose line the fitted one is: ω = Ω or 2Ω to a quarter of a cycle
-/// over the record. Then the body follows the load, and ω says nothing of the body.
+/// over the record. Then the body follows the load, and ω is not a property of the body.
 std::optional<double> load_of_line(const FrequencyFit& fit, const std::vector<double>& load_frequencies);
 
 }  // namespace pseudorigid::analysis

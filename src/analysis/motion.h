@@ -1,5 +1,5 @@
 #pragma once
-/// What one model's run shows by itself: its frequency, how far it deforms, what it should conserve.
+/// Summary of one model's run: its frequency, its deformation and its conserved quantities.
 
 #include <Eigen/Core>
 #include <initializer_list>
@@ -14,15 +14,15 @@
 
 namespace pseudorigid::analysis {
 
-/// A run of a model: what it is called, what its ball is called in sentences ("elastic"), its samples and their errors.
+/// A run of a model: its name, the name of its ball in sentences ("elastic"), its samples and their errors.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
   RunErrors errors{};
 };
 
-/// What one model does on its own. Drifts are the largest departures from the initial value, over what energies and
-/// momenta are compared with (energy_reference, momentum_reference).
+/// Summary of the motion of one model. Drifts are the largest departures from the initial value, relative to reference
+/// values (energy_reference, momentum_reference).
 struct ModelSummary {
   std::string name, adjective;
   FrequencyFit frequency;
@@ -35,23 +35,24 @@ struct ModelSummary {
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
 };
 
-/// One model's Q, C = QᵀQ and what they say about its motion.
+/// One model's Q and C = QᵀQ, and the summary of its motion.
 struct Deformation {
   std::vector<Eigen::Matrix3d> Q, C;
   Eigen::Matrix3d C_mean = Eigen::Matrix3d::Zero();
 
-  /// Of a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are no motion.
+  /// The motion in a table with the columns of Q. `resolution`: smaller variations of Q or C, relative to them, are not
+  /// taken as a motion.
   Deformation(const io::Table& table, double resolution, ModelSummary& summary);
 
   std::vector<double> component(int i, int j) const;
-  /// That of the largest variance.
+  /// The component with the largest variance.
   std::pair<int, int> liveliest_component() const;
 };
 
 /// Of samples of a component of C. The times need not be equally spaced, but then there is none.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
-/// What energies of one or more models are compared with: max_t (kinetic + elastic) or, if that is round-off of the
+/// Reference value for energies of one or more models: max_t (kinetic + elastic) or, if that is round-off of the
 /// energies that there are, the largest of them. `unit` is the scene's unit of energy, of which 1e-24 is as much as
 /// round-off of velocities has.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
@@ -61,7 +62,7 @@ inline constexpr double round_off_drift = 1e-13;
 /// "3.2e-07" or "round-off".
 std::string drift_in_words(double drift);
 
-/// What angular momenta or circulations are compared with: their largest norm or, if that is round-off, m̄|Q||Q̇| where
+/// Reference value for angular momenta or circulations: their largest norm or, if that is round-off, m̄|Q||Q̇| where
 /// |Q̇| is largest, a bound of both up to a factor √2, with m̄ from K = ½m̄|Q̇|². 0 if the table cannot tell.
 double momentum_reference(const io::Table& table, const std::vector<Eigen::Vector3d>& momenta);
 
@@ -85,17 +86,18 @@ struct MotionSummary {
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK
 };
 
-/// What is known of the scene of a run.
+/// Data of the scene of a run.
 struct SceneFacts {
-  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are no motion
+  double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are not a motion
   double energy_unit = 0;     ///< of the scene
   std::vector<double> load_frequencies{};  ///< angular, of loads that depend on time
 };
 
-/// Of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at least.
+/// Summary of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at
+/// least.
 MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts);
 
-/// Of another system: the range of each of its columns, and the drift of its energy over what energy there is.
+/// Summary of another system: the range of each of its columns, and the relative drift of its energy.
 MotionSummary summarize_system(const ModelRunTable& run);
 
 /// For the terminal: a line for each number, at most 20 lines.

@@ -22,9 +22,9 @@
 
 namespace pseudorigid::analysis {
 
-/// What is measured lies between the bounds or above them (docs/benchmarks.md, "The ball: nonlinear release").
+/// The measured rates are between the bounds or above them (docs/benchmarks.md, "The ball: nonlinear release").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
-/// Of polynomial bodies, N their degree. Releases of incompressible balls have rates above 2; the error of a
+/// The rate for polynomial bodies of degree N. Releases of incompressible balls have rates above 2; the error of a
 /// compressible one whose pressure front meets at the centre falls with 1.3 (docs/output.md, "Errors").
 inline constexpr double least_polynomial_rate = 1.5;
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What is said of an entry of a parameter file.
+/// Documentation of an entry of a parameter file.
 
 #include <string_view>
 

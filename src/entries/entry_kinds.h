@@ -1,6 +1,7 @@
 #pragma once
-/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and says
-/// in words what it expects. The entries themselves are in scene/entries.h and in the headers of src/loads/.
+/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and
+/// describes the expected value in words. The entries themselves are in scene/entries.h and in the headers of
+/// src/loads/.
 ///
 /// Every kind has, for its value type T:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
@@ -29,7 +30,7 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// `got "…"`: the problem where nothing better can be said.
+/// `got "…"`: the problem if nothing better can be said.
 std::string got(std::string_view text);
 
 /// The whole text as a finite number; nothing if it is anything else.
@@ -128,7 +129,7 @@ struct Text {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The name of a directory, which is taken as it is: what a shell would have replaced is refused.
+/// The name of a directory, which is taken literally: text that a shell would have replaced is refused.
 struct Directory {
   static constexpr std::string_view type = Text::type;
   Problem read(std::string_view text, std::string& value) const;
@@ -195,7 +196,7 @@ struct Rows {
 /// What to say of a word that is not among those allowed.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// The names of an enumeration, each beside its value.
+/// The names of an enumeration, each with its value.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 

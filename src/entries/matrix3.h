@@ -11,12 +11,12 @@ namespace pseudorigid::scene {
 /// Row by row; what entries say needs no linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-/// Of a sum of a few products, per the sum of their sizes.
+/// Relative error of a sum of a few products, per the sum of their sizes.
 inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
 /// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 
-/// cof Q = det(Q) Q^-T. Where Q is diagonal or block diagonal, the zeros of the result are exact.
+/// cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {
   Matrix3 cof{};
   for (std::size_t i = 0; i < 3; ++i)

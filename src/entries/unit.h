@@ -9,7 +9,7 @@ namespace pseudorigid::scene {
 
 namespace detail {
 
-/// 0 where it is none.
+/// 0 if it is none.
 constexpr int whole_number(std::string_view digits) {
   int number = 0;
   for (const char digit : digits) {

@@ -55,7 +55,7 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// 1, or where squares and their products could leave the range the power of two that brings the largest entry to [½,
+  /// 1, or if squares and their products could leave the range the power of two that brings the largest entry to [½,
   /// 1)
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();

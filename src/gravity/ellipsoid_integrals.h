@@ -71,7 +71,7 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// The integrals of semi-axes a_i ≥ 0 within 10^±50; t is left out (zero) where only d is wanted. Two axes that
+/// The integrals of semi-axes a_i ≥ 0 within 10^±50; t is left out (zero) if only d is wanted. Two axes that
 /// vanish give infinity.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {

@@ -10,7 +10,7 @@
 ///
 ///   Ê = E (V₀/V)^{5/3},
 ///
-/// which is equal to E where V = V₀ and does not change under dilations: its force has no part that only a pressure
+/// which is equal to E if V = V₀ and does not change under dilations: its force has no part that only a pressure
 /// could balance. The derivative of Ê, for the sums over points below, is exact:
 ///
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
@@ -18,7 +18,7 @@
 ///
 /// and the sum over j of the energy is e_i = N_i·h_i.
 ///
-/// A pair serves both of its points: what x sees of y tells what y sees of x. Where a body is computed in a part of it,
+/// A pair serves both of its points: what x sees of y tells what y sees of x. If a body is computed in a part of it,
 /// the sources are its points and their mirror images.
 
 #include <Eigen/Core>
@@ -44,13 +44,13 @@ struct PairSums {
   std::array<std::vector<double>, 3> g, h;
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
-/// The same where the targets are the sources, with their images under the reflections x_c ↦ −x_c of the true
+/// The same if the targets are the sources, with their images under the reflections x_c ↦ −x_c of the true
 /// `mirrors`: at half the work or less.
 PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
 /// The sums over two sets of sources.
 PairSums add(const PairSums& more, PairSums sums);
 
-/// What belongs to points that move, and its rate.
+/// Quantities of moving points, and their rates.
 template <class T>
 struct Moving {
   T at, rate;
@@ -60,7 +60,7 @@ Moving<PairSums> sum_pairs(const Moving<SurfacePoints>& targets, const Moving<Su
 /// V = ⅓ Σ x·N
 double enclosed_volume(const SurfacePoints& points);
 
-/// Sums over the targets. Those of several processes are added before they are used.
+/// Sums over the targets. The sums of several processes are added before they are used.
 struct SurfaceTotals {
   double pairs = 0;   ///< Σ_i e_i
   double volume = 0;  ///< V

@@ -1,6 +1,6 @@
 #pragma once
 /// The picture of a body at one time, in the user's units and at its current position. Every model gives the same
-/// BodyFields; what is shown of them is decided here:
+/// BodyFields; this file chooses the fields that are shown:
 ///
 ///   displacement                  u = x − X
 ///   displacement_without_rotation x − x_c − R X, R the rotation nearest to the motion (the polar factor of

@@ -41,7 +41,7 @@ std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
 }
 constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325u;
 
-/// Takes values from the front of a payload; asks for the size before it believes a count.
+/// Takes values from the front of a payload; checks that enough bytes remain before it trusts a stored count.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}

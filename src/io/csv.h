@@ -29,10 +29,11 @@ Table read_csv(const std::filesystem::path& path);
 /// How many rows a table begins with whose first value is less than this. A row torn by a kill does not count.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
-/// UserError "path:line: …" unless the file begins with this header and so many sound rows, whatever follows them.
+/// UserError "path:line: …" unless the file begins with this header and so many sound rows; later content is not
+/// checked.
 void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Names of the columns; UserError likewise.
+/// Names of the columns; the same UserError.
 std::vector<std::string> columns_in(const std::filesystem::path& path);
 
 /// Keeps the header and the first n_rows rows, for a resumed run (a row torn by a kill may follow them).
@@ -50,7 +51,7 @@ class CsvWriter {
 
   CsvWriter(CsvWriter&& other) noexcept;
   CsvWriter& operator=(CsvWriter&&) = delete;
-  ~CsvWriter();  ///< flushes, silently: who wants to hear of errors calls flush()
+  ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
   /// One value per column, all finite: a std::logic_error names the column that is not, and nothing of the row is kept.
   void append(std::span<const double> row);

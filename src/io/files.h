@@ -23,14 +23,14 @@ inline constexpr std::string_view partial_suffix = ".partial";
 /// A file that is closed at the end of its scope.
 class Descriptor {
  public:
-  /// As open(2). A pipe without anybody at its other end is not waited for.
+  /// As open(2). The call does not wait for a pipe without a reader.
   Descriptor(const std::filesystem::path& path, int flags);
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int value() const { return value_; }
   explicit operator bool() const { return value_ >= 0; }
-  /// False where close(2) fails: a network disk tells there that it is full.
+  /// False if close(2) fails: a network disk tells there that it is full.
   bool close();
 
  private:
@@ -40,14 +40,14 @@ class Descriptor {
 /// Whether something bears this name, be it a link that leads nowhere.
 bool is_there(const std::filesystem::path& path);
 
-/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for what a link to a file names, and where
+/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for the target of a link to a file, and if
 /// there is nothing.
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to `path`.partial and renames it: a reader sees the old file or the new one, never a
 /// mixture, and after a WriteError the old one is still there. No fsync: this guards against a killed program and a
-/// full disk, not against a power cut. A link stays, and what it leads to is replaced. Pipes and devices are written
-/// into; a pipe that nobody reads is ENXIO.
+/// full disk, not against a power cut. A link is kept, and its target is replaced. Pipes and devices are written
+/// into; a pipe without a reader is ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));

@@ -1,5 +1,5 @@
 #pragma once
-/// What the run says: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
+/// Messages of a run: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
 
 #include <fmt/core.h>
 
@@ -17,8 +17,8 @@ namespace pseudorigid::io {
 /// What reaches the terminal; `silent` is for the ranks of a parallel run that have nothing to say.
 enum class Verbosity { silent, quiet, normal, verbose };
 
-/// Messages with values in the places {…}. They are put together in log.cpp alone: who formats through spdlog compiles
-/// all of the formatting anew.
+/// Messages with values in the places {…}. They are put together in log.cpp alone: a source that formats through spdlog
+/// compiles all of the formatting again.
 class Logger {
  public:
   enum class Level { debug, info, warning, error };

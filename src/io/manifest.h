@@ -1,5 +1,5 @@
 #pragma once
-/// manifest.json: what ran, with what, on what, for how long, and how it ended.
+/// manifest.json: scene, program, machine, duration and end of a run.
 
 #include <chrono>
 #include <cstdint>
@@ -36,15 +36,15 @@ struct Manifest {
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< by file, without the time
-  std::optional<Units> units;                    ///< of a ball: what the scene's own units are in the files
-  std::map<std::string, std::string> libraries;  ///< name → version
-  std::string instructions;                      ///< that the kernels are compiled for; empty without any
-  std::vector<BallRun> ball;                     ///< the runs of models of the ball, in their order
-  std::map<std::string, Model> models;           ///< what has run, by name
+  std::optional<Units> units;                                 ///< of a ball: the scene's own units in the files
+  std::map<std::string, std::string> libraries;               ///< name → version
+  std::string instructions;                                   ///< that the kernels are compiled for; empty without any
+  std::vector<BallRun> ball;                                  ///< the runs of models of the ball, in their order
+  std::map<std::string, Model> models;                        ///< the models or the system of the run, by name
 };
 
-/// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, if nobody calls finish, by
-/// the destructor (state "failed"), so that a thrown exception leaves a manifest too.
+/// Keeps manifest.json true: written when the run starts (state "running"), by finish, and, without a call of finish,
+/// by the destructor (state "failed"), so that a thrown exception leaves a manifest too.
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -54,7 +54,7 @@ class ManifestFile {
 
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
-  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. Where the
+  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. If the
   /// disk has no room for a new file the old one says "failed" in place of "running", and the WriteError goes on.
   void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
@@ -64,7 +64,7 @@ class ManifestFile {
     std::optional<int> exit_code{};
     std::string message{};
   };
-  /// No end: the run is on its way.
+  /// Without an end, the run is in progress.
   void write(const std::optional<End>& end);
   std::filesystem::path path_;
   Manifest content_;
@@ -72,16 +72,17 @@ class ManifestFile {
   bool finished_ = false;
 };
 
-/// For who ends a run by force and is not the one that keeps its manifest: another rank. Does what it can.
+/// Called by a rank that aborts the run but does not keep the manifest. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// What moves, by the manifest of a run: the names of its CSV files, of the system or of the models of the ball.
-/// UserError if the file is no manifest of this program, or of a version whose manifests had less than a report needs.
+/// Names of the trajectories listed in a run's manifest: of the system, or of the models of the ball.
+/// UserError if the file is not a manifest of this program, or if its version did not record the data that a report
+/// needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();
-/// Largest resident set of this process so far, in bytes; 0 where the system does not say.
+/// Largest resident set of this process so far, in bytes; 0 if the system does not say.
 std::int64_t peak_memory();
 
 }  // namespace pseudorigid::io

@@ -26,7 +26,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page with the elements for the files of each that moves, in place of those that stand for all.
+/// The report template with the placeholders of each trajectory expanded.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;

@@ -16,8 +16,8 @@ namespace pseudorigid::io {
 /// The page without files.
 std::string_view report_page();
 
-/// The page filled with what the directory holds. `movers`: the names of the CSV files of what moves, a system or
-/// models. UserError for what bears the name of a result and cannot be read.
+/// The page filled with the files of the directory. `movers`: the names of the CSV files of trajectories, of a system
+/// or of models. UserError if a file with the name of a result cannot be read.
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 

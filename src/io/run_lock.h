@@ -22,7 +22,7 @@ class RunLock {
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;
 
-  /// For who ends a run by force and does not hold its lock: another rank.
+  /// Called by a rank that aborts the run without holding the lock.
   static void remove(const std::filesystem::path& directory) noexcept;
 
  private:
@@ -30,7 +30,7 @@ class RunLock {
   void remove_if_stale() const;
 
   std::filesystem::path path_;
-  std::string identity_;  ///< what the file says; empty when the lock has been handed on
+  std::string identity_;  ///< contents of the file; empty when the lock has been handed on
 };
 
 }  // namespace pseudorigid::io

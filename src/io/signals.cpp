@@ -23,7 +23,7 @@ void listen_to(int signal, unsigned int flags) {
 }  // namespace
 
 void install_signal_handlers() {
-  // Who presses Ctrl-C twice means it: the second signal finds the default action.
+  // A second Ctrl-C terminates the process at once, by the default action.
   for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
   // These come twice without anybody's impatience: from the kernel and from the shell, or every second.
   struct sigaction hangup = {};

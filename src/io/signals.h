@@ -4,8 +4,8 @@
 
 namespace pseudorigid::io {
 
-/// SIGHUP stays ignored where nohup has asked for it. Also ignores SIGXFSZ, so that a file-size limit becomes a
-/// WriteError like a full disk, and SIGPIPE: a reader of the terminal output that goes away is no reason to stop.
+/// SIGHUP stays ignored if nohup has asked for it. Also ignores SIGXFSZ, so that a file-size limit becomes a
+/// WriteError like a full disk, and SIGPIPE: a run does not stop when the reader of its terminal output goes away.
 void install_signal_handlers();
 
 bool interrupt_requested() noexcept;

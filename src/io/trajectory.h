@@ -26,7 +26,7 @@ class Trajectory {
 
   /// The header, `time` first.
   const std::vector<std::string>& names() const { return names_; }
-  /// What has to be observed for them.
+  /// The observables that they need.
   const mechanics::ObservableRequest& request() const { return request_; }
   /// The row of a sample; observables in internal units, the time in the user's (it is known exactly there). `row` is
   /// overwritten and its memory reused.

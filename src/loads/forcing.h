@@ -1,5 +1,5 @@
 #pragma once
-/// All that can act on an elastic body besides its own stress, as numbers; a load (list.h) is a name for some of them.
+/// All loads on an elastic body, as numbers; a load (list.h) is a name for some of them.
 /// Forces on the mass are linear in x and ẋ and tractions on the surface come from stresses that have no divergence, so
 /// that both models of the body know them, with the same work on the motions x = x_c + QX:
 ///

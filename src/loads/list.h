@@ -1,5 +1,5 @@
 #pragma once
-/// The loads, and what can be asked of all of them. A new load is its header and one line of the list.
+/// The loads, and the functions that all of them have. A new load is its header and one line of the list.
 
 #include <tuple>
 #include <type_traits>
@@ -117,7 +117,7 @@ inline bool depend_on_time(const Loads& loads) {
   return any;
 }
 
-/// Of those that are periodic.
+/// The periodic loads only.
 inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {

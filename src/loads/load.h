@@ -1,5 +1,5 @@
 #pragma once
-/// What a load says of itself; with one header and one line in list.h it is known everywhere.
+/// Interface of a load; one header and one line in list.h add it to the whole program.
 ///
 /// A load is a struct of parameters, absent by default, in the user's units as in internal ones, with
 ///
@@ -7,10 +7,10 @@
 ///                                 which reflections it admits: a matrix without entries off the diagonal in the rows
 ///                                 and columns of the normal, a vector without the component along it. The units give
 ///                                 its values in internal units.
-///   forcing()                     what it does (forcing.h); zero where it is absent
+///   forcing()                     what it does (forcing.h); zero if it is absent
 ///   no_equilibria                 why no relative equilibrium is known under it, a sentence for the first of its
 ///                                 entries; empty if the families of equilibria know it
-///   needed(body), skipped         the lines of `pseudorigid check` where it is present and where not; empty: none
+///   needed(body), skipped         the lines of `pseudorigid check` if it is present and if not; empty: none
 ///
 /// or, where the force depends on time, in place of forcing() both  forcing(t)  and  forcing_rate(t), its derivative,
 /// with  largest_forcing()  of all times, and if it is periodic  angular_frequency(), so that a motion that follows it
@@ -27,13 +27,13 @@
 
 namespace pseudorigid::loads {
 
-/// What a line about a load may say of the body.
+/// Data of the body for a line about a load.
 struct BodyFacts {
   bool incompressible;
   double volume_by_inertia;  ///< Vol/m̄, by which a pressure is that of the column `multiplier`
 };
 
-/// For the entries of a load where nobody looks at them.
+/// For the entries of a load that are not used.
 struct IgnoresEntries {
   void operator()(auto&, const auto&, const scene::About&) const {}
 };

@@ -24,7 +24,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
-  static constexpr double surface_limit = biot_ratio;  ///< neo-Hookean where volume is preserved
+  static constexpr double surface_limit = biot_ratio;  ///< neo-Hookean if volume is preserved
   bool operator==(const CiarletGeymonat&) const = default;
 
   /// W(F); F must have J > 0.

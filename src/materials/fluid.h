@@ -1,5 +1,5 @@
 #pragma once
-/// No stored energy: W = 0, P = 0. With incompressibility an ideal fluid, Dirichlet's.
+/// No stored energy: W = 0, P = 0. With incompressibility it is the ideal fluid of Dirichlet.
 
 #include "materials/tensor.h"
 

@@ -12,7 +12,7 @@
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
 /// Stress-free at Id. The shear modulus there is μ, and the first Lamé modulus λ + 2μ/J_m. J_m → ∞ is the neo-Hookean
-/// law. Where d reaches J_m, W is infinite: beyond, no deformation of this body exists.
+/// law. If d reaches J_m, W is infinite: beyond, no deformation of this body exists.
 
 #include <string_view>
 
@@ -46,7 +46,7 @@ struct Gent {
                      first_part().tangent(F, H), F, H);
   }
 
-  /// J_m − d; the law admits F where this is positive.
+  /// J_m − d; the law admits F if this is positive.
   template <class T>
   [[gnu::always_inline]] T reserve(const Tensor<T>& F) const {
     return J_m - trace_of_strain(F);

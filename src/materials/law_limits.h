@@ -1,10 +1,10 @@
 #pragma once
-/// What a law may declare of its limits, beside energy, stress and tangent.
+/// Limits that a law may declare, in addition to energy, stress and tangent.
 ///
-/// Deformations that it does not admit (beside those with J ≤ 0, which no law admits):
+/// Deformations that it does not admit (other than those with J ≤ 0, which no law admits):
 ///
-///     template <class T> T reserve(const Tensor<T>& F) const;   positive where F is admitted
-///     static constexpr std::string_view limit;                  what has happened where it is not: one clause
+///     template <class T> T reserve(const Tensor<T>& F) const;   positive if F is admitted
+///     static constexpr std::string_view limit;                  what has happened if it is not: one clause
 ///
 /// The surface of an incompressible body that wrinkles (continuum/output/surface_stretch.h):
 ///   static constexpr double surface_limit;   the ratio λ₁/λ_n of stretches at which a half-space loses its smooth
@@ -39,7 +39,7 @@ template <class Law>
     return true;
 }
 
-/// What has happened where F is not admitted; empty if all are.
+/// The reason if F is not admitted; empty if all F are.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)

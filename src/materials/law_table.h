@@ -86,9 +86,9 @@ struct NamedLaw {
   /// W in the symbols of Material/Law (scene/choices.h), and what else is to be known, for the reader of parameter
   /// files; B is the bulk term.
   std::string_view energy;
-  /// The law; `bulk` is the modulus of the bulk term, 0 where volume is preserved.
+  /// The law; `bulk` is the modulus of the bulk term, 0 if volume is preserved.
   AnyLaw (*of)(const LawParameters&, double bulk);
-  /// What a user should be told who takes it, of an incompressible body and of a compressible one.
+  /// Warning to a user of the law, for an incompressible body and for a compressible one.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
@@ -170,7 +170,7 @@ inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incom
 /// Whether it stores no energy.
 inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
-/// Whether the law admits F, J > 0 supposed, and what has happened where it does not (law_limits.h).
+/// Whether the law admits F, J > 0 supposed, and what has happened if it does not (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
   return std::visit([&](const auto& l) { return admits(l, F); }, law);
 }

@@ -29,7 +29,7 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
   return C;
 }
 
-/// Lamé's moduli at rest. Of an incompressible body only μ has a meaning: λ shifts the multiplier.
+/// Lamé's moduli at rest. For an incompressible body only μ has a meaning: λ shifts the multiplier.
 struct RestModuli {
   double shear, lame;
 };

@@ -33,7 +33,7 @@ inline std::complex<double> x_minus_log1p(std::complex<double> z) {
   return std::abs(z) <= 0.25 ? detail::x_minus_log1p_series(z) : z - log1p(z);
 }
 
-/// J, and exactly 1 where J is 1 to its round-off. A factor 1 ± ε moves a number of mantissa m ∈ [1, 2) by m or m/2
+/// J, and exactly 1 if J is 1 to its round-off. A factor 1 ± ε moves a number of mantissa m ∈ [1, 2) by m or m/2
 /// units of its last place, which is rounded to a whole number of them: an error decided by the leading digits, not by
 /// the last ones. It gives the entries of a tensor without torque one that does not average out over a motion, on SL(3)
 /// 6e-13 of J and Z in 10⁶ periods.
@@ -44,7 +44,7 @@ template <class T>
   return J;
 }
 
-/// ln J, and cheap where J is about 1, as in the iterations of the constraint det Q = 1: with δ = J − 1 (exact),
+/// ln J, and cheap if J is about 1, as in the iterations of the constraint det Q = 1: with δ = J − 1 (exact),
 /// ln J = δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5, whose remainder δ⁶/6 is below round-off of the sum for |δ| ≤ 2⁻¹¹.
 /// Of a J in extended precision, small logarithms have as many digits as δ.
 template <class T>

@@ -1,7 +1,7 @@
 #pragma once
-/// What is observed of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
-/// that show it. A column is declared here, below the observable that it shows: name, group, unit, what it means, and
-/// how it is had. Headers, rows, units and documentation follow (io/trajectory.h).
+/// Observables of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
+/// that show it. A column is declared here, below the observable that it shows: name, group, unit, meaning and
+/// computation. Headers, rows, units and documentation follow (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
@@ -9,7 +9,7 @@
 /// All in the program's internal units (length r, mass ρr³, time r/c).
 ///
 /// A new observable is a member, set by the models that have it (reduced/observe.h, polynomial/observe.cpp,
-/// continuum/output/observe.cpp). One that nobody sets stays NaN, which ends a run at its first sample.
+/// continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at its first sample.
 
 #include <Eigen/Core>
 #include <array>
@@ -34,7 +34,7 @@ struct OverPoints {
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// What somebody will look at; the rest is not evaluated.
+/// Quantities requested by the output; others are not computed.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
@@ -116,7 +116,7 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
 };
 
-/// What only the reduced body has.
+/// Observables of the reduced body only.
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
@@ -147,7 +147,7 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
      [](const ReducedObservables& o) { return singular_values(o.Q); }},
 };
 
-/// What only a body that bends has.
+/// Observables of bodies with non-affine motions only.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)

@@ -1,6 +1,6 @@
 #pragma once
-/// The groups of observables, which are the groups of columns in the CSV files. What nobody asks for is not evaluated.
-/// A new group is a member and its line of quantity_groups.
+/// The groups of observables, which are the groups of columns in the CSV files. Quantities that are not requested are
+/// not evaluated. A new group is a member and its line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>
@@ -8,11 +8,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// Who does not choose gets the groups that are true here.
+/// By default the groups that are true here are written.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;
-  /// Of a model that bends, not asked for by name: with the energies, where the volumetric stabilisation is on.
+  /// A group of models with non-affine motions, which has no keyword: it is written with the energies if the volumetric
+  /// stabilisation is on.
   bool volumetric = false;
 };
 

@@ -15,7 +15,7 @@ inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::
   return integral;
 }
 
-/// Of a part and the whole; 0/0 = 0.
+/// Ratio of a part and the whole; 0/0 = 0.
 inline double share(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 }  // namespace pseudorigid::mechanics

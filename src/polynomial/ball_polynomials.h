@@ -28,7 +28,7 @@ struct BallPolynomial {
   }
 };
 
-/// Those of P_N, in order.
+/// The polynomials of P_N, in order.
 std::vector<BallPolynomial> ball_polynomials(int N);
 
 /// A value and its gradient by ξ.

@@ -7,7 +7,7 @@
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
 /// where A is the affine part of x (polynomial_space.h), and E_A the energy of the ellipsoid in the gauge of Ê, which
-/// does not change under dilations. Of degree 1, only E_A remains and nothing is summed. The force is the exact
+/// does not change under dilations. For degree 1, only E_A remains and there are no sums. The force is the exact
 /// derivative of this energy.
 
 #include <Eigen/Core>

@@ -1,6 +1,7 @@
 #pragma once
 /// The inner loops of polynomial bodies, compiled for several sets of instructions (mechanics/core/kernel_builds.h):
-/// sums over functions at the points of a grid, the reverse, and what happens at the points. Plain arrays only.
+/// sums over functions at the points of a grid, the reverse, and what happens at the points. They use plain arrays
+/// only.
 
 #include "materials/law_table.h"
 #include "mechanics/core/kernel_builds.h"
@@ -36,7 +37,7 @@ struct DenseKernels {
   /// The transposed map, z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], the terms one after the other.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
 
-  /// C ← A R, or C + A R where `add`, of row-major A (m × n_points in rows of `stride`), R (n_points × width), C (m ×
+  /// C ← A R, or C + A R if `add`, of row-major A (m × n_points in rows of `stride`), R (n_points × width), C (m ×
   /// width). The width is a whole number of blocks.
   void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
   /// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
@@ -55,7 +56,7 @@ struct DenseKernels {
   /// Σ w W(F) and Σ w U(J).
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-  /// y ← w ln det F; returns the least det F. Where that is not positive, y means nothing.
+  /// y ← w ln det F; returns the least det F. If that is not positive, y means nothing.
   double (*log_jacobian)(int n, const double* w, const double* F, double* y);
   /// J ← det F; returns the least.
   double (*jacobian)(int n, const double* F, double* J);
@@ -80,7 +81,7 @@ struct DenseKernels {
 
 /// Defined by the build, the best first.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
-/// Those of this process. Throws mechanics::NoKernels.
+/// The kernels of this process. Throws mechanics::NoKernels.
 const DenseKernels& dense();
 
 }  // namespace pseudorigid::polynomial

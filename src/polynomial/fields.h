@@ -4,7 +4,7 @@
 ///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F,   P without the stabilisation's and a viscosity's part
 ///
 /// with the multiplier λ of the motion, if there is one, and the potential φ of self-gravity, whose gauge is taken out
-/// of the pressure (gravity/surface_gravity.h). Polynomials know nothing of the sector that was computed: a point may
+/// of the pressure (gravity/surface_gravity.h). Polynomials do not depend on the computed sector: a point may
 /// be anywhere in the body. In internal units.
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ class FieldsAtPoints {
   /// Points of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// `lambda`: empty of a body without constraint. Fails where det F ≤ 0.
+  /// `lambda`: empty of a body without constraint. Fails if det F ≤ 0.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 

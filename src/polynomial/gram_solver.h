@@ -6,7 +6,7 @@
 /// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is kept and is the
 /// preconditioner of conjugate residuals (mechanics/core/conjugate_residuals.h) for S, whose products need no matrix.
 ///
-/// S is factored anew where the iteration is slow, and as soon as the iterations that a new factor would have spared
+/// S is factored anew if the iteration is slow, and as soon as the iterations that a new factor would have spared
 /// have cost as much as it does, so the cost is at most twice the least.
 
 #include <Eigen/Cholesky>
@@ -49,7 +49,7 @@ class GramSolver {
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// The position of the factor, and what has been spent beside it.
+  /// The position of the factor, and the cost of iterations since then.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);
@@ -60,7 +60,7 @@ class GramSolver {
  private:
   bool factor(const Eigen::VectorXd& q);
   bool ensure_factor(const Eigen::VectorXd& q0);
-  /// False where it does not converge.
+  /// Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                int& n_iterations);
   double iteration_cost() const;
@@ -68,7 +68,7 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< where the factor was made, or is to be made
+  Eigen::VectorXd position_;     ///< at which the factor was made, or is to be made
   bool is_known_ = false;        ///< position_ is one
   double spent_ = 0;             ///< on iterations since
   Eigen::VectorXd factored_at_;  ///< of what is in factor_; empty: nothing

@@ -3,8 +3,8 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// A pressure on the surface is carried by the constraint and is no force here. λ = Σλ_bψ_b is the Kirchhoff pressure
-/// Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
+/// A pressure on the surface is carried by the constraint and is not a force here. λ = Σλ_bψ_b is the Kirchhoff
+/// pressure Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
 
 #include <cmath>
 
@@ -20,7 +20,7 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, maximum norm
+    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, maximum norm
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

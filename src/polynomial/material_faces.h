@@ -5,7 +5,8 @@
 ///   surface, three patches an octant   ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch a quarter   ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1. Of the computed sector; the rest of the body follows by reflection. In internal units.
+/// with s, t = 0, 1/m, …, 1. Only the computed sector is kept; the rest of the body follows by reflection. In internal
+/// units.
 
 #include <Eigen/Core>
 #include <array>

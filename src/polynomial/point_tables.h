@@ -5,7 +5,7 @@
 /// one octant and their images R_m ξ under reflections at the other planes, the free ones. A function of parity c has
 /// at an image the value (−1)^{c·m} times that at the point. So the functions of each parity are summed at the octant's
 /// points, and a transform of the sums over the parities gives all images at once (transform_images), an eighth of the
-/// work and memory where no plane is a symmetry plane.
+/// work and memory if no plane is a symmetry plane.
 ///
 /// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω). So sums over n come first, at the radii, then
 /// those over l and m, in the directions (sum factorisation; Orszag 1980): with e_r = ω,
@@ -13,7 +13,7 @@
 ///   u_lm(r) = Σ_n c_nlm R_nl(r),   x = Σ_lm u_lm Y_lm,
 ///   ∇_ξ x = Σ_lm u′_lm Y_lm e_r + (u_lm/r)(∂_θY_lm e_θ + ∂_φY_lm e_φ/sin θ),   ∂x/∂X_k = ∂x/∂ξ_k / s_k.
 ///
-/// Of few functions at few points the direct sums are cheaper, from tables of the functions at the points.
+/// For few functions at few points the direct sums are cheaper, from tables of the functions at the points.
 ///
 /// The linear functions are left out of the sums for gradients, as theirs are constant: F, of which the affine part is
 /// the largest, gets fewer rounding errors, and that of a body of degree 1 none.

@@ -31,7 +31,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// What a body is made of and what acts on it.
+/// Material of a body, and its loads.
 struct BodySetup {
   int degree = 3;
   std::array<bool, 3> reflect{};  ///< the symmetry planes of the motion
@@ -64,10 +64,10 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// Of loads that depend on time, those at t = 0; not finite where some det F ≤ 0.
+  /// Loads that depend on time are taken at t = 0; not finite if some det F ≤ 0.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// The turns of space about axes that the symmetry planes leave free, where no load depends on the direction.
+  /// Rotational symmetries: axes of rotation under which the symmetry planes and the loads are invariant.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 

@@ -5,7 +5,7 @@
 ///   x_i(X) = Σ_a q_ia φ_a(X) ∈ P_N,    ∫ρ φ_a φ_b dX = δ_ab     (the mass is the identity)
 ///   λ(X) = Σ_b λ_b ψ_b(X) ∈ P_{N−1},   ∫ψ_a ψ_b dX = δ_ab
 ///
-/// with the ball polynomials of ball_polynomials.h, divided by √det S. Where a coordinate plane is a symmetry plane of
+/// with the ball polynomials of ball_polynomials.h, divided by √det S. If a coordinate plane is a symmetry plane of
 /// the motion, x_i is odd in ξ_i and even in the other coordinates that are reflected, and λ is even in them: the other
 /// functions are left out. All integrals are those of the whole body.
 ///
@@ -38,7 +38,7 @@ class PolynomialSpace {
   int n_points_in_direction() const { return grid_.n_radii(); }
   const std::array<bool, 3>& reflect() const { return reflect_; }
   const Eigen::Vector3d& semi_axes() const { return semi_axes_; }
-  /// Of the computed part: 1 for the whole body, 8 for an octant.
+  /// Number of copies of the computed part: 1 for the whole body, 8 for an octant.
   int n_mirrors() const { return 8 / n_images_; }
   /// Reflections of the octant's points that make the computed part.
   int n_images() const { return n_images_; }
@@ -56,7 +56,7 @@ class PolynomialSpace {
   const PointTables& gradients() const { return gradients_; }
   const PointTables& pressures() const { return pressures_; }
   int n_points() const { return gradients_.n_points(); }
-  /// Weights of the points of the computed part for integrals over the whole body; 0 where points are filled up.
+  /// Weights of the points of the computed part for integrals over the whole body; 0 if points are filled up.
   const std::vector<double>& weights() const { return weights_; }
   /// ξ of the points of integration.
   const std::vector<std::array<double, 3>>& points() const { return points_; }
@@ -75,7 +75,7 @@ class PolynomialSpace {
   /// Coefficients of the force ∫∇φ·… of the uniform stress P: f_ia = Σ_k P_ik ∫∂φ_a/∂X_k dX.
   void add_uniform_stress(const Eigen::Matrix3d& P, Eigen::Ref<Eigen::VectorXd> f) const;
 
-  /// Position of the coefficient of a function of ball_polynomials(degree) in a component, −1 where it has none.
+  /// Position of the coefficient of a function of ball_polynomials(degree) in a component, −1 if it has none.
   int place(int component, int function) const { return places_[component][function]; }
   /// The same of a pressure function.
   int pressure_place(int function) const { return pressure_places_.front()[function]; }

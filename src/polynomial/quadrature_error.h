@@ -1,5 +1,5 @@
 #pragma once
-/// What the rules of quadrature of a polynomial body do to Q, and the number of points that a tolerance asks for. The
+/// Error of Q by the quadrature of a polynomial body, and the number of points that a tolerance requires. The
 /// same body with another rule makes another motion. Pilot runs of both over a window w of a run of length T, by RATTLE
 /// with the same long steps, whose errors cancel, give
 ///
@@ -7,14 +7,14 @@
 ///
 /// Every rule is exact for affine states, of which the body is one at first, so the window holds about half a
 /// pulsation, or a sixteenth of the run. Beyond it the errors of the phases grow like t, and have hardly begun to in
-/// it: hence the power 3/2, as for the pilots of a step (mechanics/steps/step_search.h). Where points are added, w = T
+/// it: hence the power 3/2, as for the pilots of a step (mechanics/steps/step_search.h). If points are added, w = T
 /// and the factor of the volume is 60: there the long steps hide more of the difference. In the motions that the
 /// factors were chosen with the error was at most 0.75 e. docs/theory.md has those that judge them.
 ///
-/// Of the volume, Q' has one point more in each direction of an octant. Of self-gravity it has two less on the surface:
-/// that costs a quarter, and the difference is no less than the error if that falls with the fourth power.
+/// For the volume, Q' has one point more in each direction of an octant. For self-gravity it has two less on the
+/// surface: that costs a quarter, and the difference is no less than the error if that falls with the fourth power.
 ///
-/// It knows of no instability: errors that the motion magnifies beyond the window are larger.
+/// It does not include instability: errors that the motion magnifies beyond the window are larger.
 
 #include <functional>
 #include <optional>

@@ -8,11 +8,11 @@
 ///
 /// Kind and degree of a mode are measured: P_N is invariant under turns, and the square of a turn of the whole field
 /// (turns.h) splits a parity into motions of one degree n each. A mode has the degree of which its share is largest. It
-/// is spheroidal where its inversion X ↦ −X has the sign (−1)^(n+1), and otherwise toroidal.
+/// is spheroidal if its inversion X ↦ −X has the sign (−1)^(n+1), and otherwise toroidal.
 ///
 /// Self-gravity at rest is exact: its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
 /// (continuum/modes/parity_sector.h). The quadrature of a motion's gravity (body_gravity.h) errs in the highest
-/// harmonics by more than all elasticity where γ = ρgr/μ is large: it mixed kinds from γ = 400 on at N = 3, from 4000
+/// harmonics by more than all elasticity if γ = ρgr/μ is large: it mixed kinds from γ = 400 on at N = 3, from 4000
 /// on at N = 8.
 
 #include <vector>
@@ -21,8 +21,8 @@
 
 namespace pseudorigid::polynomial {
 
-/// One frequency of the ball with its 2n + 1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate
-/// of growth.
+/// One frequency of the ball with its 2n + 1 modes. Internal units. For unstable motions ω is negative, and −ω is the
+/// growth rate.
 struct RestFrequency {
   double omega;           ///< mean of the copies
   double least, largest;  ///< of the copies
@@ -33,8 +33,8 @@ struct RestFrequency {
   Eigen::VectorXd shape;  ///< one of the modes, coefficients of the whole body, of norm 1
 };
 
-/// The lowest `number` frequencies, rising. `setup.reflect` is not used. Fails where the body is in no equilibrium at
-/// rest, and where modes cannot be put together to frequencies.
+/// The lowest `number` frequencies, rising. `setup.reflect` is not used. Fails if the body is in no equilibrium at
+/// rest, and if modes cannot be put together to frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

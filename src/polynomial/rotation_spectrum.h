@@ -10,7 +10,7 @@
 /// Taken out with their momenta, as they say nothing of the figure: uniform motions; the turns of space (J); the turns
 /// of the reference ball (Z), which the exact integrals do not feel and those over points feel by their error; and of a
 /// fluid all motions A w(X), div w = 0 in the ball and w·X = 0 on its surface, which only exchange matter within the
-/// figure. The momenta of these are the circulations (Kelvin), and what is left are motions at fixed circulations.
+/// figure. The momenta of these are the circulations (Kelvin), and the remainder are motions at fixed circulations.
 ///
 /// K maps motions of each of the eight parities into themselves. So one call of the force rate gives a column for each.
 
@@ -26,7 +26,7 @@ namespace pseudorigid::polynomial {
 /// A class of small motions.
 struct MotionClass {
   bool odd_in_z;  ///< under x₃ ↦ −x₃
-  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 where even under the half turn, otherwise 1
+  int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
 };
 
 struct ClassStability {

@@ -45,7 +45,7 @@ struct SteadyRotation {
 
 class SteadyRotations {
  public:
-  /// `setup.reflect` is not used, nor loads beside gravity and pressure.
+  /// `setup.reflect` is not used, nor loads other than gravity and pressure.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
   /// The affine figure x = A X, A diagonal.
@@ -53,8 +53,8 @@ class SteadyRotations {
 
   /// The figure near `rotation` that meets the condition.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// The same by way of the figures between, from one that has the parameter `from`, in steps as long as Newton's
-  /// iteration stays with its prediction.
+  /// Continuation from a known equilibrium at the parameter `from`, with steps that are as long as Newton's
+  /// iteration stays close to its prediction.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// dΩ² by the parameter along the family.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;

@@ -11,7 +11,7 @@
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///
-/// It is an observable, not the law that is integrated: where two axes coincide Ω* and Λ* are not defined. Axes are
+/// It is an observable, not the law that is integrated: if two axes coincide Ω* and Λ* are not defined. Axes are
 /// followed along the path and never sorted, because sorted axes have corners where they cross. Through a crossing the
 /// decomposition is continued by the frames nearest to those before, which is the smooth one wherever a smooth one
 /// exists; it does along analytic paths (Kato, Perturbation Theory for Linear Operators, II.6.1), while a path that is
@@ -44,7 +44,7 @@ inline void exchange_axes(Bipolar& b, int i, int j) {
   b.S.row(i).swap(b.S.row(j));
   std::swap(b.a[i], b.a[j]);
 }
-/// TᵀAS does not change where a row of T and that of S both change their signs.
+/// TᵀAS does not change if a row of T and that of S both change their signs.
 inline void reverse_axis(Bipolar& b, int i) {
   b.T.row(i) *= -1;
   b.S.row(i) *= -1;
@@ -54,7 +54,7 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
-/// Where axes coincide to round-off, TᵀAS does not change if their rows of T and S turn alike in their plane: the turns
+/// If axes coincide to round-off, TᵀAS does not change if their rows of T and S turn alike in their plane: the turns
 /// that bring them nearest to those of before. Three coincident axes need a few sweeps.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
@@ -86,7 +86,7 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q) {
 }
 
 /// The decomposition that continues the one of a state shortly before: of all orders and signs of the axes with
-/// det T = 1, and where axes coincide of all frames in their plane, the nearest.
+/// det T = 1, and if axes coincide of all frames in their plane, the nearest.
 inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
   constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
@@ -118,7 +118,7 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
   return nearest;
 }
 
-/// Where two axes coincide to round-off, their part of Ω* and Λ* is 0.
+/// If two axes coincide to round-off, their part of Ω* and Λ* is 0.
 inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
   BipolarRates r{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), {}, b.T * Qdot * b.S.transpose()};
   r.a_rate = r.u.diagonal();

@@ -66,7 +66,7 @@ struct CenterPath::Integration {
   using State = mechanics::State<Field>;
   /// Of the local errors: the next decade is round-off.
   static constexpr double tolerance = 1e-15;
-  /// Far beyond a step, which is not to know when somebody looks.
+  /// Integrates to a far end, so that steps do not depend on the sampling times.
   static constexpr double far = 1e3;
 
   explicit Integration(const CenterOfMass& center) : field{&center} { begin(); }

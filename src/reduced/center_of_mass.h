@@ -3,7 +3,7 @@
 ///
 ///   ẍ = b − T x − c ẋ.
 ///
-/// Where no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Otherwise it is integrated
+/// If no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Otherwise it is integrated
 /// to round-off, together with the energy per mass that such loads have given,
 ///
 ///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
@@ -29,7 +29,7 @@ struct CenterOfMass {
     double work = 0;  ///< w
   };
 
-  /// Where no load depends on time. Not finite where an unstable T has carried it beyond all numbers.
+  /// If no load depends on time. Not finite if an unstable T has carried it beyond all numbers.
   Motion at(double t) const;
 
   /// Energies per mass.
@@ -53,7 +53,7 @@ class CenterPath {
  private:
   struct Integration;
   CenterOfMass center_;
-  std::unique_ptr<Integration> integration_;  ///< null where the motion is known
+  std::unique_ptr<Integration> integration_;  ///< null if the motion is known
 };
 
 }  // namespace pseudorigid::reduced

@@ -1,5 +1,5 @@
 #pragma once
-/// The pseudo-rigid body that neither turns nor circulates: where Q₀, Q̇₀, E₀ and the loads are diagonal, Q = diag(a)
+/// The pseudo-rigid body that neither turns nor circulates: if Q₀, Q̇₀, E₀ and the loads are diagonal, Q = diag(a)
 /// for all times, and (5.120) is
 ///
 ///   e_i ä_i = −∂V/∂a_i + Λ/a_i,   ln a₁a₂a₃ = 0,   E₀ = diag(e),

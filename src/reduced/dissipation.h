@@ -21,7 +21,7 @@ struct Dissipation {
   double viscosity = 0;  ///< η
   double drag = 0;       ///< c
 
-  /// Of a forcing.
+  /// The dissipation of a forcing.
   static Dissipation of(const loads::Forcing& forcing) {
     return {.viscosity = forcing.viscosity, .drag = forcing.drag};
   }

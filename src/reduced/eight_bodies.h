@@ -68,7 +68,7 @@ struct EightMatrices {
 
 [[gnu::always_inline]] inline BodyLanes absolute(BodyLanes a) { return a.v < 0.0 ? -a.v : a.v; }
 
-/// ln J as materials::log_near_one has it, J > 0: the series where all are near 1.
+/// ln J as materials::log_near_one has it, J > 0: the series if all are near 1.
 [[gnu::always_inline]] inline BodyLanes log_near_one(BodyLanes J) {
   const BodyLanes delta = J - 1.0;
   if (!(greatest(absolute(delta)) <= 0x1p-11)) return log(J);
@@ -146,7 +146,7 @@ class EightBodies {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { set(by_inverse_inertia(tensor(f)), a); }
 
-  /// ln det Q; a NaN where a body is turned inside out, which no iteration takes for met.
+  /// ln det Q; a NaN if a body is turned inside out, which no iteration takes for met.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const BodyLanes J = materials::determinant(tensor(Q));
     g.x = J.v > 0.0 ? log_near_one(J).v : BodyLanes(std::numeric_limits<double>::quiet_NaN()).v;
@@ -182,7 +182,7 @@ class EightBodies {
 
  private:
   using Tensor = materials::Tensor<BodyLanes>;
-  /// False where a body is outside of what the law admits.
+  /// False if a body is outside of what the law admits.
   using Stress = bool (*)(const materials::AnyLaw&, const Tensor&, Tensor&);
 
   template <class Law>

@@ -50,7 +50,7 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
 
-/// motion(size · axes, m), which sets m.lambda even where it fails; on GL⁺(3) at the size at which the multiplier is 0,
+/// motion(size · axes, m), which sets m.lambda even if it fails; on GL⁺(3) at the size at which the multiplier is 0,
 /// the nearest to 1.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,

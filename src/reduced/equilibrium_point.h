@@ -21,11 +21,11 @@ struct EquilibriumPoint {
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }
-  /// Riemann's f = ζ/Ω along axis 3: 0 without inner motion, infinite where the figure does not turn.
+  /// Riemann's f = ζ/Ω along axis 3: 0 without inner motion, infinite if the figure does not turn.
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Fails where the linearisation does.
+/// Fails if the linearisation does.
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

@@ -15,7 +15,7 @@ template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  constexpr int n_substeps = 8;  // error (h/8)⁴ beside that of the differences, h⁸
+  constexpr int n_substeps = 8;  // error (h/8)⁴ in addition to that of the differences, h⁸
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();
   mechanics::Status status;

@@ -17,7 +17,7 @@
 
 namespace pseudorigid::reduced {
 
-/// Fills what `request` asks for. `System` is a PseudoRigidBody or one of its other forms. Fails where the force fails.
+/// Fills what `request` asks for. `System` is a PseudoRigidBody or one of its other forms. Fails if the force fails.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,
@@ -75,7 +75,7 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   before = b;
 
   LocalPath<System> path;
-  // Where two axes come close, the frames can turn as fast as |u| over their distance.
+  // If two axes come close, the frames can turn as fast as |u| over their distance.
   const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
   const double rate = r.u.norm(), h = 0.02 / (1 + rate + rate / std::max(gap, 1e-4));
   auto force = system.make_vector();

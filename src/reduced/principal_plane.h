@@ -139,7 +139,7 @@ struct Target {
   double value;
 };
 
-/// The steady motion near `motion` with the two quantities. Where they do not single out one (on a fold, at a
+/// The steady motion near `motion` with the two quantities. If they do not single out one (on a fold, at a
 /// bifurcation) the iteration fails, or finds a neighbour.
 template <SmoothPotential V>
 mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,

@@ -1,6 +1,6 @@
 #pragma once
 /// The reference body B of x = Q X: its inertia E₀ = ∫ρXXᵀdV (Oliva 5.7.2), volume and mass, and the linear map S that
-/// takes the unit ball to B where B is an ellipsoid, so that Q B is the ellipsoid with the principal axes of Q S.
+/// takes the unit ball to B if B is an ellipsoid, so that Q B is the ellipsoid with the principal axes of Q S.
 ///
 ///   ball of radius r:  E₀ = (4/15)πρr⁵ Id,     ellipsoid:  E₀ = (M/5) SSᵀ,   M = (4/3)πρ det S
 ///

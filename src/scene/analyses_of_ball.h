@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// A motion is refused only where its initial state is an equilibrium that the scene does not have.
+/// A motion is refused only if its initial state is an equilibrium that the scene does not have.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
 }  // namespace pseudorigid::scene

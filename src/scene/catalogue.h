@@ -112,7 +112,7 @@ struct ModelDescription {
   std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
   std::string_view adjective;      ///< of the ball that it computes, in sentences: "elastic"
   std::string_view documentation;  ///< a sentence for people
-  bool by_default = false;         ///< chosen where the scene does not say
+  bool by_default = false;         ///< chosen if the scene does not say
   /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
   /// processes may share it, and it runs in the executable that links deal.II.
   Required<bool> discretized;
@@ -120,9 +120,9 @@ struct ModelDescription {
   /// pseudo-rigid body, whose exact results hold for it.
   Required<bool> has_nonaffine;
   bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
-  EquilibriaTable equilibria{};                    ///< where they are offered
+  EquilibriaTable equilibria{};                    ///< if they are offered
   /// Columns of equilibria.csv for equilibria at rest, Equilibrium/Family = static, of a body with so many degrees of
-  /// freedom; null where the model does not find them.
+  /// freedom; null if the model does not find them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< of all groups, as documented
   /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions

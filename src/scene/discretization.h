@@ -1,6 +1,6 @@
 #pragma once
 /// Discretisations of the continuum: finite elements of degree k on the mesh refined r times, and the order in which
-/// they are tried where the scene leaves the choice open.
+/// they are tried if the scene leaves the choice open.
 ///
 /// The error of Q falls with the resolution
 ///

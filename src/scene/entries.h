@@ -1,8 +1,8 @@
 #pragma once
 /// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation; the default is the
-/// member's own in scene/scene.h. Those of a load are with the load, src/loads/. Reading, range checks, used.prm, the
-/// suggestions for misspelt names and all formats of `pseudorigid parameters` derive from here. A new entry is a member
-/// of Scene and one call below.
+/// member's own in scene/scene.h. The entries of a load are with the load, src/loads/. Reading, range checks, used.prm,
+/// the suggestions for misspelt names and all formats of `pseudorigid parameters` derive from here. A new entry is a
+/// member of Scene and one call below.
 
 #include <concepts>
 #include <type_traits>

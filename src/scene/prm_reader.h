@@ -27,8 +27,8 @@ namespace pseudorigid::scene {
 
 /// One `set` or one `subsection` line.
 struct Statement {
-  std::string path;                  ///< "Section/Entry", or "Section" where a subsection begins
-  std::optional<std::string> value;  ///< empty where a subsection begins
+  std::string path;                  ///< "Section/Entry", or "Section" if a subsection begins
+  std::optional<std::string> value;  ///< empty if a subsection begins
   std::string file;
   int line = 0;  ///< 0: not from a file, `file` then says where from
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A scene of the ball measured by its own units, so that whoever wrote it sees whether it says what was meant:
+/// A scene of the ball measured by its own units, so that its author can check the values:
 ///
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///

@@ -19,7 +19,8 @@ namespace pseudorigid::scene {
 enum class Analysis { motion, modes, equilibrium, manifolds, section };
 /// Which crossings of a section count: with a column that rises, that falls, or both.
 enum class Crossings { up, down, both };
-/// Families of relative equilibria (reduced/equilibrium_families.h), and the equilibria at rest, which are no family.
+/// Families of relative equilibria (reduced/equilibrium_families.h), and `static`, the equilibria at rest,
+/// which are not members of a family.
 enum class Family {
   none,
   maclaurin,
@@ -63,7 +64,7 @@ inline constexpr int largest_number_of_samples = 10'000'000;
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 
 struct Scene {
-  const Catalogue* catalogue = nullptr;  ///< null: methods and systems are those of nobody; set by read_scene
+  const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
   std::vector<std::string> models;  ///< of the catalogue, in its order
   std::string system{ball};         ///< or the name of a system of the catalogue

@@ -28,7 +28,7 @@ struct AttractionLaw {
   double slope_over_distance(double r) const { return strength / (r * r * r); }
 };
 
-/// f = −(V′(r)/r) d; fails where the force has no direction or no finite size.
+/// f = −(V′(r)/r) d; fails if the force has no direction or no finite size.
 template <class Law>
 mechanics::Status central_force(const Law& law, const Eigen::Vector3d& d, Eigen::Vector3d& f) {
   const double slope_over_distance = law.slope_over_distance(d.norm());

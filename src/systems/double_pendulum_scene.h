@@ -1,7 +1,7 @@
 #pragma once
 /// The planar double pendulum in parameter files, in multiplier form (double_pendulum.h) or in Lagrange form
 /// (double_pendulum_chart.h): the same motion, computed in two ways. The reactions of the rods are, with λ_k the
-/// multipliers, the tensions  T_k = −λ_k / l_k; beside them stand R₁ and R₂ of (5.43) by the second fundamental form,
+/// multipliers, the tensions  T_k = −λ_k / l_k; there are also R₁ and R₂ of (5.43) by the second fundamental form,
 /// without multipliers.
 
 #include <Eigen/Core>

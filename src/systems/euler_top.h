@@ -5,8 +5,8 @@
 ///   q̇ = ½qΩ,   AΩ̇ = AΩ × Ω + N,   N = ∫ξ × R⁻¹df,
 ///   q̈ = ½(q̇Ω + qΩ̇)
 ///
-/// as a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are no
-/// exception as long as A is invertible. q is stored as (x, y, z, w), Eigen's order.
+/// as a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are included
+/// as long as A is invertible. q is stored as (x, y, z, w), Eigen's order.
 
 #include <Eigen/Geometry>
 #include <cmath>

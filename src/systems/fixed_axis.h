@@ -12,7 +12,7 @@
 ///
 ///   f_b^⊥ = −(e × N + aF^⊥)/(b − a),   f_a^⊥ = F^⊥ − f_b^⊥.
 ///
-/// Along the axis only the sum is determined; the first bearing carries it. Where e is a principal axis through the
+/// Along the axis only the sum is determined; the first bearing carries it. If e is a principal axis through the
 /// centre of mass, the bearings feel the weight alone, at any speed.
 
 #include <Eigen/Dense>

@@ -3,10 +3,10 @@
 /// external fields. Points are numbered from 1. Motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
-///   length   L = the largest of |q_i − q̄|, of |q_i − c| where forces come from c, and of the rest lengths of springs
+///   length   L = the largest of |q_i − q̄|, of |q_i − c| if forces come from c, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// Where L = 0, as for one point, the velocities set it: |v|/ω or |v|²/|g|.
+/// If L = 0, as for one point, the velocities set it: |v|/ω or |v|²/|g|.
 
 #include <fmt/format.h>
 
@@ -217,7 +217,7 @@ struct MassPointsScene {
     return {};
   }
 
-  /// Forces that have no direction or no finite size where two points coincide.
+  /// Forces that have no direction or no finite size if two points coincide.
   std::optional<Refusal> refuses_places() const {
     const char* path = "Mass points/Positions";
     const auto coincide = [&](int i, int j, const char* act) {

@@ -313,7 +313,7 @@ struct RigidBodyScene {
     return columns;
   }
 
-  /// Of a matrix that is not far from one: its polar factor by Newton's iteration.
+  /// The polar factor of a matrix close to a rotation, by Newton's iteration.
   static std::string nearest_rotation_to(Eigen::Matrix3d R) {
     for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
     scene::Matrix3 rows;

@@ -42,12 +42,12 @@ struct Sphere {
 /// ds² = r² dw² + ρ² du².
 ///
 /// Its symmetric circles are w = 0, outside, and w = π, inside. A motion that a symmetry keeps on one of them stays
-/// there in floating-point arithmetic where its own angle is 0: π is no number of double precision, and sin of the
+/// there in floating-point arithmetic if its own angle is 0: π is not a number of double precision, and sin of the
 /// nearest one is not 0. So the first coordinate is w − w₀ with w₀ = 0 or π (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;
-  double outward = 1;  // cos w₀: 1 where the angle is measured from outside, −1 from inside
+  double outward = 1;  // cos w₀: 1 if the angle is measured from outside, −1 from inside
 
   template <class T>
   SurfaceMetric<T> metric(const SurfacePoint<T>& q) const {

@@ -1,5 +1,5 @@
 #pragma once
-/// The systems of the program besides the ball. A new one is its header and one line of table.cpp.
+/// The systems of the program other than the ball. A new one is its header and one line of table.cpp.
 
 #include <vector>
 

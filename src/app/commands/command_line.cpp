@@ -68,7 +68,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
                               scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 
-/// Nor an unknown option.
+/// Also rejects unknown options.
 [[noreturn]] void refuse_arguments(const CLI::App& command, const std::vector<std::string>& words) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options())

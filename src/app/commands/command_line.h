@@ -1,5 +1,5 @@
 #pragma once
-/// The command line of `pseudorigid` (README.md): what was asked for, as values.
+/// The command line of `pseudorigid` (README.md): the request of the user, as values.
 
 #include <filesystem>
 #include <optional>

@@ -32,7 +32,7 @@ std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& 
   return fmt::format("{} N = {}", run.adjective, degree->second);
 }
 
-/// Those of which there is a file, with the samples that all of them reached; a model that stopped early has fewer.
+/// Models with a trajectory file, truncated to the samples common to all; a model that stopped early has fewer.
 std::vector<Run> runs_to_compare(const RunContext& context, const io::Manifest& manifest) {
   std::vector<Run> runs;
   for (const scene::ModelDescription* model : context.needs.models)

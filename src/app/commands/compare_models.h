@@ -15,12 +15,12 @@ namespace pseudorigid::app {
 /// By the names of models: the same motion on another discretisation.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
-/// Compares what the models that ran have written. Returns why the table could not be printed, if it could not; it is
+/// Compares the results of the models that ran. Returns why the table could not be printed, if it could not; it is
 /// in the files as well.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints what the run of the only model, or of the system, shows by itself. Returns likewise.
+/// Prints what the run of the only model, or of the system, shows by itself. The return value is the same.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

@@ -1,5 +1,5 @@
 #pragma once
-/// What the files of a run take on the disk, estimated before it begins, and what the disk still has.
+/// Disk space that the files of a run will take, estimated before it begins, and free disk space.
 ///
 /// A number of a table takes some 20 bytes, one of a picture, compressed, some 5. Both are measured for motions without
 /// symmetry; columns of zeros take a tenth of that, so a symmetric motion takes less.
@@ -15,7 +15,8 @@ namespace pseudorigid::app {
 /// with --resume.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
-/// UserError if the samples of a sweep would find no room: they are kept beside its rows if the scene asks for it.
+/// UserError if the disk is too small for the samples of a sweep, which are kept in addition to its rows if the scene
+/// requests it.
 void require_room_for_trajectories(const scene::Scene& scene, const scene::Origins& origins,
                                    const io::RunDirectory& directory);
 

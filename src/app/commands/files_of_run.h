@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// What may leave files of its own name: the models, and every system of the catalogue.
+/// Names under which files may be written: the models, and every system of the catalogue.
 inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const scene::ModelDescription& model : catalogue.models) {

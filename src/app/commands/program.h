@@ -13,13 +13,13 @@
 
 namespace pseudorigid::app {
 
-/// What an executable was linked with, and what it opens.
+/// The parts with which an executable was linked, and those that it opens.
 struct Executable {
   std::vector<BallModel> models;                   ///< all that scenes may name; the poorest in motions first
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
   /// Those that its kernels are compiled for, "" without kernels. Throws mechanics::NoKernels.
   std::string_view (*instructions)() = [] { return std::string_view(); };
-  /// What runs the finite elements. Throws NoContinuum.
+  /// Function that runs the finite elements. Throws NoContinuum.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run that goes on from checkpoints may change of its scene, and what not.
+/// Which parameters may differ between a run and its resumption.
 
 #include <filesystem>
 #include <vector>
@@ -14,8 +14,8 @@ namespace pseudorigid::app {
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
 /// A scene that goes on, perhaps to a later Time/End, gets as many samples as keep the distance that they have in the
-/// run of the directory, whatever it says. UserError where the end is no whole number of intervals, or an earlier one.
-/// Nothing changes where there is nothing to resume.
+/// run of the directory, whatever it says. UserError if the end is not a whole number of intervals, or an earlier one.
+/// Without a checkpoint the scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Every checkpoint in the directory can be read and belongs to this scene: UserError names the entries that differ.

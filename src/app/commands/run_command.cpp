@@ -59,7 +59,7 @@ std::string print(const std::string& results) try {
   return error.what();
 }
 
-/// What remains to be said of a run, in the log and in the manifest. Returns the exit code.
+/// Writes the final log line and manifest entry; returns the exit code.
 int end_run(mechanics::Outcome outcome, int exit_code, const std::string& message, const char* advice,
             const RunContext& context, io::ManifestFile& manifest) {
   if (outcome == mechanics::Outcome::finished)

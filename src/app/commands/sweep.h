@@ -3,17 +3,17 @@
 /// with a row for each run:
 ///
 ///   run, the parameters, finished (1 or 0), time reached, steps, forces, estimated_time_error;
-///   of the ball, frequency (of the component of C = QᵀQ that varies most, 0 where there is none) and amplitude of C, as
+///   of the ball, frequency (of the component of C = QᵀQ that varies most, 0 if there is none) and amplitude of C, as
 ///   in analysis/motion.h;
 ///   of every column c of the model's own CSV file  c_end, c_min, c_max  over the samples, or of one that the motion
 ///   conserves  c  at the start and  c_drift = c_max − c_min.
 ///
-/// Where the scene asks for it, kept_trajectories.h, the samples themselves are kept as well.
+/// If the scene asks for it, kept_trajectories.h, the samples themselves are kept as well.
 ///
 /// Rows come in the order of the runs and do not depend on the number of threads. A resumed sweep goes on after the
 /// last row.
 ///
-/// Runs 8k + 1 … 8k + 8 move together in SIMD lanes where they can (app/reduced/reduced_in_lanes.h). The others run one
+/// Runs 8k + 1 … 8k + 8 move together in SIMD lanes if they can (app/reduced/reduced_in_lanes.h). The others run one
 /// by one, each the whole path of a single run.
 
 #include "app/commands/program.h"
@@ -26,7 +26,7 @@ namespace pseudorigid::app {
 /// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is that of the first run, `run` runs what moves, `together` (null where there is none) several of them.
+/// `context` is that of the first run, `run` runs what moves, `together` (null if there is none) several of them.
 ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
                        bool shows_progress);
 

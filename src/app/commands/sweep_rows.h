@@ -1,5 +1,5 @@
 #pragma once
-/// sweep.csv, and trajectories.csv where it is kept, while several threads bring rows: written in the order of the
+/// sweep.csv, and trajectories.csv if it is kept, while several threads bring rows: written in the order of the
 /// runs, with a checkpoint now and then.
 
 #include <chrono>
@@ -19,7 +19,7 @@
 
 namespace pseudorigid::app {
 
-/// What is written of one run.
+/// Output of one run.
 struct RunRows {
   std::vector<double> row;  ///< of sweep.csv
   io::Table samples;

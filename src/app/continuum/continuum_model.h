@@ -1,5 +1,5 @@
 #pragma once
-/// The finite-element ball of a scene, incompressible or compressible, as ModelRun wants it.
+/// Adapter of the finite-element ball of a scene, incompressible or compressible, to the RunnableModel interface.
 
 #include <fmt/format.h>
 

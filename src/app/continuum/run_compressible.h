@@ -1,5 +1,6 @@
 #pragma once
-/// The compressible continuum, in a source file of its own, which compiles beside that of the incompressible one.
+/// The compressible continuum, in a source file of its own, which compiles at the same time as that of the
+/// incompressible one.
 
 #include "app/search/continuum_run.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What the finite elements of a scene store, in internal units.
+/// Stored energy of the finite elements of a scene, in internal units.
 
 #include "app/run/scene_to_model.h"
 #include "continuum/kernels/stored_energy.h"

@@ -1,5 +1,5 @@
 #pragma once
-/// The models of the ball. A model is one source file of this folder, which says what it is and what runs it, and its
+/// The models of the ball. A model is one source file of this folder, which describes the model and runs it, and its
 /// two lines below.
 
 #include <optional>
@@ -12,7 +12,7 @@
 namespace pseudorigid::app {
 
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// Runs at the same time, as a sweep has many; nothing where each has to run by itself.
+/// Runs at the same time, as a sweep has many; nothing if each has to run by itself.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {

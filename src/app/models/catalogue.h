@@ -11,7 +11,7 @@ namespace pseudorigid::app {
 
 scene::Catalogue catalogue_with(const std::vector<BallModel>& models);
 
-/// That of the program's own models; it lives as long as the program.
+/// The catalogue of the program's own models; it lives as long as the program.
 const scene::Catalogue& program_catalogue();
 
 }  // namespace pseudorigid::app

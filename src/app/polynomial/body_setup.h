@@ -17,11 +17,11 @@ namespace pseudorigid::app {
 struct PolynomialTask {
   int degree;
   std::string name = "polynomial";     ///< of its files
-  DeformationTrace* trace = nullptr;   ///< where the run leaves Q as it goes, if anybody asks
+  DeformationTrace* trace = nullptr;   ///< receives Q during the run; null if not requested
   std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
 };
 
-/// Those of the scene, but at least those that the degree needs.
+/// The points of the scene, but at least the number that the degree needs.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));

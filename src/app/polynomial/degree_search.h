@@ -4,7 +4,7 @@
 /// Degrees that the scene lists are run one after the other. The last writes polynomial.csv and is the model of the
 /// scene; the others write `polynomial-<degree>.csv` and are compared with the reference as models of their own.
 ///
-/// Where the degree is left open (auto) the scene is run with N = 1, 3, 5, … for its trace alone. Even degrees add
+/// If the degree is left open (auto) the scene is run with N = 1, 3, 5, … for its trace alone. Even degrees add
 /// nothing to motions with the symmetry of an octant, which go in steps of two. The differences of Q between successive
 /// runs give the error of the last one (analysis/space_error.h, N being the resolution), and the first degree whose
 /// error is within Polynomial/Tolerance is run for its results. That degree is kept in a checkpoint, so that a resumed
@@ -26,10 +26,10 @@ using PolynomialRun = std::function<ModelOutcome(const RunContext& context, cons
 
 inline constexpr const char* degree_checkpoint_name = "degree";
 
-/// Of a scene that gives one degree or several.
+/// Runs a scene that gives one degree or several.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
-/// Of a scene that leaves the degree open.
+/// Runs a scene that leaves the degree open.
 ModelOutcome run_degree_search(const RunContext& context, const PolynomialRun& run);
 
 }  // namespace pseudorigid::app

@@ -14,10 +14,10 @@ namespace pseudorigid::app {
 
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// What a class of motions is called: "even in z, m = 2".
+/// Name of a class of motions: "even in z, m = 2".
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class of the fastest growth; null where nothing grows.
+/// The class of the fastest growth; null if nothing grows.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
 class EquilibriumRows {

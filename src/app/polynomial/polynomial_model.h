@@ -1,5 +1,5 @@
 #pragma once
-/// The polynomial body of a scene, incompressible or compressible, as ModelRun wants it.
+/// Adapter of the polynomial body of a scene, incompressible or compressible, to the RunnableModel interface.
 
 #include <fmt/format.h>
 
@@ -90,7 +90,7 @@ class PolynomialModel {
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     return {};
   }
-  /// Goes on with what the rows of an interrupted run say of the past.
+  /// Restores the history from the rows of an interrupted run.
   void take_up(const io::Table& rows) {
     if (tension_.watches() && rows.has_column("multiplier"))
       tension_.take_up(rows.column("time"), rows.column("multiplier"));

@@ -2,10 +2,10 @@
 /// The rule of quadrature of a polynomial body in a run: the number of its points, and their error of Q
 /// (polynomial/quadrature_error.h).
 ///
-/// The least rule costs least, and its error is far below what the degree leaves of the continuum. Who asks for less
-/// than 1e-6, the default of Time/Tolerance, asks for the motion of this body itself: then points are added until the
-/// estimate is half of the tolerance. Those of gravity on the surface, whose cost grows as the fourth power, are the
-/// scene's.
+/// The least rule costs least, and its error is far below the truncation error of the degree. A tolerance below
+/// 1e-6, the default of Time/Tolerance, requires the motion of this body itself. Points are then added until the
+/// estimate is half of the tolerance. The points of gravity on the surface, whose cost grows as the fourth power, are
+/// those of the scene.
 
 #include <array>
 #include <cmath>
@@ -31,13 +31,14 @@ class RunQuadrature {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// After that: what the rule errs, if it is not known yet. `stable_step` is RATTLE's, 0 if it is not known.
+  /// Afterwards: estimates the error of the rule, if it is not known yet. `stable_step` is RATTLE's, 0 if it is not
+  /// known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// For a run that goes on, which keeps its rule whatever its end is now.
+  /// For a resumed run, which keeps its rule even if its end has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),

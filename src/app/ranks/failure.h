@@ -1,5 +1,5 @@
 #pragma once
-/// How the program ends: its exit codes, and what an exception means.
+/// How the program ends: its exit codes, and the meaning of an exception.
 
 #include <exception>
 #include <string>

@@ -3,7 +3,7 @@
 /// needs no MPI does not start it.
 ///
 /// Open MPI's mpirun sets OMPI_*, that of MPICH and `srun --mpi=pmi2` PMI_*. PMIx alone (`srun --mpi=pmix`) tells the
-/// rank and not the number, which MPI itself must say. SLURM_PROCID is no rank: it is set in batch scripts and for
+/// rank and not the number, which MPI itself must say. SLURM_PROCID is not a rank: it is set in batch scripts and for
 /// `srun --mpi=none` too, whose processes do not know of each other. Each of those is a run of its own, and the lock of
 /// the results directory keeps them apart.
 
@@ -16,7 +16,7 @@ struct Launch {
   static constexpr int unknown = 0;
   int rank = 0;
   int n_ranks = 1;       ///< or unknown
-  int n_ranks_here = 1;  ///< of them on this machine; 1 where the launcher does not tell
+  int n_ranks_here = 1;  ///< of them on this machine; 1 if the launcher does not tell
 
   Launch() {
     for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})

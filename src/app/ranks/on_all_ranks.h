@@ -16,7 +16,7 @@
 
 namespace pseudorigid::app {
 
-/// Thrown by all ranks, with what the first has to say on which the work failed.
+/// Thrown by all ranks, with the message of the first rank on which the work failed.
 class FailureOnAllRanks : public std::runtime_error {
  public:
   explicit FailureOnAllRanks(const Failure& failure)
@@ -27,7 +27,7 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Collective. The work itself is not: a rank that fails in its midst must leave nobody waiting.
+/// Collective. The work itself is not: a rank that fails during the work must not leave the others waiting.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();

@@ -1,6 +1,6 @@
 #pragma once
-/// The processes of a run. Of those that a launcher has started together one runs a scene without finite elements. With
-/// finite elements all compute together: the first writes and speaks for all.
+/// The processes of a run. If a launcher has started several processes, only one of them runs a scene without finite
+/// elements. With finite elements all compute together: the first writes and speaks for all.
 
 #include <string>
 
@@ -16,7 +16,7 @@ class Ranks {
   virtual bool any(bool mine) const { return mine; }
   /// The first rank on which it is true, size() if there is none. Collective.
   virtual int first_where(bool mine) const { return mine ? 0 : 1; }
-  /// What it is on that rank. Collective.
+  /// Broadcasts `mine` from `rank`. Collective.
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
   /// Ends all ranks at once, wherever they are; a single process goes on, to end by itself.

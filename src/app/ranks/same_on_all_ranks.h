@@ -12,7 +12,7 @@
 
 namespace pseudorigid::app {
 
-/// Collective. `mine` is what this rank was given, a line each; FailureOnAllRanks names the first that differs.
+/// Collective. `mine` is the input of this rank, a line each; FailureOnAllRanks names the first that differs.
 inline void require_same_on_all_ranks(const Ranks& ranks, const std::vector<std::string>& mine) {
   if (ranks.size() == 1) return;
   std::string text;

@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// How the runs of these contexts ended, their rows being in their sinks; nothing where each has to run by itself: they
+/// How the runs of these contexts ended, their rows being in their sinks; nothing if each has to run by itself: they
 /// are not eight of equal law, times, tolerance and method of incompressible bodies without other forces than those of
 /// the law, or one of them does not get to its end, or the step is set by stability.
 ///

@@ -26,7 +26,7 @@ class ReducedModel {
   using State = mechanics::State<System>;
   using Workspace = typename System::Workspace;
   static constexpr const char* name = "reduced";
-  /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
+  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
   static constexpr int steps_between_looks = 256;
   static constexpr double pilot_reserve = 1;
 
@@ -72,7 +72,7 @@ class ReducedModel {
   }
 
   /// Looked at after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
-  /// and Young): where the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
+  /// and Young): if the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
   /// A body that keeps its volume has no collapse.
   mechanics::Status judge(const State& state) const requires mechanics::unconstrained<System> {
     const Eigen::Matrix3d Q = configuration(state);
@@ -87,7 +87,7 @@ class ReducedModel {
                     least, tolerance));
   }
 
-  /// Goes on with what the rows of an interrupted run say of the past.
+  /// Restores the history from the rows of an interrupted run.
   void take_up(const io::Table& rows) {
     const auto row = rows.row(rows.n_rows() - 1);
     if (request_.bipolar) {
@@ -154,7 +154,7 @@ class ReducedModel {
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
     const auto estimate = statistics.counters.find("estimated_time_error");
     const double error = std::max(epsilon * size_, estimate == statistics.counters.end() ? 0 : estimate->second);
-    // A body at rest in equilibrium moves by round-off alone, and nobody expects more of it.
+    // A body at rest in equilibrium moves by round-off alone, which is correct.
     const double round_off = 16 * epsilon * size_;
     const bool rests = start_.v.isZero(0) && motion_ <= round_off;
     if (rests || motion_ > well_above * error) return;
@@ -202,7 +202,7 @@ class ReducedModel {
   mechanics::ObservableRequest request_;
   TensionWatch tension_;
   double motion_ = 0, size_ = 0;  ///< |Q − Q₀| and |Q| at most, at samples
-  bool knows_motion_ = true;      ///< false where a resumed run has rows without Q
+  bool knows_motion_ = true;      ///< false if a resumed run has rows without Q
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before

@@ -26,7 +26,7 @@ struct ReducedScene {
 
 ReducedScene reduced_scene(const scene::Scene& scene);
 
-/// The forms, each the same body with what others need left out.
+/// The forms of the same body, each without the parts that only other forms need.
 enum class ReducedForm {
   elastic,     ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
   general,     ///< any sum of potentials
@@ -49,7 +49,7 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 
 ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of that form; elastic and diagonal only where form_of says so.
+/// The system of that form; elastic and diagonal only if form_of says so.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;

@@ -20,7 +20,7 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
-/// Gives a method the memory that it carried from step to step; std::invalid_argument where the memory is that of
+/// Gives a method the memory that it carried from step to step; std::invalid_argument if the memory is that of
 /// another method.
 template <class Workspace>
 void give_memory(Workspace& workspace, std::span<const double> memory) {
@@ -28,7 +28,7 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
     throw std::invalid_argument("memory of another method");
 }
 
-/// Of a model that one process has whole.
+/// For a model whose vectors are complete on one process.
 template <class Model>
 class CheckpointVectors {
   using Snapshot = app::Snapshot<typename Model::System>;
@@ -54,7 +54,7 @@ class CheckpointVectors {
   }
 };
 
-/// Of a model whose vectors are distributed over ranks.
+/// For a model whose vectors are distributed over ranks.
 template <class Model>
 requires is_distributed<Model>
 class CheckpointVectors<Model> {

@@ -1,5 +1,5 @@
 #pragma once
-/// What the library libpseudorigid-continuum brings to the program, which opens it when a scene needs finite elements
+/// Interface of the library libpseudorigid-continuum to the program, which opens it when a scene needs finite elements
 /// (app/commands/open_continuum.h). It has one function for the program, and takes all else from it.
 
 #include <map>

@@ -1,6 +1,5 @@
 #pragma once
-/// What is written and said of critical points (mechanics/equilibria/critical_points.h), whatever their coordinates
-/// are.
+/// Output of critical points (mechanics/equilibria/critical_points.h), for any coordinates.
 
 #include <vector>
 

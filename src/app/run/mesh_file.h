@@ -22,7 +22,7 @@ CenteredMesh read_mesh_file(const scene::Scene& scene);
 /// cannot be used.
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
-/// What stands for the mesh in the scene of a checkpoint: the bytes of a file count, not its place.
+/// Representation of the mesh in the scene of a checkpoint: the bytes of a file count, not its path.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

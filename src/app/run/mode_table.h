@@ -1,5 +1,5 @@
 #pragma once
-/// modes.csv, and the same for people: the frequencies of the ball at rest beside those of the exact sphere
+/// modes.csv, and a table for the terminal: the frequencies of the ball at rest compared with those of the exact sphere
 /// (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// One frequency with its 2n + 1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate of growth.
+/// One frequency with its 2n + 1 modes. Internal units. For unstable motions ω is negative, and −ω is the growth rate.
 struct ModeFrequency {
   double omega;           ///< mean of the copies
   double least, largest;  ///< of the copies

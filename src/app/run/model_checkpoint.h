@@ -1,6 +1,6 @@
 #pragma once
-/// The state of a model's run as a checkpoint, and back. Besides (t, q, v) it holds what the method carries from step
-/// to step (mechanics/core/memory.h), so that a resumed run repeats the uninterrupted one.
+/// The state of a model's run as a checkpoint, and back. In addition to (t, q, v) it holds the memory that the method
+/// carries from step to step (mechanics/core/memory.h), so that a resumed run repeats the uninterrupted one.
 
 #include <algorithm>
 #include <array>
@@ -20,14 +20,14 @@
 
 namespace pseudorigid::app {
 
-/// Of a run at the largest frequency of small motions about it, which bounds its step.
+/// Estimated largest frequency of small motions about the motion, which limits the step size.
 struct LooksAtFrequency {
   long next = 0, last = 0;    ///< samples
   double stable_step = 0;     ///< of RATTLE at the last look, without reserve; 0: there was none
   double fastest_change = 0;  ///< of ln(stable_step) from sample to sample, over the looks so far
 };
 
-/// Where a run stands and what it steps with.
+/// Position of a run in time, and its method and step.
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
@@ -41,13 +41,13 @@ struct RunPosition {
 };
 
 /// `frozen_scene`: what a resumed run must have in common with this one, but for what commands/resume.h admits;
-/// `stepping`: what decides on method and step, which are chosen anew where it has changed. Where the step is given a
+/// `stepping`: what decides on method and step, which are chosen anew if it has changed. If the step is given a
 /// later end changes neither. `choice`: what decides on the method alone.
 struct RunIdentity {
   std::string frozen_scene, stepping, choice;
 };
 
-/// The scene without what a resumed run may change (step, method, tolerance, where results go), as text.
+/// The scene without the entries that a resumed run may change (step, method, tolerance, where results go), as text.
 inline RunIdentity run_identity(const scene::Scene& scene) {
   scene::Scene frozen = scene, stepping, choice;
   stepping.time = choice.time = scene.time;
@@ -57,7 +57,7 @@ inline RunIdentity run_identity(const scene::Scene& scene) {
   frozen.time = scene::Scene::Time{};
   frozen.time.end = scene.time.end;
   frozen.continuum.mesh = mesh_identity(scene);
-  frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow where a literal is assigned
+  frozen.output.directory.assign(1, '-');  // g++ 12 warns of an overflow if a literal is assigned
   frozen.sweep_threads.reset();
   frozen.title.clear();
   return {scene::to_prm(frozen), scene::to_prm(stepping), scene::to_prm(choice)};
@@ -80,7 +80,7 @@ struct Snapshot {
   }
 };
 
-/// The vectors of a snapshot, whole where they are distributed.
+/// The vectors of a snapshot, whole if they are distributed.
 struct SavedVectors {
   std::vector<double> q, v, memory;
 };
@@ -120,7 +120,7 @@ inline long n_samples_taken(const io::Checkpoint& c) {
   return n_samples_taken({c.get_integer("sample"), c.get_integer("step in interval")});
 }
 
-/// The reverse, without the vectors. UserError where the file does not fit.
+/// The reverse, without the vectors. UserError if the file does not fit.
 template <class S>
 void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
   const auto& numbers = c.get_doubles("numbers", 8);

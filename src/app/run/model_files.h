@@ -1,7 +1,7 @@
 #pragma once
-/// The files that one model's run writes as it goes: rows, pictures and their list, shapes, checkpoints. Of several
-/// ranks the first writes them, and each its piece of a picture. What fails on one rank for want of disk space fails on
-/// all.
+/// The files that one model's run writes as it goes: rows, pictures and their list, shapes, checkpoints. If there are
+/// several ranks, the first writes them, and each rank writes its piece of a picture. If the disk is full for one rank,
+/// writing fails on all.
 
 #include <filesystem>
 #include <optional>
@@ -48,7 +48,7 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// Later than all samples taken, earlier than the next, whatever the last digits.
+  /// Later than all samples taken and earlier than the next, for any round-off.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }

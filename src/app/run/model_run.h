@@ -1,5 +1,5 @@
 #pragma once
-/// One model's run, the same for all systems: choice of method and step, time loop, and what goes to its sink: rows,
+/// One model's run, the same for all systems: choice of method and step, time loop, and output to its sink: rows,
 /// pictures, checkpoints, progress.
 
 #include <algorithm>
@@ -200,7 +200,7 @@ class ModelRun {
     return true;
   }
 
-  /// At a sample, from which on the state alone matters.
+  /// Restarts the method at a sample; the history of a multistep method is discarded.
   void step_anew() {
     std::swap(position_.method, next_stepping_->method);
     std::swap(position_.step, next_stepping_->step);
@@ -231,7 +231,7 @@ class ModelRun {
       if constexpr (has_shapes)
         if (sink_->has_shapes()) sink_->create_shapes(model_.shape_file(), model_.shape_columns());
       // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
-      // gives where none was found.
+      // gives if none was found.
       save(good_);
       if (!status) return status;
     }
@@ -239,7 +239,7 @@ class ModelRun {
     return {};
   }
 
-  /// Of a run that begins: also the rule of quadrature.
+  /// At the start of a run this includes the rule of quadrature.
   Status choose_stepping() {
     if constexpr (has_quadrature) model_.choose_quadrature(state_);
     Status status = stepping_.choose(state_, position_, statistics_);
@@ -271,7 +271,7 @@ class ModelRun {
     if (const double at = times_[position_.cursor.sample]; std::abs(state_.t - at) < 1e-12 * times_.end)
       state_.t = good_.state.t = at;
     const bool complete = position_.cursor.sample == times_.n_samples;
-    const bool has_step = position_.step > 0;  // none was found at the start where that ended the run
+    const bool has_step = position_.step > 0;  // none was found at the start if that ended the run
     if (!has_step && state_.t == 0) return choose_stepping();
     if constexpr (has_quadrature)
       if (state_.t == 0) model_.estimate_quadrature(state_, position_.looks.stable_step);  // unless it is known

@@ -27,7 +27,7 @@ void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
   });
 }
 
-/// Says where the tolerance is beyond what the arithmetic gives.
+/// Warns if the tolerance is below the accuracy of the arithmetic.
 inline void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context) {
   if (choice.round_off_rules_from)
     context.log->warn(
@@ -52,8 +52,8 @@ class ModelStepping {
                 double interval)
       : model_(model), context_(context), known_(known), end_(end), interval_(interval) {}
 
-  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice made by
-  /// somebody is announced and noted in the statistics.
+  /// Sets method, step and local tolerance of the position for the rest of the run from `state` on. A choice by the
+  /// search is logged and noted in the statistics.
   Status choose(const State& state, RunPosition& position, io::Manifest::Model& statistics) const {
     const std::optional<double> error_so_far = std::exchange(position.time_error, std::nullopt);
     if (known_) return take_over(*known_, state, position);
@@ -76,7 +76,8 @@ class ModelStepping {
   }
   void shorten(RunPosition& position) const { position.step = std::min(position.step, step_bound()); }
 
-  /// Halves the step, once or more, where the motion has raised the largest frequency beyond what the step stands.
+  /// Halves the step, once or more, if the motion has raised the largest frequency above the stability limit of the
+  /// step.
   void reconsider(const State& state, RunPosition& position) const {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       position.looks.next = position.cursor.sample + samples_between_looks();
@@ -94,12 +95,12 @@ class ModelStepping {
     }
   }
 
-  /// Whether the step may change along the motion: nobody has fixed it.
+  /// Whether the step may change along the motion, because the scene does not fix it.
   bool adapts(const RunPosition& position) const { return !context_.scene.time.step && !is_adaptive(position.method); }
 
-  /// Of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for meets it to
-  /// what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are those of
-  /// 1e-13 to three digits.
+  /// Tolerance of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for
+  /// meets it to what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are
+  /// those of 1e-13 to three digits.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
@@ -112,9 +113,9 @@ class ModelStepping {
 
  private:
   static constexpr int n_lanczos = 24;
-  /// Of ω², where a force costs much: a step shorter by a hundredth costs less than knowing better.
+  /// Relative accuracy of ω² if a force is expensive: a step shorter by a hundredth costs less than a better estimate.
   static constexpr double accuracy = mechanics::has_costly_force<System> ? 0.02 : 0;
-  /// A step is at most this part of what is stable at the state that it was chosen for.
+  /// A step is at most this part of the stability limit at the state for which it was chosen.
   static constexpr double reserve = 0.8;
 
   double step_bound() const {
@@ -146,7 +147,7 @@ class ModelStepping {
     if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
     const auto choice = mechanics::choose_step(
         model_.system(), from_zero, request, [&](const State& s) { return model_.configuration(s); }, energies());
-    // Nothing is begun with a step that an interrupted search has not found.
+    // If the search for the step was interrupted, the run does not start.
     if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
     if (!choice.status)
       fall_back(choice, request, position);
@@ -156,7 +157,7 @@ class ModelStepping {
     return {};
   }
 
-  /// Of a state, where the model knows them.
+  /// Energies of a state, if the model has them.
   auto energies() const {
     if constexpr (requires(const State& s) { model_.energies(s); })
       return [this](const State& s) { return model_.energies(s); };
@@ -216,7 +217,7 @@ class ModelStepping {
   }
   long samples_between_looks() const { return std::max(1L, std::lround(end_ / interval_) / 16); }
 
-  /// What another run has found, the step no longer than stability admits here.
+  /// Method and step found by another run, with a step no longer than the stability limit of this one.
   Status take_over(const Stepping& known, const State& state, RunPosition& position) const {
     position.method = known.method;
     position.step = known.step;
@@ -263,7 +264,7 @@ class ModelStepping {
     context_.log->debug("{}: {}", model_.name, choice.why);
   }
 
-  /// Said of a method that keeps less than the others.
+  /// Log suffix that names a property the method lacks.
   static std::string_view promise(mechanics::MethodId id) {
     return mechanics::with_method(id, []<class Method>(Method) {
       return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");

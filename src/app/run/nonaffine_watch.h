@@ -1,7 +1,7 @@
 #pragma once
-/// A fluid under its own gravity and quadratic potentials keeps the form x = QX (Dirichlet). What a finer model shows
-/// beside that is an error, and it grows, because nothing resists it. The watch reports the first sample at which this
-/// error exceeds 1 % of the size of the body, and at the end the largest. It looks at samples only.
+/// A fluid under its own gravity and quadratic potentials keeps the form x = QX (Dirichlet). Any other motion of a
+/// finer model is an error, and it grows, because there is no restoring force. The watch reports the first sample at
+/// which this error exceeds 1 % of the size of the body, and at the end the largest. It looks at samples only.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// What was seen and reported, for a run that goes on.
+  /// Events already reported, for a resumed run.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];
@@ -51,7 +51,7 @@ class NonaffineWatch {
  private:
   static constexpr double acceptable = 0.01;
 
-  /// Tractions and viscous stress at the surface are no pressure, and do not leave a fluid affine.
+  /// Tractions and viscous stress at the surface are not a pressure, so the motion of the fluid is not affine.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::constant_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// What all models of one run share.
+/// Data shared by all models of one run.
 
 #include <functional>
 #include <map>
@@ -35,7 +35,7 @@ struct RunContext {
   io::Units units;
   std::shared_ptr<io::Logger> log;
   SinkOfModel sink_of;
-  bool resumes = false;  ///< goes on from what an earlier run has left in the directory
+  bool resumes = false;  ///< continues an earlier run in the directory
   const Ranks* ranks = &one_rank();
 
   /// The scene's times in internal units.
@@ -62,7 +62,7 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
           .ranks = ranks};
 }
 
-/// What a run steps with.
+/// Method and step of a run.
 struct Stepping {
   mechanics::MethodId method;
   double step;  ///< internal time, an upper bound

@@ -1,6 +1,6 @@
 #pragma once
-/// What a model tells ModelRun: how its motion starts, how fast it may change, and what is written of it. A model may
-/// offer more, which ModelRun asks for where it is there:
+/// Interface of a model to ModelRun: the start of its motion, its largest frequency, and its output. A model may
+/// offer more, which ModelRun asks for if it is there:
 ///
 ///   void take_up(rows)                        what the rows of an interrupted run know of the past
 ///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
@@ -35,8 +35,8 @@ concept RunnableModel = requires(M& model, const M& known, const mechanics::Stat
   { M::pilot_reserve } -> std::convertible_to<double>;                // the part of the tolerance that a pilot gets
   { known.system() } -> std::same_as<const typename M::System&>;
   { known.initial_state() } -> std::same_as<mechanics::State<typename M::System>>;
-  known.configuration(state);                                         // what Time/Tolerance speaks of, of Eigen
-  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, beside its largest frequency
+  known.configuration(state);                                         // configuration to which Time/Tolerance applies, of Eigen
+  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, in addition to its largest frequency
   { known.pilot_window(t) } -> std::convertible_to<double>;           // how long a pilot looks at a motion until t
   { known.columns() } -> std::convertible_to<std::vector<std::string>>;
   { model.row(t, state, workspace, row) } -> std::same_as<mechanics::Status>;

@@ -55,7 +55,7 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
-/// The law in internal units: μ = 1 where the unit of time is that of shear waves, as it is without self-gravity.
+/// The law in internal units: μ = 1 if the unit of time is that of shear waves, as it is without self-gravity.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   const scene::Scene::Material& material = scene.material;
   const double stress = units_of(scene).stress();

@@ -1,6 +1,6 @@
 #pragma once
-/// What is said of a search for method and step that takes longer than a second: what it does, then after ten seconds,
-/// a hundred …, that it goes on.
+/// Messages of a search for method and step that takes longer than a second: its task, then after ten seconds, a
+/// hundred …, that it continues.
 
 #include <chrono>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// Reports the first time that a fluid (W = 0) comes under tension. The multiplier λ of an affine motion is 2p_c/(ρr²)
 /// with the pressure p_c at the centre; that of finite elements is 5/(ρr²) times the mean pressure, which agrees on
-/// affine motions. Where λ falls below zero the problem of the continuum is ill-posed (PHYSICS section 2, 13). It is
+/// affine motions. If λ falls below zero the problem of the continuum is ill-posed (PHYSICS section 2, 13). It is
 /// checked at samples, and the time is interpolated between two of them.
 
 #include <optional>
@@ -22,7 +22,7 @@ class TensionWatch {
 
   bool watches() const { return is_fluid_; }
 
-  /// Silently what was seen, and reported, before a run was interrupted.
+  /// Restores the state after a resume without repeating the message.
   void take_up(const std::vector<double>& times, const std::vector<double>& lambdas) {
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }

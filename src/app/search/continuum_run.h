@@ -16,7 +16,7 @@ namespace pseudorigid::app {
 struct ContinuumTask {
   scene::Discretization discretization;
   std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
-  DeformationTrace* trace = nullptr;   ///< where the run leaves Q as it goes, if anybody asks
+  DeformationTrace* trace = nullptr;   ///< receives Q during the run; null if not requested
 };
 
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;

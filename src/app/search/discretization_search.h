@@ -4,8 +4,7 @@
 /// The scene is run on the ladder of scene/discretization.h from its coarsest member on. The differences of Q between
 /// successive runs give the error of the last one and predict that of the next (analysis/space_error.h). A run that is
 /// predicted to meet the tolerance writes its results as it goes; the others are run for their trace alone. If the
-/// estimate that the run itself brings does not confirm the prediction, the ladder goes on, and what was written is
-/// replaced.
+/// estimate that the run itself brings does not confirm the prediction, the search goes on, and the files are replaced.
 ///
 /// Time errors must not be taken for errors in space. A run that writes has the smaller of Time/Tolerance and
 /// a twentieth of Continuum/Tolerance, and finds its own method and step. Of the others the first finds them for that
@@ -13,8 +12,8 @@
 /// frequencies that a shear front carries into Q are those of the resolution, so hω stays as it was. A step that the
 /// scene gives is taken as it is, and its error is common to all runs.
 ///
-/// Nothing depends on the clock, so all ranks of a parallel run take the same way. What is known after a run is kept in
-/// a checkpoint of its own, so that a resumed search repeats no run, and a resumed run no search.
+/// Nothing depends on the clock, so all ranks of a parallel run take the same way. The results of each run are kept in
+/// a checkpoint of their own, so that a resumed search repeats no run, and a resumed run no search.
 ///
 /// Counters: degree, refinements, estimated_space_error, relative_space_error, work (of the run that wrote), and of all
 /// others search_runs and search_work.
@@ -45,7 +44,7 @@ class DiscretizationSearch {
   void start_afresh() const;
   void load();
   void save() const;
-  // Of one rank.
+  // The number for one rank.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
 
@@ -54,7 +53,7 @@ class DiscretizationSearch {
   scene::Scene written_scene_, silent_scene_;  ///< the scene with the tolerances of time that the search needs
   std::vector<scene::Discretization> ladder_;
 
-  // What the checkpoint keeps.
+  // Contents of the checkpoint.
   std::size_t position_ = 0;  ///< of the run in hand
   bool settled_ = false;      ///< the run in hand is to be written, and its error is known
   int n_failures_ = 0;        ///< runs in succession that broke off, up to the one before

@@ -56,9 +56,9 @@ double step_of_mesh(const scene::Discretization& d) {
 
 /// What steps of the continuum take, measured on cores at 2 to 4 GHz for k = 3 … 6, r = 0 … 1: within a factor of 3.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
-/// Of the stability limit at rest, the part that a step found from a tolerance usually has.
+/// Typical ratio of a step found from a tolerance to the stability limit at rest.
 constexpr double usual_part_of_limit = 0.6;
-/// Likewise of the limit that viscosity sets.
+/// The same ratio to the limit that viscosity sets.
 constexpr double chosen_part_of_damped_step = 0.31;
 /// Pilot runs, and the companion run that estimates the discretisation error, take this much of the run beside it.
 constexpr double pilots = 0.5, companion = 0.35;

@@ -4,13 +4,13 @@
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (RATTLE, μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
-/// for degree k and r refinements of the builtin mesh. Where volume is preserved λ is what the law has beside a
+/// for degree k and r refinements of the builtin mesh. If volume is preserved λ is what the law has beside a
 /// function of J, which is 0 for neo-Hookean balls. Fitted to the largest frequencies that Lanczos' method finds:
 /// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. Viscosity η bounds the step likewise,
 ///
 ///   h = 0.32/η · (0.38/(k (k + 0.4)) · 0.493^r)²,
 ///
-/// where RATTLE's iteration on the velocity converges; steps are chosen 3.2 times shorter, which this gives within 5 %
+/// if RATTLE's iteration on the velocity converges; steps are chosen 3.2 times shorter, which this gives within 5 %
 /// (compressible: 8 %) for k = 2 … 8, r = 0, 1.
 
 #include <cstddef>
@@ -23,10 +23,10 @@
 
 namespace pseudorigid::app {
 
-/// Estimates; bytes are within a third of what was measured.
+/// Estimates; bytes are within a third of the measured ones.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
-  double checkpoint_bytes;     ///< with what a method remembers; the first rank has it in memory as a whole
+  double checkpoint_bytes;     ///< with the memory of the method; complete on the first rank
   double n_points_of_picture;  ///< of the whole ball; elements share none
 };
 
@@ -51,7 +51,7 @@ scene::Needs needs_with_effort(const scene::Scene& scene);
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
                                           std::size_t n_coarse_cells, double share);
 
-/// Throws UserError where the scene's discretisation, or the coarsest of a search, cannot be built.
+/// Throws UserError if the scene's discretisation, or the coarsest of a search, cannot be built.
 void require_memory(const scene::Scene& scene, const scene::Origins& origins, std::size_t n_coarse_cells, double share);
 
 }  // namespace pseudorigid::app

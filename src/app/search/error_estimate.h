@@ -33,7 +33,7 @@ ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& 
 /// The scene's fixed discretisation, and its companion if the scene needs it.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// What the comparison makes of a motion at another resolution.
+/// Results of the comparison for a motion at another resolution.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 

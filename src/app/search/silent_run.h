@@ -9,7 +9,7 @@
 
 namespace pseudorigid::app {
 
-/// `scene`: that of the context, but for what may differ in its section Time.
+/// `scene`: that of the context, except for the entries of its section Time.
 template <class Run, class Task>
 ModelOutcome run_silently(const Run& run, const RunContext& context, const scene::Scene& scene, const Task& task) {
   scene::Needs needs = context.needs;
@@ -22,7 +22,8 @@ ModelOutcome run_silently(const Run& run, const RunContext& context, const scene
   return run(silent, task);
 }
 
-/// Unknowns times evaluations of the force, those of pilots included: what a run has cost, whatever the machine.
+/// Unknowns times evaluations of the force, those of pilots included: a measure of the cost of a run that does not
+/// depend on the machine.
 inline double work(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;
   const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };

@@ -13,7 +13,7 @@ namespace pseudorigid::app {
 
 class TraceRecorder {
  public:
-  /// `trace`: null where nobody asks for it.
+  /// `trace`: null if nobody asks for it.
   TraceRecorder(const RunContext& context, DeformationTrace* trace) : context_(context), trace_(trace) {}
 
   template <class ConfigurationOf>

@@ -1,5 +1,5 @@
 #pragma once
-/// A system of the table in one of its forms (systems/any_model.h), as ModelRun wants it.
+/// Adapter of a system of the table, in one of its forms (systems/any_model.h), to the RunnableModel interface.
 
 #include <algorithm>
 #include <string>
@@ -13,13 +13,13 @@
 
 namespace pseudorigid::app {
 
-/// It refers to the model.
+/// Keeps a reference; the model must outlive it.
 template <class Form>
 class SystemModel {
  public:
   using System = Form;
   using State = mechanics::State<System>;
-  /// Steps take a fraction of a microsecond: the clock and the interrupt flag are looked at this seldom.
+  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
   static constexpr int steps_between_looks = 256;
   static constexpr double pilot_reserve = 1;
   const char* const name;
@@ -36,7 +36,8 @@ class SystemModel {
   double constraint_scale() const { return 1; }
   Eigen::VectorXd configuration(const State& state) const { return state.q; }
   double rate(const State& state) const { return model_.rate(state); }
-  /// Of most runs the whole, in a fraction of a second: a window does not know what a motion does later.
+  /// For most runs it is the whole run, which takes a fraction of a second: a shorter window does not contain the later
+  /// motion.
   double pilot_window(double end) const { return std::min(end, 1000.0); }
 
   const std::vector<std::string>& columns() const { return columns_.names; }

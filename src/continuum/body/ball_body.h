@@ -1,5 +1,5 @@
 #pragma once
-/// What the compressible and the incompressible finite-element ball have in common: space, kernels, forces, mass and
+/// Common parts of the compressible and the incompressible finite-element ball: space, kernels, forces, mass and
 /// the moments of nodal fields.
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
@@ -39,7 +39,7 @@ class BallBody {
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh, likewise. `n_gravity_points`: body/surface_gravity_forces.h.
+  /// The same for the body of a mesh. `n_gravity_points`: body/surface_gravity_forces.h.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // its parts refer to one another
@@ -77,13 +77,13 @@ class BallBody {
   Eigen::Matrix3d whole_ball(const Eigen::Matrix3d& sector_integral) const;
   /// Least det F over the quadrature points of all ranks, with its place.
   LeastPlace least_jacobian(const Vector& x) const;
-  /// Likewise the least value of a function of F.
+  /// The least value of a function of F, with its place.
   LeastPlace least(const Vector& x, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
-  /// Likewise the least reserve of the law (materials/law_limits.h).
+  /// The least reserve of the law, with its place (materials/law_limits.h).
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, of all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
-  /// Fails where `least`, of J and the reserve of the law over the points of this rank, is not positive. Collective.
+  /// Fails if `least`, of J and the reserve of the law over the points of this rank, is not positive. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fixed numbers in (−1, 1) without pattern, the same on any number of ranks.
   void fill_irregular(Vector& x) const;
@@ -93,7 +93,7 @@ class BallBody {
  protected:
   /// f of all but reactions.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// Adds loads and gravity to the force of the stress; fails where `least`, which its kernel returned, is not
+  /// Adds loads and gravity to the force of the stress; fails if `least`, which its kernel returned, is not
   /// positive.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const;
 

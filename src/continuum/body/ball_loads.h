@@ -1,5 +1,5 @@
 #pragma once
-/// What acts on the finite-element ball besides its elasticity (loads/forcing.h), node by node with the lumped mass, so
+/// The loads on the finite-element ball (loads/forcing.h), node by node with the lumped mass, so
 /// that the motions x = QX feel exactly what the pseudo-rigid body feels (reduced/external_potential.h,
 /// reduced/dissipation.h):
 ///
@@ -36,7 +36,7 @@ class LoadForces {
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
-  /// Of a space with loads that depend on time: f ← f − ∂V/∂x, and ∂V/∂t from the rate over the nodes of this rank.
+  /// For a space with loads that depend on time: f ← f − ∂V/∂x, and ∂V/∂t from the rate over the nodes of this rank.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 

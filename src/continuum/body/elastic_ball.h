@@ -3,7 +3,7 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// A pressure on the surface is carried by the constraint and is no force here. λ_h ∈ discontinuous P_{k−1} is the
+/// A pressure on the surface is carried by the constraint and is not a force here. λ_h ∈ discontinuous P_{k−1} is the
 /// Kirchhoff pressure Jp. With ln J in place of J − 1 the second variation of the constraint has no (div u)² term, and
 /// the discrete motion does not depend on the hydrostatic gauge of W.
 
@@ -22,7 +22,7 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< what is enough for the caller of solve_gram, Euclidean norm
+    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, Euclidean norm
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

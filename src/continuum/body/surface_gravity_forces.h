@@ -17,7 +17,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Points in a direction with which the error of gravity is below that of the mesh: k + 2, and k + 1 where the faces of
+/// Points in a direction with which the error of gravity is below that of the mesh: k + 2, and k + 1 if the faces of
 /// an elastic body are refined. With k + 1 on the surface of a fluid, where nothing but gravity resists, the shortest
 /// waves that the mesh has grow by a factor of 2.3 in the time 1/√(Gρ); k + 2 points see their weight.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
@@ -50,7 +50,7 @@ class SurfaceGravityForces {
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
   /// Points or rates with their images.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
-  /// Those of all ranks with their images.
+  /// The points of all ranks with their images.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
   /// The sums over all sources.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;

@@ -6,7 +6,7 @@
 ///
 ///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
 ///
-/// and is zero where they have none.
+/// and is zero if they have none.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 

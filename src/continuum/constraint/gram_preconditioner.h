@@ -1,5 +1,5 @@
 #pragma once
-/// What the Gram operator S = G M⁻¹Gᵀ of a position is preconditioned with.
+/// Preconditioner of the Gram operator S = G M⁻¹Gᵀ of a position.
 
 #include <cstddef>
 
@@ -12,11 +12,11 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Made anew for the Gram operator at the positions x. Fails where that is singular. Collective.
+  /// Made anew for the Gram operator at the positions x. Fails if that is singular. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, by a symmetric positive definite operator. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// What making it anew costs, in iterations of a solve.
+  /// Cost of its renewal, in iterations of a solve.
   virtual double renewal_cost() const = 0;
   /// Bytes held on this rank.
   virtual std::size_t memory() const = 0;

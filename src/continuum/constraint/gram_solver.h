@@ -35,7 +35,7 @@ class GramSolver {
   /// f += G(x)ᵀλ.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// What later solves depend on. A resumed run that has it repeats the whole one, whose residuals depend on the
+  /// State on which later solves depend. A resumed run that has it repeats the whole one, whose residuals depend on the
   /// preconditioner.
   struct History {
     Vector renewed_at;  ///< the positions of the preconditioner

@@ -28,13 +28,13 @@ class CellKernels {
  public:
   CellKernels(const BallSpace& space, std::unique_ptr<LocalKernels> local);
 
-  /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve; where it is not positive, f is not to be
+  /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve; if it is not positive, f is not to be
   /// used.
   double force(const Vector& x, Vector& f) const;
   /// The same with the reaction G(x)ᵀλ, at a third of what that costs apart; `at_x`, of double precision, becomes the
   /// tangent at x unless it is null.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
-  /// g; returns the least J; where it is not positive, g is not to be used.
+  /// g; returns the least J; if it is not positive, g is not to be used.
   double constraint(const Vector& x, Vector& g) const;
   void constraint_rate(const Vector& x, const Vector& v, Vector& r) const;
   void constraint_curvature(const Vector& x, const Vector& v, Vector& r) const;
@@ -50,9 +50,9 @@ class CellKernels {
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
   /// Least det F over the quadrature points of this rank, with its reference position.
   LeastPlace locate_least_jacobian(const Vector& x) const;
-  /// Likewise the least value of a function of F, given row by row.
+  /// The least value of a function of F, given row by row, with its place.
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
-  /// Likewise the least reserve of the law (materials/law_limits.h).
+  /// The least reserve of the law, with its place (materials/law_limits.h).
   LeastPlace locate_least_reserve(const Vector& x) const;
   /// λ_h at the nodes of a cell (first direction fastest).
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
@@ -76,11 +76,11 @@ class CellKernels {
   int degree_;
 };
 
-/// What the kernels of a space are made of.
+/// Data of the kernels of a space.
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
-/// Degree 1 is for compressible bodies: with it, what belongs to the constraint throws std::invalid_argument.
+/// Degree 1 is for compressible bodies: the functions of the constraint then throw std::invalid_argument.
 std::unique_ptr<CellKernels> make_cell_kernels(const BallSpace& space, const StoredEnergy& stored);
 
 }  // namespace pseudorigid::continuum

@@ -1,12 +1,12 @@
 #pragma once
-/// The kernels of local_kernels.h for one degree; the law is behind point_law.h. What happens at the points is done
-/// plane by plane (sum_factorization.h); geometry and positions that come next are asked for ahead of time. In
-/// reference coordinates, H = ∂x/∂ξ:
+/// The kernels of local_kernels.h for one degree; the law is behind point_law.h. The work at the points is done plane
+/// by plane (sum_factorization.h); geometry and positions that come next are asked for ahead of time. In reference
+/// coordinates, H = ∂x/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
-/// so the constraint's operators read one scalar of geometry a point beside its position.
+/// so the constraint's operators read one scalar of geometry a point in addition to its position.
 
 #include <cmath>
 #include <utility>
@@ -247,7 +247,8 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// f −= ∫∂(W + U)/∂F : ∇φ. Of every plane at_H(batch, plane) sees H in the buffers, and at_T the stress in its place.
+  /// f −= ∫∂(W + U)/∂F : ∇φ. For every plane at_H(batch, plane) sees H in the buffers, and at_T the stress in its
+  /// place.
   template <class AtH, class AtT>
   double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
     double least = HUGE_VAL;

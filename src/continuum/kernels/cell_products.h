@@ -1,7 +1,7 @@
 #pragma once
 /// Products with small dense matrices, of the cells and of a small body's inverse, in single precision: half the bytes,
 /// and twice the numbers in a vector. A matrix lies in memory by columns; the number of its rows is a multiple of
-/// `rows_together`. One of the kernels (kernel_table.h).
+/// `rows_together`. It is one of the kernels (kernel_table.h).
 
 #include <cstddef>
 

@@ -21,7 +21,7 @@ struct KernelTable {
 
 /// Defined by the build, the best first.
 std::span<const mechanics::KernelBuild<KernelTable>> builds_of_kernels();
-/// Those of this process. Throws mechanics::NoKernels.
+/// The kernels of this process. Throws mechanics::NoKernels.
 const mechanics::KernelBuild<KernelTable>& chosen_kernels();
 
 }  // namespace pseudorigid::continuum

@@ -1,7 +1,7 @@
 #pragma once
 /// The integrals of cell_kernels.h over the cells of one process, for the entries of its vectors as they lie in memory:
-/// its own, then those of ghost nodes, which are up to date. The owner of a ghost node collects what is added to it.
-/// Nothing here depends on deal.II, so the kernels compile in a few seconds per degree.
+/// its own, then those of ghost nodes, which are up to date. The owner of a ghost node collects the contributions to
+/// it. Nothing here depends on deal.II, so the kernels compile in a few seconds per degree.
 
 #include <array>
 #include <functional>
@@ -16,7 +16,7 @@
 
 namespace pseudorigid::continuum {
 
-/// What the kernels are made of. All of it outlives them.
+/// Data of the kernels. All of it outlives them.
 struct LocalCells {
   const ReferenceCell& reference;
   const std::vector<std::vector<unsigned int>>& nodes;  ///< of a cell, first direction fastest
@@ -42,7 +42,7 @@ using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
 
-/// What the constraint's derivative reads of positions, made once for many products: w H⁻ᵀ at every point.
+/// Data of the constraint's derivative at a position, computed once for many products: w H⁻ᵀ at every point.
 class ConstraintTangent {
  public:
   explicit ConstraintTangent(Precision precision) : precision_(precision) {}

@@ -1,5 +1,5 @@
 #pragma once
-/// Fields of one cell at its own nodes, for what is computed seldom: set-up and pictures. Steps use the kernels.
+/// Fields of one cell at its own nodes, for rare computations: set-up and pictures. Steps use the kernels.
 
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Nodal values of a cell, one column a node. Ghost nodes are read where the cell has some.
+/// Nodal values of a cell, one column a node. Ghost nodes are read if the cell has some.
 inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, unsigned int cell) {
   const auto& nodes = space.cell_nodes(cell);
   Eigen::Matrix3Xd values(3, nodes.size());

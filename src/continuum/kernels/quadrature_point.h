@@ -1,6 +1,6 @@
 #pragma once
-/// Geometry of a quadrature point of a batch of cells, one lane a cell. What the constraint reads is stored here and
-/// what the law reads apart (stress_points.h): each kernel streams its own numbers and no others.
+/// Geometry of a quadrature point of a batch of cells, one lane a cell. The data of the constraint are stored here, and
+/// those of the law apart (stress_points.h): each kernel streams only its own numbers.
 
 #include <cstddef>
 
@@ -12,7 +12,7 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// Of a body with so few cells that wider vectors would hold copies: the octant has four. Not inline: another value in
+/// For a body with so few cells that wider vectors would hold copies: the octant has four. Not inline: another value in
 /// files that are compiled for other instructions.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
@@ -25,7 +25,7 @@ struct PressurePoint {
   L position[3];  ///< local coordinates of the pressure basis
 };
 
-/// Asks for the geometry of a point that is needed soon; where there is none, nothing happens.
+/// Asks for the geometry of a point that is needed soon; if there is none, nothing happens.
 template <class Point>
 [[gnu::always_inline]] inline void prefetch(const Point* point) {
   constexpr std::size_t cache_line = 64;

@@ -3,7 +3,7 @@
 ///
 ///   W(F) + U(J),   U(J) = (κ/4)(J² − 1 − ln J²),   ∂U/∂F = (κ/2)(J − 1/J) cof F,   J = det F.
 ///
-/// U and its first derivative are 0 where J = 1, so that an exact incompressible motion does not feel it. Where the
+/// U and its first derivative are 0 if J = 1, so that an exact incompressible motion does not feel it. If the
 /// pressure space leaves J ≠ 1, the second variation κ (div u)² counteracts that of the multiplier, which has no sign:
 /// under self-gravity, in strong motions, and always in a fluid, W = 0.
 

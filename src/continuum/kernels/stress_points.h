@@ -1,5 +1,5 @@
 #pragma once
-/// What the stress reads of a quadrature point, one lane a cell, and what it makes of H = ∂x/∂ξ there:
+/// Data of the stress at a quadrature point, one lane a cell, and the stress there as a function of H = ∂x/∂ξ:
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   w = ŵ det ∂X/∂ξ
 ///

@@ -6,7 +6,7 @@
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
 ///
-/// so that what happens at the points is done while their plane is in the nearest cache. Nodes and points lie
+/// so that the work at the points is done while their plane is in the nearest cache. Nodes and points lie
 /// symmetrically: I and D act on even and odd parts apart, which halves the multiplications.
 
 #include <array>
@@ -31,7 +31,7 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q (+)= Σ_i M_qi in_i for entries `stride` apart; M has the sign + where `symmetric`.
+  /// out_q (+)= Σ_i M_qi in_i for entries `stride` apart; M has the sign + if `symmetric`.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];
@@ -105,7 +105,7 @@ class SumFactorization {
     sweep_columns<false, false>(differentiate_, values, g2);
   }
 
-  /// The transpose: layers (+)= what the gradient g at the points of a plane contributes; the first plane clears.
+  /// The transpose: layers (+)= the contribution of the gradient g at the points of a plane; the first plane clears.
   template <class L>
   void integrate_plane(const L* g1, const L* g2, const L* g3, int q3, L* values, L* layers) const {
     sweep_rows<false, false>(differentiate_transposed_, g1, values);

@@ -21,7 +21,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Which coordinate planes cut the ball: reflect[i] is true where x_i = 0 is a symmetry plane of the computed sector.
+/// Which coordinate planes cut the ball: reflect[i] is true if x_i = 0 is a symmetry plane of the computed sector.
 struct Sector {
   std::array<bool, 3> reflect{false, false, false};
   int n_images() const { return (reflect[0] ? 2 : 1) * (reflect[1] ? 2 : 1) * (reflect[2] ? 2 : 1); }

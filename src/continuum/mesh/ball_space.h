@@ -45,7 +45,7 @@ class BallSpace {
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
   const Vector& reference_positions() const { return X_; }      ///< with the ghost nodes
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
-  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 where a symmetry plane holds the component
+  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane holds the component
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
   /// The local entry of the coordinate of the energy taken, on the process that owns it; that of the energy given is
   /// the next. Their inverse masses are 1.

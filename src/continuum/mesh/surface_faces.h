@@ -54,7 +54,7 @@ struct FacePoint {
   std::vector<Node> nodes;
   double weight;  ///< on [0,1]²
 
-  /// Of a vector with the ghost nodes of this rank's cells.
+  /// For a vector with the ghost nodes of this rank's cells.
   Eigen::Vector3d value(const Vector& u) const;
   Jet jet(const Vector& u) const;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions of the nodes at Gauss points of the free surface, and what acts at the points on the nodes. Face by face,
+/// Functions of the nodes at Gauss points of the free surface, and the forces of the points on the nodes. Face by face,
 /// with ℓ_i the Lagrange polynomials on the Gauss–Lobatto nodes and points (ξ_p, ξ_q),
 ///
 ///   u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij,
@@ -26,10 +26,10 @@ class SurfaceInterpolation {
   SurfaceInterpolation(const BallSpace& space, int n_points);
 
   std::size_t n_points() const { return weights_.size(); }
-  /// Of the quadrature on [0,1]²; negative where ∂x/∂ξ_p × ∂x/∂ξ_q points inwards.
+  /// Weight of the quadrature on [0,1]²; negative if ∂x/∂ξ_p × ∂x/∂ξ_q points inwards.
   const std::vector<double>& weights() const { return weights_; }
 
-  /// Of a vector with the ghost nodes of this rank's cells.
+  /// For a vector with the ghost nodes of this rank's cells.
   Jets jets(const Vector& u) const;
   /// f_n ← f_n − Σ over points of the derivatives by u, ∂u/∂ξ_p, ∂u/∂ξ_q times those by u_n, f with its ghost nodes.
   void subtract_derivative(const Jets& by_jets, Vector& f) const;

@@ -20,10 +20,10 @@
 
 namespace pseudorigid::continuum {
 
-/// One frequency with its 2n+1 modes. Internal units. Of unstable motions ω is negative: −ω is the rate of growth.
+/// One frequency with its 2n+1 modes. Internal units. For unstable motions ω is negative, and −ω is the growth rate.
 struct BallFrequency {
   double omega;           ///< mean of the copies
-  double least, largest;  ///< of the copies; they differ by what the mesh does to the symmetry of the sphere
+  double least, largest;  ///< of the copies; they differ because the mesh breaks the symmetry of the sphere
   ModeKind kind;
   int degree;
   int overtone;      ///< 0: the fundamental

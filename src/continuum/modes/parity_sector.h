@@ -3,7 +3,7 @@
 ///
 ///   u(R_j X) = s_j R_j u(X),   s_j = ±1:
 ///
-/// on the plane x_j = 0 it has u_j = 0 where s_j = +1 (the symmetry of the motion), the other two components = 0 where
+/// on the plane x_j = 0 it has u_j = 0 if s_j = +1 (the symmetry of the motion), the other two components = 0 if
 /// s_j = −1. The eight choices of signs are eight problems on the same octant, and have all modes of the ball.
 ///
 /// In each, −ω² M u = −K u + Gᵀλ, G u = 0 is inverted about a shift below all ω²: u = T f solves
@@ -48,7 +48,7 @@ struct Parity {
 /// Bits of the number are the negative signs: 0 is the symmetric motion.
 Parity parity_of_sector(int number);
 
-/// What all sectors share: space, stiffness and constraint of every cell. The space must be that of an octant.
+/// Shared by all sectors: space, stiffness and constraint of every cell. The space must be that of an octant.
 struct RestProblem {
   /// Self-gravity is that of an incompressible body.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
@@ -85,7 +85,7 @@ class ParitySector {
   std::size_t n_unknowns() const { return n_unknowns_; }
   const Parity& parity() const { return parity_; }
 
-  /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails where T cannot be applied.
+  /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
   /// ω² and the field of an approximate eigenvector y, after a step of inverse iteration: ω² = uᵀKu / uᵀMu.

@@ -1,6 +1,6 @@
 #pragma once
 /// The stiffness of the ball about its rest x = X, cell by cell. The second variation of the stored energy, and of the
-/// constraint where a multiplier carries a stress at rest (materials/rest_moduli.h), is that of
+/// constraint if a multiplier carries a stress at rest (materials/rest_moduli.h), is that of
 ///
 ///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///

@@ -4,8 +4,8 @@
 ///
 ///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m,
 ///
-/// with the nodes x_ij of the face. Of the computed sector; the rest of the body follows by reflection. In internal
-/// units.
+/// with the nodes x_ij of the face. Only the computed sector is kept; the rest of the body follows by reflection. In
+/// internal units.
 
 #include <Eigen/Core>
 #include <array>

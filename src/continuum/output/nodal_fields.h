@@ -20,7 +20,7 @@ mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 /// X at the points of the blocks, three a point.
 std::vector<double> nodal_positions(const BallSpace& space);
 
-/// Fields at these points. `law` is that of the ball. Fails where the multiplier of the motion does, and where
+/// Fields at these points. `law` is that of the ball. Fails if the multiplier of the motion does, and if
 /// det F ≤ 0 at a node.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,

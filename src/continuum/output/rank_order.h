@@ -41,7 +41,7 @@ class RankOrder {
   Order fields_, multipliers_;
 };
 
-/// What the parts of a method's memory are, found by `visit_memory`: its numbers are the same on every rank, its
+/// Kinds of the parts of a method's memory, found by `visit_memory`: its numbers are the same on every rank, its
 /// vectors are distributed.
 class MemoryLayout {
  public:
@@ -51,7 +51,7 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  /// A number, or what has none: the multiplier of a ball without constraint.
+  /// A number, or an empty part: the multiplier of a ball without constraint.
   template <class Value>
   void operator()(Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
@@ -62,7 +62,7 @@ class MemoryLayout {
 
   /// The memory of all ranks as one list on rank 0, from every rank's own. Collective.
   std::vector<double> collect(std::span<const double> own) const;
-  /// A rank's own list out of that. std::invalid_argument if it does not fit.
+  /// Inverse of collect: this rank's part of the whole list. std::invalid_argument if the size does not fit.
   std::vector<double> take(std::span<const double> whole) const;
 
  private:

@@ -9,7 +9,7 @@
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///
-/// A half-space of a law loses its smooth shape where it falls to the law's surface limit (materials/law_limits.h):
+/// A half-space of a law loses its smooth shape if it falls to the law's surface limit (materials/law_limits.h):
 /// waves of every length then grow, the shorter the faster.
 
 #include "continuum/mesh/ball_space.h"

@@ -31,7 +31,7 @@ class MpiType {
 };
 
 /// Counts of entries as MPI takes them, and where those of each rank begin; the last offset is where all end. Throws
-/// std::length_error where a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
+/// std::length_error if a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
 /// sizes.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
@@ -47,7 +47,7 @@ struct Counts {
   std::vector<int> sizes, offsets{0};
 };
 
-/// Of the vectors of all ranks. Collective.
+/// Sizes of the vectors of all ranks. Collective.
 template <class T>
 Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
   const long n = static_cast<long>(values.size());
@@ -91,7 +91,7 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   const auto size = static_cast<std::ptrdiff_t>(values.size());
   long n_own = size, before = 0;
   MPI_Exscan(&n_own, &before, 1, MPI_LONG, MPI_SUM, communicator);
-  if (this_rank(communicator) == 0) before = 0;  // what MPI_Exscan leaves there is undefined
+  if (this_rank(communicator) == 0) before = 0;  // the result of MPI_Exscan there is undefined
   std::vector<T> all = gather_on_all(communicator, values);
   all.erase(all.begin() + before, all.begin() + before + size);
   return all;

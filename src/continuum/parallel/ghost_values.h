@@ -26,7 +26,7 @@ class GhostValues {
   bool several_ranks_, clear_;
 };
 
-/// Adds what was put into ghost entries to their owners' entries.
+/// Adds the values of ghost entries to their owners' entries.
 inline void add_to_owners(Vector& f) {
   if (f.get_partitioner()->n_mpi_processes() > 1) f.compress(dealii::VectorOperation::add);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Vectors of the finite-element ball and what the mechanics core asks of them.
+/// Vectors of the finite-element ball, with the operations that the mechanics core requires.
 
 #include <deal.II/lac/la_parallel_vector.h>
 
@@ -49,7 +49,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     double* to = y.begin();
     for (std::size_t i = 0, n = y.locally_owned_size(); i < n; ++i) to[i] += a * from[i];
   }
-  /// A scale of 0 clears, whatever the old content.
+  /// A scale of 0 clears any old content.
   static void scale(double a, Vector& x) {
     if (a == 0)
       x = 0.0;

@@ -24,7 +24,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// What is called of a system. Without constraints, nothing that concerns them.
+/// Functions of a system that methods call. Without constraints, nothing that concerns them.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -43,7 +43,7 @@ struct SystemInterface {
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
   virtual Status solve_stages(GaussStages& stages, AnyWorkspace& w) const = 0;
-  // Of conservative systems; the others have no energy, no symmetries and are not asked for the rest.
+  // Only for conservative systems. The others do not have energy and symmetries, and the rest is not called.
   virtual double kinetic_energy(const Vector& v) const = 0;
   virtual double potential_energy(const Vector& q) const = 0;
   virtual void apply_mass(const Vector& v, Vector& f) const = 0;
@@ -134,7 +134,7 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// What of it every constrained system has.
+/// The members that every constrained system has.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -223,7 +223,7 @@ class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// What methods may rely on where the system is not conservative.
+  /// Properties on which methods may rely if the system is not conservative.
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

@@ -1,5 +1,5 @@
 #pragma once
-/// Fields over a body at one time, for pictures: what a model of the ball says of its points, in internal units. All
+/// Fields over a body at one time, for pictures: values at the points of a model of the ball, in internal units. All
 /// that a picture shows is computed from them (io/body_picture.h), alike for every model.
 
 #include <Eigen/Core>
@@ -26,7 +26,7 @@ struct BodyFields {
   std::vector<double> X, x, v;                           ///< reference position, position, velocity
   std::vector<double> F, stress;                         ///< deformation gradient ∂x/∂X, Cauchy stress
   std::vector<double> energy;                            ///< stored energy W per reference volume
-  std::vector<double> potential;                         ///< of self-gravity, per mass; empty where it is not known
+  std::vector<double> potential;                         ///< of self-gravity, per mass; empty if it is not known
   Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
   Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, of which the rotation is taken
 

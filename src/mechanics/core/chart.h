@@ -1,6 +1,6 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and what
-/// follows from it,
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and
+/// derived quantities,
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
@@ -32,7 +32,7 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// What a chart may have besides its metric; what it does not have is zero.
+// Optional parts of a chart, in addition to its metric; a missing part is zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
@@ -81,7 +81,7 @@ ChartVector<C> christoffel_of_first_kind(const MetricJet<C>& jet, const ChartVec
   return c;
 }
 
-/// dU; zero where the chart has no potential.
+/// dU; zero if the chart has no potential.
 template <Chart C>
 ChartVector<C> potential_differential(const C& chart, const ChartVector<C>& q) {
   if constexpr (HasPotential<C>) {
@@ -114,7 +114,7 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
   return chart.metric(q) * v;
 }
 
-/// v = μ⁻¹(p). Fails where the metric is not positive to round-off, as a chart's metric is at a pole.
+/// v = μ⁻¹(p). Fails if the metric is not positive to round-off, as a chart's metric is at a pole.
 template <class Matrix, class Vector>
 Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   const Eigen::LLT<Matrix> factor(g);

@@ -70,7 +70,7 @@ class ConjugateResiduals {
   /// iterations as all within 2 %, and the products with all took a tenth of a step of the largest. Six leave a
   /// reserve.
   static constexpr int n_kept = 6;
-  /// Where so many iterations have not been enough, M is not close to A: the next ones keep more.
+  /// If so many iterations have not been enough, M is not close to A: the next ones keep more.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// What a conservative system knows of itself besides its law of motion: its energies, and the one-parameter groups
+/// Functions of a conservative system in addition to its law of motion: its energies, and the one-parameter groups
 /// that leave them unchanged (Noether). Critical points, conserving methods and observables use it; steps of RATTLE do
 /// not.
 ///
@@ -16,7 +16,7 @@ template <class S>
 concept ConservativeSystem = ConstrainedSystem<S> &&
     requires(const S s, const typename S::Vector q, const typename S::Vector v, const typename S::Multiplier lambda,
              typename S::Vector f) {
-  { s.potential_energy(q) } -> std::convertible_to<double>;  // V; not finite where q is not admissible
+  { s.potential_energy(q) } -> std::convertible_to<double>;  // V; not finite if q is not admissible
   { s.kinetic_energy(v) } -> std::convertible_to<double>;    // K
   s.apply_mass(v, f);                                        // f = M v
   s.add_reaction_rate(q, v, lambda, f);                      // f += Σ_k λ_k D²g_k(q)(v, ·), the rate of G(q)ᵀλ

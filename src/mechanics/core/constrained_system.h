@@ -42,7 +42,7 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
   { s.make_workspace() } -> std::same_as<typename S::Workspace>;
 };
 
-/// True where the system has no constraint at all; methods then leave out everything that concerns constraints.
+/// True if the system has no constraint at all; methods then leave out everything that concerns constraints.
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
@@ -80,7 +80,7 @@ template <class S>
 using State = VectorState<typename S::Vector>;
 
 /// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
-/// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails where the
+/// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails if the
 /// force or the Gram solve fails.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,

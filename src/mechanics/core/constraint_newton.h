@@ -6,7 +6,7 @@
 /// until |r| ≤ tolerance (or round-off).
 ///
 /// Round-off of G(q) v grows with |G||v|, and that of g(q) with |G||q|, so that no constant bounds it for all motions.
-/// Where a residual has stopped falling, it is compared with what changes of q and v by units in their last place make
+/// If a residual has stopped falling, it is compared with what changes of q and v by units in their last place make
 /// of it (rounding_noise.h).
 
 #include <cmath>
@@ -64,7 +64,7 @@ struct ConstraintTemporaries {
 
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
-  bool direction_known = false;  // to be cleared where q₀ has changed
+  bool direction_known = false;  // to be cleared if q₀ has changed
   long n_gram_iterations = 0;
 };
 
@@ -123,7 +123,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
 /// Tells an inexact solver of Gram systems how small a residual is enough; 0: as small as it makes it by itself.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
-  constexpr double linear_part = 1.0 / 3;  // the rest is for what is not linear
+  constexpr double linear_part = 1.0 / 3;  // the rest is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
@@ -173,7 +173,7 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// The same, with what rounding has kept back from q where the system can take account of it.
+/// The same, with the remainder of the compensated sum of q if the system can use it.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

@@ -1,6 +1,6 @@
 #pragma once
-/// Whether the force of a system depends on time and velocity only where the system says so (second_order_field.h). A
-/// misspelt member says nothing, and methods would then rely on what is not true.
+/// Whether the force of a system depends on time and velocity only if the system says so (second_order_field.h). A
+/// misspelt member is ignored, and methods would then rely on a false property.
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/second_order_field.h"
@@ -8,7 +8,7 @@
 namespace pseudorigid::mechanics {
 
 /// Compares forces at the position of `state` with those at another time and with those at rest, of a state at rest
-/// with those in motion: equal to the last bit, or declared to differ. Of a field only the time is asked for, since
+/// with those in motion: equal to the last bit, or declared to differ. For a field only the time is tested, since
 /// accelerations of charts have terms in the velocity.
 template <class S>
 Status check_declared_dependence(const S& system, const State<S>& state) {
@@ -23,7 +23,7 @@ Status check_declared_dependence(const S& system, const State<S>& state) {
       state.v.isZero(0) ? typename S::Vector(S::Vector::Ones(state.v.rows(), state.v.cols())) : system.make_vector();
   typename S::Vector f = system.make_vector(), later = f, faster = f;
   const double other_t = state.t + 0.37;
-  // Where a force fails or is not finite, the motion itself will tell.
+  // If a force fails or is not finite, the motion itself will tell.
   if (!force(state.t, state.v, f) || !force(other_t, state.v, later) || !force(state.t, other_v, faster)) return {};
   if (!f.allFinite() || !later.allFinite() || !faster.allFinite()) return {};
   if (!time_dependent(system) && later != f)

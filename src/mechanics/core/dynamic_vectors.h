@@ -1,7 +1,7 @@
 #pragma once
 /// Eigen vectors of dynamic size in place of a system's own vectors and multipliers, whose entries they hold column by
-/// column. `read_as<V>` and `WriteAs<V>` are what a function of a system is called with: a copy where V has a fixed
-/// size. Of matrices of dynamic size it is a view for a function that takes Eigen::Ref, and else a copy too, which is
+/// column. `read_as<V>` and `WriteAs<V>` are the arguments of a function of a system: a copy if V has a fixed
+/// size. For matrices of dynamic size it is a view for a function that takes Eigen::Ref, and else a copy too, which is
 /// slow.
 
 #include <Eigen/Core>
@@ -35,7 +35,7 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// What is written there is in the dynamic vector when this object ends.
+/// Its contents are copied to the dynamic vector when this object is destroyed.
 template <class V>
 class WriteAs {
  public:

@@ -4,7 +4,7 @@
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
-/// keeps g = 0 and G q̇ = 0; what integration loses of them is brought back by Newton's iteration,
+/// keeps g = 0 and G q̇ = 0; Newton's iteration corrects the error of integration in them,
 ///
 ///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
 ///
@@ -59,7 +59,7 @@ class ExplicitMultiplier {
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
 
-    /// What a solver of Gram systems remembers.
+    /// Memory of a solver of Gram systems.
     template <class Visit>
     void visit_memory(Visit&& visit) {
       if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);

@@ -24,7 +24,7 @@ struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A build by what it says of itself.
+/// A build, described by its instructions.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;
@@ -33,7 +33,7 @@ struct KernelChoice {
 /// Index of the first build that runs here or, where `wanted` is not empty, of the one that it names. Throws NoKernels.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
-/// The value of the environment variable; empty where it is not set.
+/// The value of the environment variable; empty if it is not set.
 std::string_view wanted_instructions();
 
 /// The build that this process uses.

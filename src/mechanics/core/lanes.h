@@ -2,7 +2,7 @@
 /// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
 /// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
 ///
-/// What stands here depends on the instructions that a file is compiled for. So it is in a namespace of theirs: two
+/// This header depends on the instructions for which a file is compiled. So it is in a namespace of theirs: two
 /// files that are compiled for different ones have different vectors, functions and numbers of lanes, and share none.
 
 #if defined(__x86_64__)
@@ -119,7 +119,7 @@ struct Lanes {
     NativeBits bits;
     std::memcpy(&bits, &x.v, sizeof bits);
     constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
-    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow where x is not positive
+    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow if x is not positive
     const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
     const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
     Native m;

@@ -5,7 +5,7 @@
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit),
 ///
 /// by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník, Comput. Math. Appl. 50
-/// (2005) 1069). Where orbits are of lower dimension (axes that coincide, a point on its axis of rotation), the vectors
+/// (2005) 1069). If orbits are of lower dimension (axes that coincide, a point on its axis of rotation), the vectors
 /// that depend on earlier ones are left out.
 
 #include <cmath>
@@ -38,8 +38,8 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of what is left, and 0 if that is
-  /// round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
+  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of the remainder, and 0 if this
+  /// is round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;

@@ -15,7 +15,7 @@
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
 /// are removed together by one Cayley rotation, which leaves angles of order θ². As a rule one such rotation is enough.
-/// Third, plane rotations one after the other are made only where an angle is not small, that is for nearly equal axes.
+/// Third, plane rotations one after the other are made only if an angle is not small, that is for nearly equal axes.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -170,7 +170,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
       G = detail::axes::gram(W);
       if (detail::axes::orthogonal(G, round_off)) break;
       const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
-      const auto angle = [&](int i, int j, int k) {  // none where both are zero: coinciding axes
+      const auto angle = [&](int i, int j, int k) {  // none if both are zero: coinciding axes
         return product[k] == 0 ? 0 : product[k] / (square[j] - square[i]);
       };
       const Eigen::Vector3d theta(angle(1, 2, 0), angle(2, 0, 1), angle(0, 1, 2));

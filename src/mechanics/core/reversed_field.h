@@ -3,7 +3,7 @@
 ///
 ///   r'' = a(−s, r, −r').
 ///
-/// What dissipates forwards feeds energy backwards.
+/// A force that dissipates energy forwards in time adds energy backwards.
 
 #include <utility>
 

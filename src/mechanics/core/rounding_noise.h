@@ -1,5 +1,5 @@
 #pragma once
-/// Round-off of functions of the state, measured: how much a value changes where the entries of its arguments change by
+/// Round-off of functions of the state, measured: how much a value changes if the entries of its arguments change by
 /// a few units in their last place. A value that is computed stably cannot be known better, and no iteration makes it
 /// smaller.
 
@@ -43,7 +43,7 @@ double largest_change(const S& system, Evaluate&& evaluate) {
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
-/// Of G(q) v.
+/// Round-off of G(q) v.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
                                                   const typename S::Vector& v) {
@@ -58,7 +58,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Of g(q).
+/// Round-off of g(q).
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
   return largest_change(system, [&](int pattern, auto& r) {
@@ -68,7 +68,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Of g(q + q_rounding), which is computed with the digits of long double.
+/// Round-off of g(q + q_rounding), which is computed with the digits of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

@@ -34,7 +34,8 @@ concept ProjectedField = SecondOrderField<F> &&
   { field.project(q, v, w) } -> std::same_as<Status>;
 };
 
-/// What a method may rely on. A system says so by members of these names; what it does not say is false.
+/// Properties on which a method may rely. A system says so by members of these names; a property without a member is
+/// false.
 template <class S>
 bool velocity_dependent(const S& system) {  // the force depends on v
   if constexpr (requires { system.velocity_dependent(); }) return system.velocity_dependent();

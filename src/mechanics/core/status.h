@@ -1,5 +1,5 @@
 #pragma once
-/// Failure as a value: what a force, a constraint or a step returns instead of throwing or passing on a NaN.
+/// Failure as a value, which a force, a constraint or a step returns instead of an exception or a NaN.
 
 #include <cstdio>
 #include <memory>
@@ -33,7 +33,7 @@ class [[nodiscard]] Status {
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Outcome of a Gram solve: how many iterations it took (0 where the solve is a division).
+/// Outcome of a Gram solve: how many iterations it took (0 if the solve is a division).
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

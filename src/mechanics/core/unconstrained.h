@@ -1,5 +1,5 @@
 #pragma once
-/// What a system without constraints has of ConstrainedSystem, as its base.
+/// The members of ConstrainedSystem for a system without constraints, as its base.
 
 #include "mechanics/core/constrained_system.h"
 

@@ -29,7 +29,7 @@ struct VectorSpace {  // dense Eigen vectors and matrices
   static void axpy(double a, const V& x, V& y) { y.noalias() += a * x; }
   static void scale(double a, V& x) {
     if (a == 0)
-      x.setZero();  // clears what is not finite as well
+      x.setZero();  // also clears numbers that are not finite
     else
       x *= a;
   }
@@ -81,7 +81,7 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x with the round-off kept in c where the space compensates; c starts as zero.
+/// y ← y + a x with the round-off kept in c if the space compensates; c starts as zero.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)

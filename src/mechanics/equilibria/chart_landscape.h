@@ -59,7 +59,7 @@ class ChartLandscape {
 
  private:
   const C& chart() const { return field_.chart(); }
-  /// Entry by entry: where there is but one, g++ 12 takes a copy by Eigen for an access beyond it, and warns.
+  /// Entry by entry: if there is but one, g++ 12 takes a copy by Eigen for an access beyond it, and warns.
   static void copy(const auto& from, auto& to) {
     to.resize(from.rows(), from.cols());
     for (Eigen::Index i = 0; i < from.size(); ++i) to.data()[i] = from.data()[i];

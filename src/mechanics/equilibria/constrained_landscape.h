@@ -93,7 +93,7 @@ class ConstrainedLandscape {
     f = flat(value);
     return f.allFinite() ? Status() : Status::failure("the force is not finite");
   }
-  /// The entries of a vector or a multiplier of the system, and back.
+  /// Conversion between the system's vectors or multipliers and Eigen vectors.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
     Vector entries(static_cast<Eigen::Index>(values.size()));

@@ -1,11 +1,11 @@
 #pragma once
-/// A critical point of V on N = {g = 0}, ∇V = Gᵀλ, and what is near it (Oliva, Geometric Mechanics, 5.8). With a basis
-/// T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
+/// A critical point of V on N = {g = 0}, ∇V = Gᵀλ, and the motions near it (Oliva, Geometric Mechanics, 5.8). With a
+/// basis T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
 ///
 ///   H = Tᵀ(∇²V − Σ λ_k D²g_k)T,   D = TᵀCT,
 ///   ÿ + Dẏ + Hy = 0:   z²y + zDy + Hy = 0.
 ///
-/// Morse index and nullity are those of H. Where the damping is strongly dissipative and H regular, the point is
+/// Morse index and nullity are those of H. If the damping is strongly dissipative and H regular, the point is
 /// hyperbolic, and its unstable manifold has the dimension of the Morse index (5.8.3).
 
 #include <Eigen/Core>
@@ -28,7 +28,7 @@ struct CriticalPoint {
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 
-/// Describes the critical point (q, λ). `added_damping` is a covector force −C v beside the system's own.
+/// Describes the critical point (q, λ). `added_damping` is a covector force −C v in addition to the system's own.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

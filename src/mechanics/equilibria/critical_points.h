@@ -3,7 +3,7 @@
 ///
 ///   r(q, λ) = (∇V − Gᵀλ, g) = 0,   [H_L  −Gᵀ; G  0] δ = −r,
 ///
-/// with the shortest δ where the matrix is singular (symmetries), halved until |r| falls. Newton's iteration is drawn
+/// with the shortest δ if the matrix is singular (symmetries), halved until |r| falls. Newton's iteration is drawn
 /// to critical points of every index alike. The seeds are fixed: the same search gives the same result.
 ///
 /// A point is counted once: modulo the periods of the chart, and, where it is degenerate (a whole orbit of symmetries
@@ -28,7 +28,7 @@ struct CriticalPointSearch {
   /// then goes on, up to `n_starts_at_most`.
   std::function<bool(const std::vector<CriticalPoint>& points)> misses_points{};
   int n_starts_at_most = 0;
-  /// Linear damping beside the system's own: q → C(q) of the force −C v. Empty: none.
+  /// Linear damping in addition to the system's own: q → C(q) of the force −C v. Empty: none.
   std::function<Eigen::MatrixXd(const Eigen::VectorXd& q)> added_damping{};
 };
 
@@ -41,7 +41,7 @@ struct CriticalPoints {
 /// Fails if a point that was found cannot be described; that starts lead nowhere is told by n_converged.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
-/// The same, with n_unstable and n_stable as 5.8.3 speaks of them: where the system has no dissipation of its own, they
+/// The same, with n_unstable and n_stable as 5.8.3 speaks of them: if the system has no dissipation of its own, they
 /// are counted under the force −M v. The rates are those of the system as it is.
 Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
                        CriticalPoints& found);

@@ -8,8 +8,8 @@
 /// symplectic form W = [2G, Id; −Id, 0].
 ///
 /// A symmetry takes the equilibrium to others, and its direction (y, ẏ) belongs to an invariant space N whose rates are
-/// known and say nothing. What is left is the space of fixed momenta modulo the group that keeps them
-/// (Marsden–Weinstein),
+/// known and do not depend on the equilibrium. The remainder is the space of fixed momenta modulo the group that keeps
+/// them (Marsden–Weinstein),
 ///
 ///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N},
 ///
@@ -46,7 +46,7 @@ struct LinearStability {
   std::vector<Rate> rates;
   Eigen::VectorXd second_variation;  ///< eigenvalues of S, rising: of the energy at fixed momenta
   int n_negative = 0;                ///< how many of them are negative; 0 and none zero: stable (Dirichlet's criterion)
-  double growth_rate = 0;            ///< largest real part, 0 where it is round-off
+  double growth_rate = 0;            ///< largest real part, 0 if it is round-off
   bool stable = true;                ///< spectrally: no rate with positive real part
 };
 
@@ -59,7 +59,7 @@ inline constexpr double zero_variation = 1e-12;
 /// momenta, below `absent` of the largest count as absent.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
-/// Rates, second variation and stability. Fails where the system, that is the second derivative, is not finite.
+/// Rates, second variation and stability. Fails if the system, that is the second derivative, is not finite.
 Status analyse_stability(const ReducedLinearSystem& system, LinearStability& result);
 
 }  // namespace pseudorigid::mechanics

@@ -38,7 +38,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // whatever phase the eigensolver has given it
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // for any phase that the eigensolver gives it
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});

@@ -1,7 +1,7 @@
 #pragma once
 /// Modes of a ball at rest, put together to frequencies. A mode of one kind and degree n of the sphere comes 2n + 1
 /// times: the 2n + 1 lowest of a class are the copies of its fundamental, the next those of its first overtone, and so
-/// on. Kind and degree of each mode are measured by whoever finds it; the group of a mode is decided by them and by the
+/// on. Kind and degree of each mode are measured by the caller; the group of a mode is decided by them and by the
 /// order of ω² alone, without a threshold.
 
 #include <cstddef>

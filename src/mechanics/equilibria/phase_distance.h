@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// `periods`: P of each coordinate; 0 where it has none.
+/// `periods`: P of each coordinate; 0 if it has none.
 template <class Vector>
 double phase_distance(const Vector& q, const Vector& v, const Eigen::VectorXd& q0, const Eigen::VectorXd& periods) {
   Eigen::VectorXd d = q - q0;

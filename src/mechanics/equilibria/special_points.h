@@ -6,7 +6,7 @@
 ///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: in
 ///                 rising order, the k-th one is zero. A rate of the motion passes through 0. Without dissipation the
 ///                 motion need not become unstable there; with dissipation it may ("secular", as Maclaurin's spheroid
-///                 at Jacobi's bifurcation). The number also jumps by 2 where J or Z passes through 0, which is no
+///                 at Jacobi's bifurcation). The number also jumps by 2 if J or Z passes through 0, which is no
 ///                 event of the motion
 ///   instability   rates leave the imaginary axis, or come back: two rates of opposite energy meet (Krein), or a pair
 ///                 ±s meets at 0
@@ -73,7 +73,7 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Stability along a curve of motions s ↦ motion(s); nothing where there is no motion.
+/// Stability along a curve of motions s ↦ motion(s); nothing if there is no motion.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the changes of index and of stability between a and b, as exactly as `resolution` says of bracketed_root.

@@ -4,7 +4,7 @@
 /// for q̈ = a(t, q, q̇). With q̇ = v only accelerations are stages (dormand_prince_8_tableau.h):
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected where the field can
+///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can
 ///
 /// Error of a step: e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) for p = 5, 3,
 ///
@@ -57,16 +57,16 @@ struct DormandPrince8Workspace {
   double h_max = HUGE_VAL;         // no step is longer
   double t_start = 0, h_last = 0;  // of the last step
   Vector q_start, v_start, q_end, v_end;
-  Vector q_rounding, v_rounding;          // what rounding has kept back, of the state
+  Vector q_rounding, v_rounding;          // remainder of the compensated sums of the state
   Vector q_rounding_end, v_rounding_end;  // and of a trial
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;
-  bool acceleration_known = false;  // A[12] is that of the state; to be cleared by who changes the state
+  bool acceleration_known = false;  // A[12] is that of the state; to be cleared when the state is changed
   bool dense_known = false;
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  /// Hands out the parts of the computation's state that a checkpoint must contain.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);

@@ -28,10 +28,10 @@
 /// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
 /// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
 /// up. ν is that of the first state as long as P is so large that round-off corrected by mistake does no harm. It grows
-/// along a motion (terms of V cancel in another way where the body has turned), so it is measured at every step, and
-/// where a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
+/// along a motion (terms of V cancel in another way if the body has turned), so it is measured at every step, and
+/// if a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
 /// is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right to round-off without θ,
-/// which is left out. What round-off takes of the momenta is given back too (momentum_keeper.h).
+/// which is left out. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
 /// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
 ///
@@ -96,7 +96,7 @@ struct EnergyMomentumWorkspace {
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
   Vector force, A, B, C_q, C_v, P_q, P_v;                   // as above
   Vector acceleration;                                      // Δv/h of the last step
-  Vector q_rounding, v_rounding;                            // what rounding has kept back from q and v
+  Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
   Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
   MultiplierHistory<S> history;                             // of λ, at the middle of the steps
   OrbitComplement<S> orbit;
@@ -108,7 +108,7 @@ struct EnergyMomentumWorkspace {
   double largest_noise = 0;       // the largest about the states so far
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -151,7 +151,7 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Whether the promises of the method hold for this system; if not, why.
+  /// An error if the system violates the method's requirements.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
@@ -214,7 +214,7 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// How much V changes where the entries of q change by a few units of their last place: terms that cancel do not show
+  /// How much V changes if the entries of q change by a few units of their last place: terms that cancel do not show
   /// in V itself.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {

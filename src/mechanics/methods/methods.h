@@ -5,11 +5,11 @@
 ///
 ///     name, documentation                  as in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
-///     resonance_limit                      where there is one: a smaller bound on the steps that are looked for
+///     resonance_limit                      if there is one: a smaller bound on the steps that are looked for
 ///     chosen_by_auto                       whether Method = auto may take it
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
 ///     fits<S>                              whether it can be compiled for a system of type S
-///     takes_any_vector                     where true: it asks no more of vectors than VectorSpace offers
+///     takes_any_vector                     if true: it asks no more of vectors than VectorSpace offers
 ///     accepts(system) → Status             whether its promises hold for this system; if not, why
 ///
 /// and, with fixed steps (adaptive = false),
@@ -52,7 +52,7 @@ using MethodTable = std::tuple<Rattle,          //
                                Gauss16,         //
                                DormandPrince8>;
 
-/// What every method says of itself; one that leaves a trait out does not compile.
+/// Traits of every method; a method without one of them does not compile.
 template <class M>
 concept DeclaresTraits = requires {
   { M::name } -> std::convertible_to<std::string_view>;

@@ -1,6 +1,6 @@
 #pragma once
 /// Round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩ of a method that keeps them exactly. A step loses some 10⁻¹⁸ of them,
-/// which would add up; where a momentum is off by more than its own round-off, the velocity is moved along the orbit of
+/// which would add up; if a momentum is off by more than its own round-off, the velocity is moved along the orbit of
 /// the symmetries, in the metric of the kinetic energy the least change that mends it:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i.

@@ -35,7 +35,7 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
-    // A step that accuracy or stability admits takes a few tens of them. Nobody can interrupt them.
+    // A step that accuracy or stability admits takes a few tens of them. They cannot be interrupted.
     constexpr int most = 2000;
     const double t_end = state.t + h;
     for (int n = 0; state.t != t_end; ++n) {

@@ -19,7 +19,7 @@
 /// then implicit:  v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n],  solved together with the projection.
 /// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2).
 ///
-/// The small increments of q and v are summed with compensation (vector_space.h), and where the system can do it
+/// The small increments of q and v are summed with compensation (vector_space.h), and if the system can do it
 /// (resolves_rounding), the constraint is met by q + q_rounding.
 
 #include <algorithm>
@@ -84,7 +84,7 @@ struct MultiplierHistory {
   }
 
  private:
-  /// ℓ_i(t) on the latest n times; false where they amplify errors too much, or times coincide.
+  /// ℓ_i(t) on the latest n times; false if they amplify errors too much, or times coincide.
   ///
   /// Equidistant times have Σ|ℓ_i| = 2ⁿ − 1, at most 15, which the limit admits; it binds the unequal substeps of
   /// compositions alone. Measured for lines on SL(3), h = 0.2, 0.05, 0.01: limits of 7 to 40 take the same iterations
@@ -112,7 +112,7 @@ typename S::Vector make_rounding(const S& system) {
     return {};
 }
 
-/// Temporaries of the iteration on a force that depends on the velocity; empty where none does.
+/// Temporaries of the iteration on a force that depends on the velocity; empty if none does.
 template <class S>
 struct VelocityIteration {
   /// Solves for multipliers are dear, and reactions found once are worth keeping.
@@ -152,17 +152,18 @@ struct RattleWorkspace {
   typename S::Workspace system;
   typename S::Vector acceleration, q_start;  // M⁻¹f at the state (symmetric_multistep.h adds a reaction); q_n
   VelocityIteration<S> settling;
-  typename S::Vector q_rounding, v_rounding;  // what rounding has kept back from q and v
+  typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
-  double constraint_tolerance;   // |g|_∞ and |G v|_∞ that may be left: the system's, unless somebody asks for less
+  double
+      constraint_tolerance;  // |g|_∞ and |G v|_∞ that may be left: the system's, unless the caller sets a smaller one
   double pending_weight = 0;     // half steps since the last projection, whose reaction is still to come
   double acceleration_time = 0;  // at which a force that depends on time was evaluated
   bool acceleration_known = false;
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint; the rest is recomputed.
+  /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -190,7 +191,7 @@ struct Rattle {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
-  /// Whether the promises of the method hold for this system; if not, why.
+  /// An error if the system violates the method's requirements.
   template <ConstrainedSystem S>
   static Status accepts(const S&) {
     return {};
@@ -276,7 +277,8 @@ struct Rattle {
       }
       axpy(-1.0, state.v, before);
       const double size = max_norm(before), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
-      // What the projection may leave of G v, and so of v, need not be resolved, and is no sign of divergence either.
+      // The residual of G v, and so of v, that the projection may leave need not be resolved, and does not indicate
+      // divergence either.
       const double enough = std::max(round_off / 4, w.constraint_tolerance / 10);
       const double jitter = std::max(100 * round_off, 1000 * w.constraint_tolerance);
       // Changes that fall by a factor c each time add up to another size c/(1 − c).
@@ -309,7 +311,7 @@ struct Rattle {
       add(h, state.v, state.q, w.q_rounding);
       const auto apply = [&] {
         axpy(1 / h, w.constraint.delta, w.impulse);
-        // q moves by h times what is added to v. With fl(1/h) for the one and 1 for the other the step would not be
+        // q moves by h times the increment of v. With fl(1/h) for the one and 1 for the other the step would not be
         // symplectic, by h fl(1/h) − 1, which is the same in every step.
         scale(1 / h, w.constraint.reaction);
         add(1.0, w.constraint.reaction, state.v, w.v_rounding);
@@ -325,7 +327,7 @@ struct Rattle {
     }
   }
 
-  /// |g| that a step may leave. Where sums are compensated, this is the greatest error of a step, and adds up: on SL(3)
+  /// |g| that a step may leave. If sums are compensated, this is the greatest error of a step, and adds up: on SL(3)
   /// in 10⁶ periods to an energy drift of 7e-12 with the tolerance of the system, of 1e-12 if g(q) is iterated to its
   /// round-off, and to none if g(q + q_rounding) is brought below that.
   template <ConstrainedSystem S>
@@ -338,7 +340,7 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// λ(t_n) = Λ / weight. Where substeps of opposite sign meet, the weight may nearly vanish and says nothing.
+  /// λ(t_n) = Λ / weight. If substeps of opposite sign meet, the weight may nearly vanish and cannot be used.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

@@ -9,7 +9,7 @@
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// The first k − 1 steps are made by another method (multistep_start.h). The steps do not use the velocity; where it is
+/// The first k − 1 steps are made by another method (multistep_start.h). The steps do not use the velocity; if it is
 /// looked at,
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
@@ -41,8 +41,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Slot i mod (k − 1) of the history holds d_i and a_i, for the last k − 1 points. What a step shares with RATTLE's is
-/// RATTLE's.
+/// Slot i mod (k − 1) of the history holds d_i and a_i, for the last k − 1 points. RATTLE provides the parts that the
+/// steps of both methods share.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -66,7 +66,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  /// Hands out the parts of the computation's state that a checkpoint must contain.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     RattleWorkspace<S>::visit_memory(visit);
@@ -170,7 +170,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state; where that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
+  /// w.acceleration ← M⁻¹f at the state; if that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
   /// of the start λ is 0, so that the acceleration known there will do.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
@@ -231,8 +231,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Newton's iteration squares the residual of a few constraints, whose Gram matrix is exact, by the curvature of g,
-  /// which is left a factor of 10⁴.
+  /// For a few constraints the Gram matrix is exact, and Newton's iteration squares the residual, times the
+  /// curvature of g; a safety factor of 10⁴ is allowed for it.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);

@@ -38,7 +38,7 @@ struct RunResult {
   double t = 0;        ///< time reached
 };
 
-/// What the caller does along the way.
+/// Actions of the caller during the loop.
 ///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1 (not asked by adaptive methods);
 ///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run. All samples up to the

@@ -4,7 +4,7 @@
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
 /// with signs that look random and are the same in every run; ε is the spacing of floating-point numbers at 1. The
-/// motion is one that arithmetic may give as well. As in arithmetic, what is exactly 0 stays so.
+/// motion is one that arithmetic may give as well. As in arithmetic, an exact 0 stays 0.
 
 #include <Eigen/Core>
 #include <bit>

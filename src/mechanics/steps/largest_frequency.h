@@ -3,7 +3,7 @@
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (differences, λ and v fixed).
 ///
-/// The stability limit of a method is a bound on hω. Where forces dissipate, the largest rate of damping is likewise
+/// The stability limit of a method is a bound on hω. If forces dissipate, the largest rate of damping is likewise
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
 ///
@@ -12,9 +12,9 @@
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
-/// keeps each u together with its w = M u. So only M⁻¹ is needed, and ⟨u, u'⟩_M = uᵀw' also where M⁻¹ has zeros
+/// keeps each u together with its w = M u. So only M⁻¹ is needed, and ⟨u, u'⟩_M = uᵀw' also if M⁻¹ has zeros
 /// (components that are held fixed: u = 0 there, whatever w is). Differences are central, with errors of about 1e-10;
-/// where vectors are distributed and forces cost much they are forward, with errors of about 1e-8.
+/// if vectors are distributed and forces cost much they are forward, with errors of about 1e-8.
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// ω, or why it could not be had.
+/// The frequency ω, or the reason why it could not be computed.
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
@@ -73,7 +73,7 @@ void fill_irregular(const S& system, typename S::Vector& x) {
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of what is changed by differences, 0 counting as 1.
+  /// `scale` is the size of the vector that differences change, 0 counting as 1.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -95,7 +95,8 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// w ← K u, u ← M⁻¹K u, projected. A body that is thin beside its length may not stand the usual increment.
+  /// w ← K u, u ← M⁻¹K u, projected. The usual increment may be too large for a body that is thin compared with its
+  /// length.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -223,7 +224,7 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 
 /// ω from at most `n_iterations` steps of Lanczos; `accuracy`: the part of ω² that may be in doubt, for fewer. The
 /// residual is added to the Ritz value, so that few iterations rather err on the side of a large ω, a small step. Exact
-/// up to the differences once the iteration has seen every mode; 0 where nothing oscillates.
+/// up to the differences once the iteration has seen every mode; 0 if nothing oscillates.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {

@@ -35,8 +35,8 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Differences above this, in the system's unit of length, say nothing of the order: beyond it lie collisions and
-/// chaos.
+/// Differences above this, in the system's unit of length, do not depend on the order: they are caused by collisions
+/// and chaos.
 inline constexpr double asymptotic_difference = 0.1;
 /// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
 inline constexpr long max_pilot_forces = 4'000'000;
@@ -62,7 +62,7 @@ struct FixedStepMethod {
   double order, n_stages, step_limit;
   /// Over a window, n_steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
-  /// The same with the kinetic and the potential energy in place of the configuration; empty where they are not known.
+  /// The same with the kinetic and the potential energy in place of the configuration; empty if they are not known.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
@@ -74,7 +74,7 @@ struct AdaptiveMethod {
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Q_of(state) is what the tolerance speaks of.
+/// Q_of(state) is the configuration to which the tolerance applies.
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -100,13 +100,13 @@ struct PilotHooks {
   }
 };
 
-/// Of a pilot run that has not reached its end.
+/// The failure of a pilot run that has not reached its end.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
 }
 
-/// `form`: what the method works on. `prepare(workspace)` comes first.
+/// `form`: the form of the system that the method integrates. `prepare(workspace)` comes first.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -122,7 +122,7 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 }
 
 /// A control of the step sees nothing of kicks that are far below its tolerance. On a body that rests steps would grow
-/// beyond stability, and the method itself would magnify them. Of a stiff system this costs a bounded number of steps.
+/// beyond stability, and the method itself would magnify them. For a stiff system this costs a bounded number of steps.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -199,7 +199,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
 }
 
-/// What one method offers.
+/// Result of the search for one method.
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;

@@ -8,7 +8,7 @@
 ///
 /// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
 /// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
-/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. Of 1500 short scenes none missed its
+/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. None of 1500 short scenes missed its
 /// tolerance. A release from the stretches 1.29, 1.29, 0.60 did, by 1.12: its motion magnifies a change of its start
 /// 2000 times in 6.4 r/c.
 ///
@@ -19,7 +19,7 @@
 /// A multistep method of order p begins with p − 1 steps of another method, which say nothing of its own: its window
 /// holds 4p of its steps, or the whole run.
 ///
-/// Where it is asked for, a glance comes first, the same with a part w' of the window: w/8, and if that leaves it a
+/// If it is asked for, a glance comes first, the same with a part w' of the window: w/8, and if that leaves it a
 /// chance w/2. Errors have hardly begun to grow in it, so its estimate is multiplied by (w/w')^(3/2): 23 and 2.8. In
 /// releases, spins, tides and figures of equilibrium of the ball it was 0.07 to 9 times too small at w/8, and 0.4 to
 /// 2.1 times at w/2. A method of high order at its stability limit often has room for that, and the pilots cost a fifth
@@ -49,7 +49,7 @@
 ///
 ///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps,
 ///
-/// of accuracy, times hω where sums are compensated: no step smaller than where e = e₀ is taken.
+/// of accuracy, times hω if sums are compensated: no step smaller than where e = e₀ is taken.
 
 #include <algorithm>
 #include <cmath>

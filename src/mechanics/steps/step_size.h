@@ -2,7 +2,7 @@
 /// Method and step from a tolerance of the time error of the configuration over a run (maximum norm over samples).
 ///
 /// An adaptive method (tolerance_search.h) is tried first: it finds its way through motions of every kind, and bounds
-/// what the search among the others may cost. It is taken where it needs less than half of their forces, for it does
+/// what the search among the others may cost. It is taken if it needs less than half of their forces, for it does
 /// not keep the invariants of the motion; that is on short runs, since its error grows like T², and on motions with
 /// short violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at
 /// its stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon
@@ -52,7 +52,7 @@ inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// Whether Method = auto considers a method for systems of type S, if its promises hold. Where forces cost little, one
+/// Whether Method = auto considers a method for systems of type S, if its promises hold. If forces cost little, one
 /// of fixed step that is not symplectic is for those who ask for it, unless its steps are as cheap as those of stages
 /// in lanes.
 template <class Method, class S>
@@ -66,7 +66,7 @@ namespace detail {
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
-/// The one that is asked for, or any that auto may take and whose promises hold. Where a force costs much, an adaptive
+/// The one that is asked for, or any that auto may take and whose promises hold. If a force costs much, an adaptive
 /// method is for dissipative systems, to which no method of fixed step and high order is open.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
@@ -80,9 +80,9 @@ bool is_candidate(const S& system, const StepRequest& request) {
 
 }  // namespace detail
 
-/// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration that the tolerance
-/// speaks of: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half the
-/// step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
+/// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration to which the
+/// tolerance applies: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half
+/// the step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
 /// symplectic may change the sum by the tolerance.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,

@@ -9,7 +9,7 @@
 ///
 /// Round-off grows with the motion, near an unstable point like e^{λt}, and two pilots that leave such a point on the
 /// same side by the same error of rounding say nothing of it. So two more are kicked by round-off after every step, one
-/// against the other (kicked_method.h), and what they leave the first by is part of the estimate. Where that is more
+/// against the other (kicked_method.h), and what they leave the first by is part of the estimate. If that is more
 /// than the tolerance, and a thousand times what kicks add up to on a regular motion, the run says from which time on.
 /// On a regular motion it grows like t^(3/2), since kicks are as often one way as the other.
 ///
