@@ -31,21 +31,21 @@ struct BodyOfStages {
   double pressure = 0;
 };
 
-/// What a dissipative body has besides.
+/// Further parameters of a dissipative body.
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;
-  /// Of loads that depend on time, at the stages: T, P̄, p and their rates.
+  /// Loads that depend on time at the stages: T, P̄ and p; `driving_rate` are their rates.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};
   } driving, driving_rate;
 };
 
-/// Which entries the stages hold: Q; the diagonal of Q; or Q and the energies taken and given.
+/// The entries of a stage: Q, the diagonal of Q, or Q with the energies that were taken and given.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
-/// The stages of a Gauss step of the body; `accounts` where its entries have them.
+/// Solves the stages of a Gauss step of the body. `accounts` is needed if the entries contain energies.
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 

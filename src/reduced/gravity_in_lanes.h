@@ -1,16 +1,17 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B over any scalar, a vector of lanes above all: no principal axes, no
-/// branch that lanes would have to take together (gravity/ellipsoid_gravity.h: the same for one body).
+/// Self-gravity of the homogeneous ellipsoid F B over any scalar, in particular a vector of lanes. It needs no
+/// principal axes and no branches, which all lanes would have to take together. gravity/ellipsoid_gravity.h is for one
+/// body.
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///
-/// Carlson's duplication works on matrices: R = √C has the invariants r₁, r₂, r₃ (sums of products of its eigenvalues),
-/// R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
+/// Carlson's duplication works on matrices. R = √C has the invariants r₁, r₂, r₃, which are sums of products of its
+/// eigenvalues. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
-/// The square root itself is never needed. Of the other invariants, 2r₂ = r₁² − tr C, and r₁ is the largest root of
-/// r₂² − 2r₁r₃ − tr cof C, about 2r₁ after a duplication. With A = ⅓ tr C and
+/// The square root itself is never needed. The invariants are r₃ = √det C, 2r₂ = r₁² − tr C, and r₁ is the largest root
+/// of r₂² − 2r₁r₃ − tr cof C. After a duplication r₁ is about doubled. With A = ⅓ tr C and
 /// Z = Id − C/A small, the series of ellipsoid_integrals.h are D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
 /// All terms are positive definite. D F of a flat body has errors of cond(F) ε.
@@ -25,7 +26,7 @@ namespace pseudorigid::reduced {
 
 namespace gravity_in_lanes {
 
-/// A symmetric matrix: entries (i, i), and (j, k) where i is the third index.
+/// A symmetric matrix: the entries (i, i), and the entries (j, k) opposite to them, with i, j, k all different.
 template <class T>
 struct SymmetricOf {
   T diagonal[3], opposite[3];
@@ -116,7 +117,7 @@ materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>
                                      const Largest& largest) {
   using namespace gravity_in_lanes;
   constexpr int max_duplications = 20;
-  /// Of ΣZ²: at this size the arguments spread by no more than the series admit.
+  /// Bound of ΣZ² below which the spread of the arguments is within the range of the series.
   constexpr double close = 0.5 * (3 * gravity::detail::series_spread) * (3 * gravity::detail::series_spread);
   const materials::Tensor<T> cof_F = materials::cofactor(F);
   const auto row = [&](int i, int j) { return F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2); };

@@ -31,7 +31,7 @@ struct SystemKernels {
 /// Defined by the build, the best first.
 std::span<const mechanics::KernelBuild<SystemKernels>> builds_of_system_kernels();
 
-/// What an iteration costs, as of mechanics/core/stage_by_stage.h. Measured as nanoseconds over those of a stage of
+/// Cost of an iteration (mechanics/core/stage_by_stage.h). Measured as nanoseconds over those of a stage of
 /// rattle-8 for the points (110/349), and of a force of explicit-8, which counts twice, for the others (73/81, 90/104).
 inline constexpr double cost_of_top = 1.8, cost_of_pendulum_points = 0.32, cost_of_pendulum_angles = 1.7;
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <exception>
 #include <iterator>
@@ -15,12 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/motion.h"
-#include "app/commands/kept_trajectories.h"
-#include "app/commands/scene_to_run.h"
 #include "app/commands/sweep_rows.h"
-#include "app/run/scene_to_model.h"
-#include "entries/entry_kinds.h"
+#include "app/commands/sweep_run.h"
 #include "io/signals.h"
 #include "scene/expressions.h"
 #include "scene/needs.h"
@@ -30,74 +25,8 @@
 namespace pseudorigid::app {
 namespace {
 
-std::string describe_values(const scene::ParameterValues& values) {
-  std::string text;
-  for (const auto& [name, value] : values)
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, scene::print_number(value));
-  return text;
-}
-
-scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values) {
-  return scene_to_run(scene::with_parameters(raw.scene, values, raw.origins), raw.origins);
-}
-
 std::string describe_run(const scene::Sweep& sweep, int k) {
   return fmt::format("run {} of the sweep, {}", k + 1, describe_values(scene::values_of_run(sweep, k)));
-}
-
-/// The runs in which each parameter has its first or its last value.
-std::set<int> corners(const scene::Sweep& sweep) {
-  std::set<int> runs{0};
-  for (const scene::SweepParameter& parameter : sweep) {
-    std::set<int> with_this_one;
-    for (const int k : runs)
-      for (const int i : {0, parameter.size() - 1}) with_this_one.insert(k * parameter.size() + i);
-    runs = std::move(with_this_one);
-  }
-  return runs;
-}
-
-/// Of the ball.
-std::set<std::string> names_conserved(bool is_free, bool incompressible) {
-  std::set<std::string> names{"energy"};  // what loads and dissipation give and take is a part of it
-  if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
-  if (incompressible) names.insert("volume_ratio");
-  return names;
-}
-
-/// Names of the ball's columns that no run of the sweep changes but by its error, judged by the ends of the parameters'
-/// ranges: a value and a drift say all of them.
-std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
-  bool is_free = true, incompressible = true;
-  for (const int k : corners(raw.scene.sweep)) {
-    // Not checked again: check_sweep has done it.
-    const scene::Scene scene = scene::with_parameters(raw.scene, scene::values_of_run(raw.scene.sweep, k), raw.origins);
-    if (scene.system != scene::ball) return {};
-    is_free = is_free && scene::is_free(scene);
-    incompressible = incompressible && scene.body.incompressible;
-  }
-  return names_conserved(is_free, incompressible);
-}
-
-constexpr std::array<const char*, 5> columns_of_any{"finished", "time", "steps", "forces", "estimated_time_error"};
-constexpr std::array<const char*, 2> columns_of_frequencies{"frequency", "amplitude"};
-
-bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
-
-/// The columns of sweep.csv.
-std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
-                                          const std::set<std::string>& conserved) {
-  const std::vector<std::string> of_model = columns_of_run(scene, needs);
-  std::vector<std::string> names{"run"};
-  for (const auto& parameter : scene.sweep) names.push_back(parameter.name);
-  names.insert(names.end(), columns_of_any.begin(), columns_of_any.end());
-  if (has_frequencies(needs)) names.insert(names.end(), columns_of_frequencies.begin(), columns_of_frequencies.end());
-  for (std::size_t i = 1; i < of_model.size(); ++i)
-    if (conserved.contains(of_model[i]))
-      names.insert(names.end(), {of_model[i], of_model[i] + "_drift"});
-    else
-      for (const char* what : {"end", "min", "max"}) names.push_back(of_model[i] + "_" + what);
-  return names;
 }
 
 [[noreturn]] void refuse_parameter(const scene::ReadScene& raw, const std::string& sentence) {
@@ -110,7 +39,7 @@ void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
   const scene::Sweep parameters = std::exchange(scene.sweep, {});
   const scene::Needs needs = scene::needs(scene);
-  std::vector<std::string> taken(columns_of_frequencies.begin(), columns_of_frequencies.end());
+  std::vector<std::string> taken = columns_of_frequencies();
   for (const auto& conserved :
        {std::set<std::string>{}, needs.system ? std::set<std::string>{} : names_conserved(true, true)})
     std::ranges::copy(columns_of_sweep(scene, needs, conserved), std::back_inserter(taken));
@@ -130,105 +59,6 @@ void require_used(const scene::ReadScene& raw) {
                                         "does",
                                         parameter.name, parameter.name));
 }
-
-/// What one run has to say.
-struct RunResult {
-  io::Table rows;
-  ModelOutcome outcome;
-};
-
-class SweepRun {
- public:
-  SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context)
-      : raw_(raw),
-        run_(run),
-        together_(raw.scene.sweep_lanes ? together : nullptr),
-        context_(context),
-        conserved_(conserved_columns(raw)),
-        silent_(io::make_logger(io::Verbosity::silent, {})) {}
-
-  RunResult run(int k) const {
-    RunResult result;
-    const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
-    result.outcome = run_(context_of(scene, result));
-    return result;
-  }
-
-  /// The runs first, …, last − 1 at once; nothing where each has to run by itself.
-  std::optional<std::vector<RunResult>> run_together(int first, int last) const {
-    if (!together_) return {};
-    std::vector<RunResult> results(static_cast<std::size_t>(last - first));
-    std::vector<scene::Scene> scenes;
-    try {
-      for (int k = first; k < last; ++k)
-        scenes.push_back(scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k)));
-    } catch (const UserError&) {  // will be said of the run that it is about
-      return {};
-    }
-    std::vector<RunContext> contexts;
-    for (std::size_t i = 0; i < scenes.size(); ++i) contexts.push_back(context_of(scenes[i], results[i]));
-    auto outcomes = together_(contexts);
-    if (!outcomes) return {};
-    for (std::size_t i = 0; i < scenes.size(); ++i) results[i].outcome = std::move((*outcomes)[i]);
-    return results;
-  }
-
-  std::vector<std::string> columns() const { return columns_of_sweep(context_.scene, context_.needs, conserved_); }
-
-  std::vector<double> row(int k, const RunResult& result) const {
-    std::vector<double> row{k + 1.0};
-    const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
-    for (const auto& parameter : raw_.scene.sweep) row.push_back(values.at(parameter.name));
-    const io::Table& table = result.rows;
-    const std::size_t n = table.n_rows();
-    row.push_back(result.outcome.end == mechanics::Outcome::finished);
-    row.push_back(n > 0 ? table.row(n - 1)[0] : 0);
-    const auto& counters = result.outcome.statistics.counters;
-    for (const char* name : {"steps", "forces", "estimated_time_error"}) {
-      const auto found = counters.find(name);
-      row.push_back(found != counters.end() ? found->second : 0);
-    }
-    if (has_frequencies(context_.needs)) add_frequency(table, row);
-    for (std::size_t c = 1; c < table.columns.size(); ++c) {
-      double least = n > 0 ? table.row(0)[c] : 0, most = least;
-      for (std::size_t i = 1; i < n; ++i) {
-        least = std::min(least, table.row(i)[c]);
-        most = std::max(most, table.row(i)[c]);
-      }
-      if (conserved_.contains(table.columns[c]))
-        row.insert(row.end(), {n > 0 ? table.row(0)[c] : 0, most - least});
-      else
-        row.insert(row.end(), {n > 0 ? table.row(n - 1)[c] : 0, least, most});
-    }
-    return row;
-  }
-
- private:
-  RunContext context_of(const scene::Scene& scene, RunResult& result) const {
-    return {
-        .scene = scene,
-        .needs = context_.needs,
-        .directory = context_.directory,
-        .units = units_of(scene),
-        .log = silent_,
-        .sink_of = [&result](const RunContext&, const char*) { return std::make_unique<RowsInMemory>(result.rows); }};
-  }
-
-  void add_frequency(const io::Table& table, std::vector<double>& row) const {
-    analysis::ModelSummary model;
-    if (table.n_rows() > 1)
-      model = analysis::summarize_motion({"", "", table}, {.resolution = context_.scene.time.tolerance}).model;
-    row.push_back(model.frequency ? model.frequency.dominant().frequency : 0);
-    row.push_back(model.strain_amplitude);
-  }
-
-  const scene::ReadScene& raw_;
-  RunModel run_;
-  RunTogether together_;
-  const RunContext& context_;
-  std::set<std::string> conserved_;
-  std::shared_ptr<io::Logger> silent_;
-};
 
 /// All runs that have no row yet, by several threads that take the next group each. Groups are the same whatever the
 /// threads are and wherever a sweep was interrupted, and so are the rows. A thread that finds no memory leaves its

@@ -25,7 +25,7 @@ constexpr std::array<Real, n_stages + 1> legendre(Real x) {
 
 namespace detail {
 
-/// dP_8/dy at a point y = 2x − 1 that is no end of the interval.
+/// dP_8/dy at y = 2x − 1 within the interval, |y| < 1.
 constexpr Real slope(Real y, const std::array<Real, n_stages + 1>& P) {
   return n_stages * (y * P[n_stages] - P[n_stages - 1]) / (y * y - 1);
 }

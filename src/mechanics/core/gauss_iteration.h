@@ -4,17 +4,17 @@
 ///
 ///   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j,   a_i ← a(t + c_i h, q_i, v_i).
 ///
-/// It contracts by O(h²) where the field depends on q alone. Its increments δ_k fall by a factor θ each; the error left
-/// after one is about θ δ_k, and it ends when that is below what the tolerance needs or below round-off of the
-/// accelerations, or when increments at the level of round-off no longer fall.
+/// For a field of q alone an iteration contracts by O(h²). Each increment δ_k is θ times the one before, and the error
+/// left after it is about θ δ_k. The iteration ends when this error is below the given tolerance or below round-off of
+/// the accelerations. It also ends when increments at the level of round-off no longer fall.
 ///
 /// A field in lanes is a struct
 ///
 ///     static constexpr int n;                                   entries
 ///     template <class T> T operator()(int first_lane, const T* q, const T* v, T* a) const;
 ///
-/// over vectors T of as many lanes as a register has. What it returns must be positive where the state is admitted. It
-/// is looked at when the stages are found.
+/// over vectors T of as many lanes as a register has. Its value must be positive for an admissible state. It is checked
+/// when the stages have been found.
 
 #include <algorithm>
 #include <cmath>
@@ -159,8 +159,8 @@ template <int n_fixed>
 [[gnu::always_inline]] inline void begin_stages(GaussStages& s, StageStarts start) {
   const int n = n_fixed > 0 ? n_fixed : s.n;
   const GaussTables& tables = *s.tables;
-  // Rounded coefficients are those of another method, whose energy drifts. What rounding has left over is added where
-  // the stages are iterated to round-off: of the guess, which is near enough for numbers so small.
+  // Rounded coefficients define another method, whose energy drifts. If the stages are iterated to round-off, the
+  // rounding errors of the coefficients are added, times the guess: these errors are so small that the guess suffices.
   const bool to_round_off = s.tolerance == 0;
   if (s.last)
     for (int k = 0; k < n; ++k) combine_columns(s.last[k], tables.guess, s.a[k]);
@@ -182,8 +182,8 @@ template <int n_fixed>
   }
 }
 
-/// q_i and v_i of all stages and entries. What they move by is summed by itself: beside q and v, what rounding the
-/// coefficients has left over would be lost.
+/// q_i and v_i of all stages and entries. Their increments are summed apart from q and v, which are so much larger that
+/// the rounding errors of the coefficients would be lost in the sum.
 template <int n_fixed>
 [[gnu::always_inline]] inline void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
   const int n = n_fixed > 0 ? n_fixed : s.n;
@@ -213,8 +213,8 @@ template <int n_fixed>
   }
 }
 
-/// What the step moves by, and how fast the stages' polynomial falls off. A number that is not finite, which maxima may
-/// have passed over, is no convergence.
+/// The increments of the step, and the size of the highest Legendre coefficients of the stages' polynomial. The maxima
+/// may pass over numbers that are not finite; then the step has not converged.
 template <int n_fixed>
 [[gnu::always_inline]] inline void finish_stages(GaussStages& s, double noise) {
   const int n = n_fixed > 0 ? n_fixed : s.n;

@@ -12,10 +12,10 @@
 
 namespace pseudorigid::mechanics {
 
-/// What the lanes of the sums at the end of a step are: with the stages a_j of an entry
-///   v += Σ h b_j a_j,   q += h v + Σ h² b_j (1 − c_j) a_j,
-/// of which `low` is what rounding the coefficients to double has left over, and the Legendre coefficients of order 6
-/// and 7 of the polynomial through the stages.
+/// Lanes of the sums at the end of a step. With the stages a_j of an entry the step is
+///   v += Σ h b_j a_j,   q += h v + Σ h² b_j (1 − c_j) a_j.
+/// `velocity` and `position` are the two sums; `…_low` are the same sums with the rounding errors of the coefficients.
+/// `legendre_…` are the Legendre coefficients of order 6 and 7 of the polynomial through the stages.
 enum GaussSum : std::size_t { velocity, velocity_low, position, position_low, legendre_6, legendre_7 };
 
 /// A number of each stage.
@@ -26,7 +26,7 @@ struct GaussTables {
   using Columns = std::array<OfStages, gauss::n_stages>;
   Columns a{};                       ///< h a_ij
   Columns a_squared{};               ///< h² (A²)_ij
-  Columns a_low{}, a_squared_low{};  ///< what rounding these to double has left over
+  Columns a_low{}, a_squared_low{};  ///< rounding errors of these
   Columns guess{};                   ///< ℓ_j(1 + r c_i): from the stages of a step of size h/r
   Columns sums{};                    ///< of a_j, in the order of GaussSum
   OfStages c{};                      ///< h c_i
@@ -43,8 +43,8 @@ struct GaussStages {
   const double* q = nullptr;
   const double* v = nullptr;
   const GaussTables* tables = nullptr;
-  const OfStages* last = nullptr;  ///< stages of the step before, from which these are guessed; none: `a` is the guess
-  /// Error of the accelerations that is small enough; 0: they are iterated until they no longer change.
+  const OfStages* last = nullptr;  ///< stages of the last step, which give the guess. If null, `a` is the guess.
+  /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
   double tolerance = 0;
   double outer_h = 0;  ///< of the step of which this one is a part
 
@@ -59,7 +59,8 @@ struct GaussStages {
   double tail = 0, scale = 0;
 };
 
-/// A field that is evaluated at all stages: of entry k at stage i, q[k][i] and v[k][i]; false where it fails.
+/// A field that is evaluated at all stages: q[k][i] and v[k][i] are entry k at stage i. The value is false if the field
+/// fails.
 struct GaussField {
   virtual bool evaluate(const GaussStages& stages, const OfStages* q, const OfStages* v, OfStages* a) const = 0;
 

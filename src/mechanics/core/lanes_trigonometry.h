@@ -1,7 +1,10 @@
 #pragma once
-/// Sine and cosine of a vector of lanes (lanes.h), to about one unit in the last place: x = kπ/2 + r with |r| ≤ π/4,
-/// π/2 in three parts of which the first two times k are exact, and the polynomials of fdlibm (Sun Microsystems 1993)
-/// for sin r and cos r. Of arguments beyond 2²⁰ each lane is the library's.
+/// Sine and cosine of a vector of lanes (lanes.h), to about one unit in the last place.
+///
+///   x = kπ/2 + r,   |r| ≤ π/4
+///
+/// π/2 is the sum of three parts, and k times the first two is exact. sin r and cos r are the polynomials of fdlibm
+/// (Sun Microsystems 1993). For arguments beyond 2²⁰ the functions of the C++ library are called lane by lane.
 
 #include <cmath>
 #include <cstring>

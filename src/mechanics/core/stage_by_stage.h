@@ -1,8 +1,8 @@
 #pragma once
 /// The stages of a Gauss step of any second-order field. A field that can evaluate its stages in the lanes of vectors
-/// says so by a member `solve_stages_in_lanes(stages)`, which returns false where it leaves these stages to the way of
-/// all other fields, one stage after the other. A field behind an interface (any_field.h) has a member
-/// `solve_stages(stages, workspace)` for both.
+/// has a member `solve_stages_in_lanes(stages)`. If this returns false, the stages are evaluated one after the other,
+/// as for all other fields. A field behind an interface (any_field.h) has a member `solve_stages(stages, workspace)`
+/// for both ways.
 
 #include <concepts>
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// A field that knows nothing of lanes, evaluated at one stage after the other.
+/// Evaluates a field at one stage after the other.
 template <SecondOrderField F>
 class StageByStage final : public GaussField {
   using Vector = typename F::Vector;
@@ -47,8 +47,7 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// Whether the stages of a field are evaluated in lanes, in a quarter or so of the time that they take one after the
-/// other.
+/// Whether the stages of a field are evaluated in lanes. That takes about a quarter of the time.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })
@@ -57,8 +56,8 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// What an iteration on the eight stages costs, in units of what the step search counts as a force of this field or of
-/// the system that it is the field of: measured where a field says it by a member `cost_of_iteration()`.
+/// Cost of an iteration on the eight stages. The unit is one force of the system, as the step search counts forces. A
+/// field with a member `cost_of_iteration()` has a measured value.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })
@@ -67,7 +66,7 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// A failure of the field, if that is why the stages were not found.
+/// Returns the failure of the field, if it has failed. `stages.converged` says whether the stages have been found.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -5,10 +5,10 @@
 ///   a_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij a_j,   q_i = q + h c_i v + h² Σ_j (A²)_ij a_j
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
 ///
-/// Symmetric; symplectic where the mass is constant and there is no constraint; momenta that are bilinear in q and v,
-/// as J and Z of a body, are kept to round-off. Forces may depend on velocity and time and may dissipate. Systems with
-/// constraints are taken by their explicit multiplier (explicit_multiplier.h), which keeps g = 0 to the error of the
-/// step; every few steps and where a state is looked at, it is projected,
+/// The method is symmetric. It is symplectic if the mass is constant and there is no constraint. Momenta that are
+/// bilinear in q and v, as J and Z of a body, are kept to round-off. Forces may depend on velocity and time and may
+/// dissipate. A system with constraints is integrated with its explicit multiplier (explicit_multiplier.h), which keeps
+/// g = 0 to the error of the step. Every few steps, and before a state is observed, the state is projected,
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ,
 ///
@@ -16,12 +16,13 @@
 ///
 /// The stages are found by iteration (gauss_iteration.h), which the polynomial through the last step's stages starts.
 /// A step whose iteration does not converge is never accepted: it is made in two halves, these in halves, and so on.
-/// With a `tolerance`, a step is also halved where the Legendre coefficients of the highest orders of its stages say
-/// that the polynomial does not resolve the motion. They are the same forwards and backwards, so that the steps are.
+/// A step is also halved if the Legendre coefficients of the highest orders of its stages exceed the `tolerance`: then
+/// the polynomial does not resolve the motion. These coefficients do not depend on the direction of time, so the halved
+/// steps do not either.
 ///
-/// With coefficients in more than double precision, stages iterated to round-off and q and v summed in more than double
-/// precision, errors of a step are random and below the round-off of the state: momenta and energy do not drift, but
-/// for what the rounding of the field itself does. Stages iterated to a tolerance keep them to that.
+/// Coefficients and sums of q and v have more than double precision. If the stages are iterated to round-off, the
+/// errors of a step are random and below the round-off of the state, and momenta and energy do not drift. If they are
+/// iterated to a tolerance, momenta and energy are kept to that tolerance.
 
 #include <algorithm>
 #include <cmath>
@@ -53,13 +54,14 @@ struct Gauss16Workspace {
         scratch(GaussStages::n_scratch * n_entries) {}
 
   typename Field::Workspace system;
-  /// Of a step's error, for which steps are halved. With the first value every step is at least resolved.
+  /// Bound of the estimated error of a step; a step with a larger error is halved. The default asks only that the
+  /// polynomial resolves the motion.
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
-  int most_halvings = 40;  ///< of a step; 0: one that does not converge fails
-  /// Error of the accelerations that is small enough; 0: they are iterated until they no longer change.
+  int most_halvings = 40;  ///< of a step. If 0, a step that does not converge fails.
+  /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
   double iteration_tolerance = 0;
-  Vector q_rounding, v_rounding;  // what rounding has kept back
+  Vector q_rounding, v_rounding;  // rounding errors of q and v
   Vector change;
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // last: of the last step
@@ -70,7 +72,7 @@ struct Gauss16Workspace {
   int n_unprojected = 0;  // steps since the last projection
   Counters counters;
 
-  /// Hands out what belongs to the state of the computation and must survive a checkpoint.
+  /// Visits all numbers that a checkpoint must contain.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -100,9 +102,9 @@ struct Gauss16 {
     return n_iterations * cost_of_iteration(field_of(system));
   }
 
-  /// Error of the accelerations that a tolerance of the configuration over a run of this length admits. They lose
-  /// energy at 1e-3 to 5e-2 of it times the velocity, so that the configuration is off by up to 0.03 times it and T²
-  /// (measured on SL(3), a rigid body and the double pendulum over T = 100 and 3000): by less than a sixth of the
+  /// Admissible error e of the accelerations, for a tolerance of the configuration and a run of length T. On SL(3), a
+  /// rigid body and the double pendulum, over T = 100 and 3000, energy was lost at a rate of 1e-3 to 5e-2 times e and
+  /// the velocity. The error of the configuration was at most 0.03 e T², with this e less than a sixth of the
   /// tolerance.
   static double iteration_tolerance(double tolerance, double end) { return 5 * tolerance / (end * end); }
 
@@ -219,8 +221,8 @@ struct Gauss16 {
     return {};
   }
 
-  /// The guess of the stages: by the polynomial of the last step, or where there is none, or one too short to look
-  /// ahead so far, the acceleration at the state.
+  /// Guesses the stages by the polynomial of the last step. At the first step, and after a step that is much shorter
+  /// than this one, the guess is the acceleration at the state.
   template <class F>
   static Status begin(const F& field, const State<F>& state, auto& w, GaussStages& s) {
     constexpr double longest_look = 1.5;
@@ -236,15 +238,15 @@ struct Gauss16 {
     return {};
   }
 
-  /// Halves are halves, whatever the last digits of the sample times make of them.
+  /// Removes the last digits of the sample times from the ratio of two steps: 1 or a power of 2, if it is that near.
   static double rounded_ratio(double ratio) {
     if (same_step(ratio, 1)) return 1;
     const double power = std::exp2(std::round(std::log2(ratio)));
     return same_step(ratio, power) ? power : ratio;
   }
 
-  /// Of a step, with Legendre coefficients that fall off like ρᵏ: ρ^16, where the tail is ρ^6.5 or so, times what it
-  /// was too small by on SL(3).
+  /// Estimated error of a step. If the Legendre coefficients fall like ρᵏ, the tail is about ρ^6.5 and the error ρ^16.
+  /// The factor 1e3 was fitted on SL(3).
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
   /// A failure of the force at a stage or at the state, or that the iteration has not converged.
@@ -258,8 +260,8 @@ struct Gauss16 {
     return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
   }
 
-  /// In extended precision, with what rounding has kept back: the round-off of hv and of the sums, small as it is,
-  /// would make energy and momenta drift by 10⁻¹⁸ a step.
+  /// Sums in extended precision and keeps the rounding errors for the next step. In double precision the round-off of
+  /// hv and of the sums makes energy and momenta drift by 10⁻¹⁸ a step.
   template <class S>
   static void add_sums(const GaussStages& s, State<S>& state, Workspace<S>& w) {
     using Real = gauss::Real;
@@ -284,7 +286,7 @@ struct Gauss16 {
     auto& of_system = w.system.system;
     c.direction_known = false;
     const double tolerance = system.constraint_tolerance();
-    // The iteration squares what it finds. It is looked at again where that may be more than round-off.
+    // The iteration squares the residual. The residual is evaluated again if its square may exceed round-off.
     const double foregone = S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * tolerance);
     const auto move_position = [&] {
       if constexpr (requires { system.add_reaction_rate(state.q, state.v, c.delta, w.change); }) {

@@ -138,12 +138,12 @@ double forces_of_step(const S& system) {
     return Method::n_stages;
 }
 
-/// They refer to what they are given.
+/// The result keeps references to the arguments.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // Of two pilots whose steps are halved to the same length the difference says nothing.
+    // If the steps of both pilots were halved to the same length, their difference would say nothing.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
