@@ -91,8 +91,8 @@ struct Gauss16Workspace {
 struct Gauss16 {
   static constexpr const char* name = "gauss-16";
   static constexpr const char* documentation =
-      "Gauss collocation of order 16, eight stages side by side in vector lanes, symmetric, momenta to round-off; for "
-      "any forces of small systems";
+      "Gauss collocation of order 16, eight stages side by side in vector lanes, symmetric; for any forces of small "
+      "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
   /// Forces that a step counts for in the search for the step.
