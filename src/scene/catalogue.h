@@ -137,9 +137,15 @@ struct ModelDescription {
   std::function<std::optional<std::string>(const Scene&)> companion{};
   /// The line for people of a scene that runs it, and of one that does not.
   std::function<std::string(const Scene&)> needed, skipped;
+  /// Whether a method can integrate the model. Null if every method can.
+  bool (*takes_method)(std::string_view name) = nullptr;
   /// What is wrong with a sound scene for this model, if anything.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
+
+inline bool takes_method(const ModelDescription& model, std::string_view method) {
+  return !model.takes_method || model.takes_method(method);
+}
 
 inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene& scene) {
   if (model.runs) return model.runs(scene);
@@ -148,7 +154,6 @@ inline std::vector<ModelRun> runs_of(const ModelDescription& model, const Scene&
 
 struct NamedMethod {
   std::string_view name, documentation;
-  bool for_discretized = true;  ///< can integrate a discretized model
 };
 
 struct Catalogue {

@@ -152,14 +152,17 @@ class Validator {
   }
 
   void check_method() const {
+    const auto models = models_of(scene_);
+    const auto all_take = [&](std::string_view method) {
+      return std::ranges::all_of(models, [&](const auto* model) { return takes_method(*model, method); });
+    };
+    const std::string_view method = scene_.time.method;
+    if (all_take(method)) return;
     std::vector<std::vector<Setting>> others;
-    bool is_for_discretized = true;
-    for (const NamedMethod& method : catalogue_of(scene_).methods) {
-      if (method.for_discretized) others.push_back({{"Time/Method", std::string(method.name)}});
-      if (method.name == scene_.time.method) is_for_discretized = method.for_discretized;
-    }
-    if (is_discretized(scene_) && !is_for_discretized)
-      refuse({"Time/Method", scene_.time.method + " is", others, names_where(scene_, &without_elements)});
+    for (const NamedMethod& other : catalogue_of(scene_).methods)
+      if (all_take(other.name)) others.push_back({{"Time/Method", std::string(other.name)}});
+    refuse({"Time/Method", scene_.time.method + " is", others,
+            names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
   /// Energies of the body scale with these; r^5 occurs in its moment of inertia.

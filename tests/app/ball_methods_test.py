@@ -2,7 +2,7 @@
 """Methods and constraint tolerance of the finite-element ball."""
 import math
 
-from program_test import STOPPED, WRONG_INPUT, ProgramTest, main, overrides
+from program_test import DONE, STOPPED, WRONG_INPUT, ProgramTest, main, methods, overrides, words
 
 RELEASE = {"Models": "continuum", "Continuum/Degree": 3, "Initial state/Velocity": "0.3, 0, 0; 0, 0.3, 0; 0, 0, -0.6",
            "Time/End": 3, "Output/Samples": 30, "Output/Quantities": "state, energies"}
@@ -20,9 +20,25 @@ class BallMethods(ProgramTest):
     def difference(self, a, b, column="Q33"):
         return max(abs(x - y) for x, y in zip(self.table(a, "continuum.csv").column(column), self.table(b, "continuum.csv").column(column)))
 
-    def change_of_energy(self, name):
-        energy, kinetic, elastic = (self.table(name, "continuum.csv").column(c) for c in ("energy", "kinetic", "elastic"))
+    def change_of_energy(self, name, model="continuum"):
+        energy, kinetic, elastic = (self.table(name, f"{model}.csv").column(c) for c in ("energy", "kinetic", "elastic"))
         return max(abs(e - energy[0]) for e in energy) / max(k + e for k, e in zip(kinetic, elastic))
+
+    def test_every_method_of_every_model_runs_or_is_refused(self):
+        self.scene({**RELEASE, "Continuum/Degree": 2, "Time/End": 0.2, "Time/Step": 0.01, "Output/Samples": 2})
+        for model in words("Models"):
+            taken = []
+            for method in methods():
+                with self.subTest(model=model, method=method):
+                    result = self.run_program("run", "scene.prm", "--quiet", "--output", "out",
+                                              *overrides({"Models": model, "Time/Method": method}))
+                    self.assertIn(result.returncode, (DONE, WRONG_INPUT), result.stderr)
+                    if result.returncode == WRONG_INPUT:
+                        self.assertIn("Time/Method", result.stderr)
+                        continue
+                    taken.append(method)
+                    self.assertGreater(self.json("out", "manifest.json")["models"][model]["counters"]["steps"], 0)
+            self.assertIn("rattle", taken)
 
     def test_auto_takes_a_multistep_method_and_says_what_it_keeps(self):
         chosen = self.counters("auto", {"Time/Tolerance": 1e-5})
@@ -56,15 +72,17 @@ class BallMethods(ProgramTest):
         self.assertIn("continuum: symmetric-4", self.log("spin"))
         self.assertLess(self.change_of_energy("spin"), 1e-3)
         momenta = list(zip(*(self.table("spin", "continuum.csv").column(f"J{i}") for i in (1, 2, 3))))
-        self.assertLess(max(math.dist(J, momenta[0]) for J in momenta) / math.hypot(*momenta[0]), 5e-4)
+        self.assertLess(max(math.dist(J, momenta[0]) for J in momenta) / math.hypot(*momenta[0]), 2e-4)
 
     def test_a_long_run_of_a_polynomial_body_keeps_its_energy(self):
-        """It fell by 1.5e-3 of that of the motion."""
+        """The search looks at the energy here as well. Its change is not monotonic in the step: 1.4e-3 with 0.051, the limit of
+        stability, 7.6e-3 with 0.049, where the motion is in resonance with parasitic roots, 7e-4 with 0.047."""
         self.scene({"Models": "polynomial", "Polynomial/Degree": 6, "Initial state/Velocity": "0, -0.5, 0; 0.5, 0, 0; 0, 0, 0",
                     "Initial state/Deformation": f"1.1, 0, 0; 0, 1, 0; 0, 0, {1 / 1.1!r}", "Time/End": 40, "Time/Tolerance": 1e-2,
                     "Time/Method": "symmetric-4", "Output/Samples": 40})
         self.run_done("run", "scene.prm", "--output", "polynomial")
         self.assertIn("set by the drift of the energy", self.log("polynomial"))
+        self.assertLess(self.change_of_energy("polynomial", "polynomial"), 1e-2)
 
     def test_damped_ball(self):
         """Multistep methods are for conservative forces."""

@@ -19,7 +19,7 @@ namespace pseudorigid::scene::test {
 /// A catalogue with names of methods, the models of the program and one small system.
 inline const Catalogue& test_catalogue() {
   static const Catalogue catalogue{
-      .methods = {{"rattle", "order 2"}, {"rattle-4", "order 4"}, {"explicit-8", "order 8", false}},
+      .methods = {{"rattle", "order 2"}, {"rattle-4", "order 4"}, {"explicit-8", "order 8"}},
       .models = app::program_catalogue().models,
       .systems = {
           {.name = "top",

@@ -5,21 +5,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "app/reduced/reduced_scene.h"
 #include "app/systems/equilibria.h"
 #include "app/systems/manifolds.h"
 #include "app/systems/system_run.h"
-#include "mechanics/core/field_of.h"
 #include "mechanics/methods/methods.h"
 #include "systems/table.h"
 
 namespace pseudorigid::app {
 namespace {
-
-/// The finite-element ball has the form of the incompressible body, with vectors of its own.
-template <class Method>
-constexpr bool for_discretized =
-    mechanics::takes_any_vector<Method>&& mechanics::method_fits<Method, ElasticBody<true>>();
 
 bool is_complete(const scene::ModelDescription& m) {
   return !m.name.empty() && !m.adjective.empty() && !m.documentation.empty() && !m.columns.empty() && m.header &&
@@ -42,7 +35,7 @@ scene::Catalogue catalogue_with(const std::vector<BallModel>& models) {
                              .connections = connections_columns(),
                              .equilibria = equilibria_columns({}, 1)};
   mechanics::for_each_method([&]<class Method>(Method) {
-    catalogue.methods.push_back({Method::name, Method::documentation, for_discretized<Method>});
+    catalogue.methods.push_back({Method::name, Method::documentation});
   });
   for (const BallModel& model : models) catalogue.models.push_back(model.description);
   for (const auto& system : systems::system_table()) catalogue.systems.push_back(describe_system(system));

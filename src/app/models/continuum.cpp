@@ -3,6 +3,8 @@
 #include <string>
 
 #include "app/models/ball_models.h"
+#include "app/reduced/reduced_scene.h"
+#include "app/run/refuses_method.h"
 #include "io/trajectory.h"
 #include "scene/discretization.h"
 #include "scene/models.h"
@@ -112,6 +114,13 @@ std::optional<Refusal> refuses(const Scene& scene) {
   return {};
 }
 
+/// The finite-element ball has the form of the incompressible body, with vectors of its own.
+bool continuum_takes_method(std::string_view name) {
+  const auto id = mechanics::find_method(name);
+  return method_can_run<ElasticBody<true>>(name) &&
+         (!id || mechanics::with_method(*id, []<class Method>(Method) { return mechanics::takes_any_vector<Method>; }));
+}
+
 }  // namespace
 
 BallModel continuum_model() {
@@ -130,6 +139,7 @@ BallModel continuum_model() {
            .companion = continuum_companion,
            .needed = continuum_needed,
            .skipped = continuum_skipped,
+           .takes_method = continuum_takes_method,
            .refuses = refuses},
           nullptr};
 }

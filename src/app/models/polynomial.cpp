@@ -6,8 +6,10 @@
 #include "app/models/ball_models.h"
 #include "app/polynomial/equilibrium_rows.h"
 #include "app/polynomial/run_equilibria.h"
+#include "app/run/refuses_method.h"
 #include "app/run/run_models.h"
 #include "io/trajectory.h"
+#include "polynomial/incompressible_body.h"
 #include "scene/discretization.h"
 #include "scene/models.h"
 #include "scene/sector.h"
@@ -116,6 +118,7 @@ BallModel polynomial_model() {
        .companion = polynomial_companion,
        .needed = polynomial_needed,
        .skipped = polynomial_skipped,
+       .takes_method = method_can_run<polynomial::IncompressibleBody>,
        .refuses = refuses},
       run_polynomial};
 }

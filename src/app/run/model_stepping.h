@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,11 +20,15 @@
 
 namespace pseudorigid::app {
 
-/// Calls visitor(Method{}) if the method of that id can be compiled for the system.
+/// Calls visitor(Method{}) of the method of that id. Throws std::logic_error if it cannot be compiled for the system: a
+/// scene with such a method is refused (ModelDescription::takes_method).
 template <class System, class Visitor>
 void with_fitting_method(mechanics::MethodId id, Visitor&& visitor) {
   mechanics::with_method(id, [&]<class Method>(Method method) {
-    if constexpr (mechanics::method_fits<Method, System>()) visitor(method);
+    if constexpr (mechanics::method_fits<Method, System>())
+      visitor(method);
+    else
+      throw std::logic_error(std::string(Method::name) + " does not fit the model");
   });
 }
 

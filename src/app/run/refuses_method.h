@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "mechanics/core/field_of.h"
@@ -19,6 +20,14 @@ inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
+}
+
+/// Whether it can be compiled for systems of this type; "auto" can.
+template <class System>
+bool method_can_run(std::string_view name) {
+  const auto id = mechanics::find_method(name);
+  return !id ||
+         mechanics::with_method(*id, []<class Method>(Method) { return mechanics::method_fits<Method, System>(); });
 }
 
 /// If not, why.
