@@ -2,7 +2,7 @@
 /// The rule of quadrature of a polynomial body in a run: the number of its points, and their error of Q
 /// (polynomial/quadrature_error.h).
 ///
-/// The least rule costs least, and its error is far below the truncation error of the degree. A tolerance below
+/// The least rule costs least, and its error is below the truncation error of the degree. A tolerance below
 /// 1e-6, the default of Time/Tolerance, requires the motion of this body itself. Points are then added until the
 /// estimate is half of the tolerance. The points of gravity on the surface, whose cost grows as the fourth power, are
 /// those of the scene.

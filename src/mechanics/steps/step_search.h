@@ -9,8 +9,8 @@
 /// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
 /// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
 /// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. None of 1500 short scenes missed its
-/// tolerance. A release from the stretches 1.29, 1.29, 0.60 did, by 1.12: its motion magnifies a change of its start
-/// 2000 times in 6.4 r/c.
+/// tolerance. Another release, from the stretches 1.29, 1.29, 0.60, had 1.12 times its tolerance: its motion magnifies
+/// a change of its start 2000 times in 6.4 r/c.
 ///
 /// From the stability limit the step is halved until e ≤ target or until e, small by then, falls by 2^p (to within
 /// √2); then e ~ hᵖ gives the step, without runs as fine as it, and with a reserve of 2^(p/4) for what such runs would
