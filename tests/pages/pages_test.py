@@ -159,6 +159,20 @@ class Pages(unittest.TestCase):
         self.assertGreater(n, 20)
 
 
+def named_paths(page):
+    """Paths to files that a page names in backticks."""
+    return re.findall(r"`([\w./-]+/[\w-]+\.\w+)`", page)
+
+
+class Architecture(unittest.TestCase):
+    def test_places_exist(self):
+        self.assertEqual(named_paths("`a/b.h`, `Time/Step`, `c.h`, `d/e-f.cmake`"), ["a/b.h", "d/e-f.cmake"])
+        paths = named_paths((SOURCE / "docs/architecture.md").read_text())
+        self.assertGreater(len(paths), 80)
+        for path in paths:
+            self.assertTrue((SOURCE / "src" / path).exists() or (SOURCE / path).exists(), path)
+
+
 class Version(unittest.TestCase):
     def test_pages_repeat_the_version_of_the_project(self):
         version = re.search(r"^project\(pseudorigid VERSION (\S+)", (SOURCE / "CMakeLists.txt").read_text(), re.M)[1]
