@@ -1,59 +1,21 @@
 """The pictures of docs/gallery.md that are bodies and surfaces, drawn off-screen with VTK (tools/gallery.py)."""
 
 import numpy as np
-import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
-import vtkmodules.vtkRenderingFreeType  # noqa: F401
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkTubeFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderWindow, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 import package  # noqa: F401
 from pseudorigid import render
 from pseudorigid.frames import read_grid, read_pvd
 from pseudorigid.results import Run, read_csv
+from pseudorigid.window import colour_bar, colours, look, new_window, renderer, text, write_png
 
 BLUE, ORANGE, GREEN, BLACK = (0, 0.447, 0.698), (0.835, 0.369, 0), (0, 0.62, 0.451), (0, 0, 0)  # Okabe and Ito's
 GREY = (0.8, 0.8, 0.8)
+AMBIENT = 0.5
 KINDS = {1: "S", 2: "T"}  # spheroidal, toroidal
-
-
-def new_window(width, height):
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
-    window.SetSize(width, height)
-    return window
-
-
-def write(window, path):
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(path))
-    writer.SetCompressionLevel(9)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
-
-
-def polydata(points, quadrilaterals, scalars=None):
-    data, vtk_points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    vtk_points.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
-    for quadrilateral in quadrilaterals:
-        cells.InsertNextCell(4, [int(i) for i in quadrilateral])
-    data.SetPoints(vtk_points)
-    data.SetPolys(cells)
-    if scalars is not None:
-        values = numpy_to_vtk(np.ascontiguousarray(scalars), deep=True)
-        values.SetName(render.FIELD)
-        data.GetPointData().SetScalars(values)
-    return data
 
 
 class Surface:
@@ -74,30 +36,11 @@ class Surface:
         self.faces = faces[index[number == 1]]
 
 
-def painted(data, table):
-    """With normals, coloured by the scalars; all one colour without a table."""
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(data)
-    normals.SplittingOff()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
-    if table:
-        mapper.SetLookupTable(table)
-        mapper.UseLookupTableScalarRangeOn()
-    else:
-        mapper.ScalarVisibilityOff()
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    actor.GetProperty().SetAmbient(0.5)
-    actor.GetProperty().SetDiffuse(0.5)
-    return actor
-
-
 def add_colour_bar(window, height, table, caption):
     """In a strip at the bottom of the window, of this part of its height."""
-    strip = render.renderer(window, 0, 0, 1, height)
-    strip.AddActor2D(render.colour_bar(table))
-    strip.AddActor2D(render.text(caption, 26, 0.5, 0.1))
+    strip = renderer(window, 0, 0, 1, height)
+    strip.AddActor2D(colour_bar(table))
+    strip.AddActor2D(text(caption, 26, 0.5, 0.1))
 
 
 def release(run, path):
@@ -111,16 +54,16 @@ def rough_ball(run, path):
     window = new_window(860, 520)
     surfaces = [Surface(file, ("displacement", "von_mises")) for _, file in frames]
     shown = np.concatenate([s.fields["von_mises"][np.unique(s.faces)] for s in surfaces])
-    table = render.colours(render.rounded_up(np.quantile(shown, render.SATURATED)))
+    table = colours(render.rounded_up(np.quantile(shown, render.SATURATED)))
     for k, ((time, _), surface) in enumerate(zip(frames, surfaces)):
-        view = render.renderer(window, k / 3, render.STRIP, (k + 1) / 3, 1)
-        view.AddActor(painted(polydata(surface.points, surface.faces, surface.fields["von_mises"]), table))
+        view = renderer(window, k / 3, render.STRIP, (k + 1) / 3, 1)
+        view.AddActor(render.body(render.quadrilaterals(surface.points, surface.faces, surface.fields["von_mises"]), table, AMBIENT))
         sides = surface.points[surface.faces[:, [0, 1, 2, 3, 0]]]
         view.AddActor(render.lines(render.polylines(sides), (1, 1, 1), 1, 0.35))
-        view.AddActor2D(render.text(f"t = {time:g} r/c", 26, 0.5, 0.9, bold=True))
+        view.AddActor2D(text(f"t = {time:g} r/c", 26, 0.5, 0.9, bold=True))
         render.aim(view, 1.25)
     add_colour_bar(window, render.STRIP, table, "von Mises stress (μ)")
-    write(window, path)
+    write_png(window, path)
 
 
 def modes(run, path):
@@ -131,19 +74,19 @@ def modes(run, path):
     window = new_window(900, 630)
     strip = 110 / 630  # of the height
     height = (1 - strip) / 2
-    table = render.colours(1)
+    table = colours(1)
     for k, (_, file) in enumerate(frames[:8]):
         surface = Surface(file, ("displacement",))
         u = surface.fields["displacement"]
         column, bottom = k % 4, 1 - (1 + k // 4) * height
-        view = render.renderer(window, column / 4, bottom, (column + 1) / 4, bottom + height)
+        view = renderer(window, column / 4, bottom, (column + 1) / 4, bottom + height)
         size = np.linalg.norm(u, axis=1)
-        view.AddActor(painted(polydata(surface.points + 0.3 * u, surface.faces, size), table))
+        view.AddActor(render.body(render.quadrilaterals(surface.points + 0.3 * u, surface.faces, size), table, AMBIENT))
         name = KINDS[int(rows["kind"][k])] + f"{int(rows['degree'][k])}" + "*" * int(rows["overtone"][k])
-        view.AddActor2D(render.text(f"{name}   {rows['omega'][k]:.4f} c/r", 21, 0.5, 0.89))
+        view.AddActor2D(text(f"{name}   {rows['omega'][k]:.4f} c/r", 21, 0.5, 0.89))
         render.aim(view, 1.2)
     add_colour_bar(window, strip, table, "displacement / largest displacement of the mode")
-    write(window, path)
+    write_png(window, path)
 
 
 def torus_surface(n=96, R=3.0, r=1.0):
@@ -186,19 +129,13 @@ def ball(center, radius, colour):
 
 
 def torus_view(window, x0, x1, title, view_from):
-    view = render.renderer(window, x0, 0, x1, 1)
-    surface = painted(polydata(*torus_surface()), None)
+    view = renderer(window, x0, 0, x1, 1)
+    surface = render.body(render.quadrilaterals(*torus_surface()), None, AMBIENT)
     surface.GetProperty().SetColor(GREY)
     surface.GetProperty().SetOpacity(0.55)
     view.AddActor(surface)
-    view.AddActor2D(render.text(title, 22, 0.5, 0.94))
-    camera = view.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition([40 * x for x in render.normalized(view_from)])
-    camera.SetViewUp(0, 0, 1)
-    camera.SetParallelScale(4.7)
-    view.ResetCameraClippingRange()
+    view.AddActor2D(text(title, 22, 0.5, 0.94))
+    look(view, 4.7, 40, view_from=view_from)
     return view
 
 
@@ -215,7 +152,7 @@ def torus(run, path):
         view.AddActor(tube(curve, (BLUE, ORANGE)[k], 0.06))
         view.AddActor(ball(curve[0], 0.16, BLACK))
         view.AddActor(ball(curve[-1], 0.2, (BLUE, ORANGE)[k]))
-    write(window, path)
+    write_png(window, path)
 
 
 def geodesic(run, path):
@@ -227,7 +164,7 @@ def geodesic(run, path):
         view = torus_view(window, k / 2, (k + 1) / 2, title, (1, -0.45, 0.2))
         view.AddActor(tube(curve, (BLUE, ORANGE)[k], 0.045))
         view.AddActor(ball(curve[0], 0.16, BLACK))
-    write(window, path)
+    write_png(window, path)
 
 
 PICTURES = {

@@ -9,27 +9,20 @@ are drawn with Nonlinear Subdivision Level 4. Needs Debian's python3-vtk9 and an
 
 import argparse
 import pathlib
+from collections.abc import Iterator
 from typing import Any
 
 from pseudorigid.errors import WrongInput
 from pseudorigid.frames import read_grid
-from pseudorigid.render import FIELD, VIEW_FROM, check_screen, colours
-from vtkmodules.vtkCommonCore import reference, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from pseudorigid.render import FIELD, body, lines, polylines
+from pseudorigid.window import VIEW_FROM, check_screen, colours, look, new_window, normalized, renderer, text, write_png
+from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
-from vtkmodules.vtkIOImage import vtkPNGWriter
-from vtkmodules.vtkRenderingCore import (
-    vtkActor,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkTextActor,
-    vtkWindowToImageFilter,
-)
 
 SIZE = (1100, 960)
 SUBDIVISION = 4  # of curved cells: 2^4 straight pieces along an edge
 LARGEST = 0.5  # stress at the end of the colours, in the scene's unit
+UPPER = 0.55  # part of the height with the upper views
 CLOSE = 0.22  # height of the lower views, in that of the upper ones
 
 
@@ -49,9 +42,10 @@ def surface(grid: Any) -> Any:
     return faces.GetOutput()
 
 
-def edges(grid: Any) -> Any:
-    """Edges of the outer faces of cells, each as a curve."""
-    counts, faces = {}, []
+def edges(grid: Any) -> Iterator[list[list[float]]]:
+    """Edges of the outer faces of cells, each as the points of a curve."""
+    counts: dict[tuple[float, ...], int] = {}
+    faces = []
     for k in range(grid.GetNumberOfCells()):
         cell = grid.GetCell(k)
         for n in range(cell.GetNumberOfFaces()):
@@ -59,7 +53,6 @@ def edges(grid: Any) -> Any:
             centre = tuple(round(sum(face.GetPoints().GetPoint(i)[d] for i in range(4)) / 4, 7) for d in range(3))
             counts[centre] = counts.get(centre, 0) + 1
             faces.append((k, n, centre))
-    points, lines = vtkPoints(), vtkCellArray()
     for k, n, centre in faces:
         if counts[centre] > 1:
             continue
@@ -67,69 +60,28 @@ def edges(grid: Any) -> Any:
         for e in range(face.GetNumberOfEdges()):
             edge = face.GetEdge(e)
             n_pieces = 2**SUBDIVISION if edge.GetNumberOfPoints() > 2 else 1
-            lines.InsertNextCell(n_pieces + 1)
-            for i in range(n_pieces + 1):
-                x, weights = [0.0] * 3, [0.0] * edge.GetNumberOfPoints()
-                edge.EvaluateLocation(reference(0), [i / n_pieces, 0, 0], x, weights)
-                lines.InsertCellPoint(points.InsertNextPoint(x))
-    curves = vtkPolyData()
-    curves.SetPoints(points)
-    curves.SetLines(lines)
-    return curves
+            yield [point_on(edge, i / n_pieces) for i in range(n_pieces + 1)]
 
 
-def actors(grid: Any) -> tuple[Any, Any]:
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(surface(grid))
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray(FIELD)
-    mapper.SetLookupTable(colours(LARGEST))
-    mapper.SetScalarRange(0, LARGEST)
-    body = vtkActor()
-    body.SetMapper(mapper)
-    body.GetProperty().SetAmbient(0.75)
-    body.GetProperty().SetDiffuse(0.25)
-    lines = vtkPolyDataMapper()
-    lines.SetInputData(edges(grid))
-    lines.SetRelativeCoincidentTopologyLineOffsetParameters(-2, -40)
-    lines.SetResolveCoincidentTopologyToPolygonOffset()
-    drawn = vtkActor()
-    drawn.SetMapper(lines)
-    drawn.GetProperty().SetColor(1, 1, 1)
-    drawn.GetProperty().SetLineWidth(1.5)
-    drawn.GetProperty().LightingOff()
-    return body, drawn
+def point_on(edge: Any, part: float) -> list[float]:
+    """The point of an edge at this part of its parameter, from 0 to 1."""
+    x, weights = [0.0] * 3, [0.0] * edge.GetNumberOfPoints()
+    edge.EvaluateLocation(reference(0), [part, 0, 0], x, weights)
+    return x
 
 
-def view(window: Any, grid: Any, title: str, column: int) -> None:
+def show(window: Any, grid: Any, title: str, column: int) -> None:
     """Above the whole body, below its upper right outline."""
     extent = max(abs(x) for x in grid.GetBounds())
-    for row, (scale, focus) in enumerate((((1.15 * extent), (0, 0, 0)), (CLOSE * extent, None))):
-        renderer = vtkRenderer()
-        renderer.SetViewport(0.5 * column, 0.45 * (1 - row), 0.5 * (column + 1), 0.45 + 0.55 * (1 - row))
-        renderer.SetBackground(1, 1, 1)
-        for actor in actors(grid):
-            renderer.AddActor(actor)
-        camera = renderer.GetActiveCamera()
-        camera.ParallelProjectionOn()
-        size = sum(x * x for x in VIEW_FROM) ** 0.5
-        right = (-VIEW_FROM[1], VIEW_FROM[0], 0)
-        length = sum(x * x for x in right) ** 0.5
-        focus = focus or tuple(0.66 * extent * r / length + (0.6 * extent if d == 2 else 0) for d, r in enumerate(right))
-        camera.SetFocalPoint(*focus)
-        camera.SetPosition(*(f + 10 * extent * x / size for f, x in zip(focus, VIEW_FROM)))
-        camera.SetViewUp(0, 0, 1)
-        camera.SetParallelScale(scale)
-        renderer.ResetCameraClippingRange()
+    right = normalized((-VIEW_FROM[1], VIEW_FROM[0], 0))
+    outline = extent * (0.66 * right + (0, 0, 0.6))
+    for row, (half_height, focus) in enumerate(((1.15 * extent, (0, 0, 0)), (CLOSE * extent, outline))):
+        view = renderer(window, 0.5 * column, 0.45 * (1 - row), 0.5 * (column + 1), 0.45 + UPPER * (1 - row))
+        view.AddActor(body(surface(grid), colours(LARGEST), ambient=0.75, smooth=False))
+        view.AddActor(lines(polylines(edges(grid)), (1, 1, 1), 1.5, offset=(-2, -40)))
+        look(view, half_height, 10 * extent, focus)
         if row == 0:
-            text = vtkTextActor()
-            text.SetInput(title)
-            text.GetTextProperty().SetColor(0.1, 0.1, 0.1)
-            text.GetTextProperty().SetFontSize(20)
-            text.GetTextProperty().SetJustificationToCentered()
-            text.SetPosition(SIZE[0] / 4, 0.55 * SIZE[1] - 30)
-            renderer.AddViewProp(text)
-        window.AddRenderer(renderer)
+            view.AddActor2D(text(title, 20, 0.5, 1 - 30 / (UPPER * SIZE[1])))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -140,17 +92,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def main(arguments: argparse.Namespace) -> None:
     check_screen()
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.SetMultiSamples(8)
-    window.SetSize(*SIZE)
+    window = new_window(*SIZE)
     for column, (path, title) in enumerate(((arguments.linear, "Cells = linear"), (arguments.lagrange, "Cells = lagrange"))):
-        view(window, grid_of(path), title, column)
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(arguments.output))
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
+        show(window, grid_of(path), title, column)
+    write_png(window, arguments.output)
     print(arguments.output)

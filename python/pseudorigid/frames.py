@@ -1,19 +1,28 @@
 """The pictures of a run, as .vtu files and as .pvtu files of several ranks."""
 
+import contextlib
 import dataclasses
 import pathlib
 import xml.etree.ElementTree
+from collections.abc import Iterator
 from typing import Any
 
-from pseudorigid.errors import needs
+from pseudorigid.errors import WrongInput, needs
 
 with needs("python3-numpy"):
     import numpy as np
 
 
+def parsed(path: pathlib.Path) -> xml.etree.ElementTree.Element:
+    try:
+        return xml.etree.ElementTree.parse(path).getroot()
+    except (OSError, xml.etree.ElementTree.ParseError) as error:
+        raise WrongInput(f"{path} is missing or damaged; run the scene again") from error
+
+
 def read_pvd(path: pathlib.Path) -> list[tuple[float, pathlib.Path]]:
     """(time, path of the .vtu, or of the .pvtu of several ranks) in the order of time."""
-    sets = xml.etree.ElementTree.parse(path).getroot().iter("DataSet")
+    sets = parsed(path).iter("DataSet")
     return [(float(s.get("timestep", 0)), path.parent / s.get("file", "")) for s in sets]
 
 
@@ -21,8 +30,27 @@ def pieces(path: pathlib.Path) -> list[pathlib.Path]:
     """The .vtu files of a picture: itself, or those that the .pvtu of several ranks lists."""
     if path.suffix != ".pvtu":
         return [path]
-    listed = xml.etree.ElementTree.parse(path).getroot().iter("Piece")
+    listed = parsed(path).iter("Piece")
     return [path.parent / piece.get("Source", "") for piece in listed]
+
+
+def existing(path: pathlib.Path) -> pathlib.Path:
+    if not pathlib.Path(path).is_file():
+        raise WrongInput(f"{path} does not exist")
+    return path
+
+
+@contextlib.contextmanager
+def without_words_of_vtk() -> Iterator[None]:
+    """VTK prints several lines about a file that it cannot read or write; the caller says it in one sentence."""
+    from vtkmodules.vtkCommonCore import vtkObject
+
+    before = vtkObject.GetGlobalWarningDisplay()
+    vtkObject.GlobalWarningDisplayOff()
+    try:
+        yield
+    finally:
+        vtkObject.SetGlobalWarningDisplay(before)
 
 
 def read_grid(path: pathlib.Path) -> Any:
@@ -32,8 +60,9 @@ def read_grid(path: pathlib.Path) -> Any:
 
     parallel = pathlib.Path(path).suffix == ".pvtu"
     reader = vtkXMLPUnstructuredGridReader() if parallel else vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
+    reader.SetFileName(str(existing(path)))
+    with without_words_of_vtk():
+        reader.Update()
     return reader.GetOutput()
 
 
@@ -63,7 +92,7 @@ class Frame:
         with needs("python3-meshio"):
             import meshio
 
-        meshes = [meshio.read(path) for path in pieces(self.path)]
+        meshes = [meshio.read(existing(path)) for path in pieces(self.path)]
         fields = {name: as_matrices(np.concatenate([mesh.point_data[name] for mesh in meshes])) for name in meshes[0].point_data}
         constants = {name: as_matrices(values)[0] for name, values in meshes[0].field_data.items()}
         starts = np.cumsum([0] + [len(mesh.points) for mesh in meshes])

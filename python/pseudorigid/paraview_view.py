@@ -54,7 +54,8 @@ def scale_of(frames: Any) -> tuple[float, float]:
 
 def colour(simple: Any, largest: float) -> Any:
     """The one table of colours of both views."""
-    from pseudorigid.render import FIELD, VIRIDIS
+    from pseudorigid.render import FIELD
+    from pseudorigid.window import VIRIDIS
 
     table = simple.GetColorTransferFunction(FIELD)
     n = len(VIRIDIS) - 1
@@ -97,7 +98,7 @@ def show_bar(simple: Any, table: Any, view: Any) -> None:
 
 
 def aim(view: Any, extent: float) -> None:
-    from pseudorigid.render import VIEW_FROM
+    from pseudorigid.window import VIEW_FROM
 
     view.CameraParallelProjection = 1
     view.CameraFocalPoint = [0, 0, 0]

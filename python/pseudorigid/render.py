@@ -22,41 +22,22 @@ from typing import Any
 from pseudorigid.errors import WrongInput, needs
 from pseudorigid.frames import read_grid
 from pseudorigid.results import Run
+from pseudorigid.window import VIEW_FROM, check_screen, colour_bar, colours, look, new_window, normalized, renderer, text, write_png
 
 with needs("python3-vtk9"):
     import numpy as np
-    import vtkmodules.vtkInteractionStyle  # noqa: F401  (registers what the render window asks for)
-    import vtkmodules.vtkRenderingFreeType  # noqa: F401
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
     from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-    from vtkmodules.vtkCommonCore import vtkLookupTable, vtkPoints
+    from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
     from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-    from vtkmodules.vtkIOImage import vtkPNGWriter
-    from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-    from vtkmodules.vtkRenderingCore import (
-        vtkActor,
-        vtkPolyDataMapper,
-        vtkRenderer,
-        vtkRenderWindow,
-        vtkTextActor,
-        vtkWindowToImageFilter,
-    )
+    from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
 
 WIDTH, HEIGHT = 1020, 680
 FIELD = "von_mises"
-VIEW_FROM = (0.6, -1.0, 0.4)  # where the camera stands; z is up
 SATURATED = 0.98  # the part of the points within the colour bar: stresses peak where waves meet
 FINE = 12  # intervals along the edge of an element
 BLOCK_OF_ANALYTIC_MODELS = 4  # degree of the blocks that a model without elements is drawn with
 STRIP = 0.21  # part of the height below the bodies, with the colour bar
-
-# Nodes of matplotlib's "viridis": legible with every kind of colour vision, and monotone in grey.
-VIRIDIS = [
-    (0.267, 0.005, 0.329), (0.283, 0.141, 0.458), (0.254, 0.265, 0.530), (0.207, 0.372, 0.553), (0.164, 0.471, 0.558),
-    (0.128, 0.567, 0.551), (0.135, 0.659, 0.518), (0.267, 0.749, 0.441), (0.478, 0.821, 0.318), (0.741, 0.873, 0.150),
-    (0.993, 0.906, 0.144),
-]  # fmt: skip
 
 
 def read_points(path: pathlib.Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -125,21 +106,27 @@ def blocks_of(hexahedra: np.ndarray, degree: int) -> np.ndarray:
     return blocks
 
 
+def quadrilaterals(points: np.ndarray, corners: np.ndarray, values: np.ndarray | None = None) -> Any:
+    """VTK's surface of quadrilaterals, each the numbers of its four points; values at the points give colours."""
+    data, positions, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
+    positions.SetData(numpy_to_vtk(np.ascontiguousarray(points), deep=True))
+    for four in corners.tolist():
+        cells.InsertNextCell(4, four)
+    data.SetPoints(positions)
+    data.SetPolys(cells)
+    if values is not None:
+        scalars = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+        scalars.SetName(FIELD)
+        data.GetPointData().SetScalars(scalars)
+    return data
+
+
 def surface(positions: np.ndarray, stress: np.ndarray) -> Any:
     """Quadrilaterals of all faces; positions and stress as from Faces.of."""
-    data, points, cells = vtkPolyData(), vtkPoints(), vtkCellArray()
-    points.SetData(numpy_to_vtk(positions.reshape(-1, 3), deep=True))
     m = FINE + 1
-    corner = (np.arange(FINE)[:, None] * m + np.arange(FINE)).ravel()
-    for face in range(len(positions)):
-        for a in face * m * m + corner:
-            cells.InsertNextCell(4, [a, a + 1, a + m + 1, a + m])
-    values = numpy_to_vtk(np.ascontiguousarray(stress).ravel(), deep=True)
-    values.SetName(FIELD)
-    data.SetPoints(points)
-    data.SetPolys(cells)
-    data.GetPointData().SetScalars(values)
-    return data
+    of_face = (np.arange(FINE)[:, None] * m + np.arange(FINE)).ravel()
+    first = (np.arange(len(positions))[:, None] * m * m + of_face).ravel()
+    return quadrilaterals(positions.reshape(-1, 3), np.stack([first, first + 1, first + m + 1, first + m], axis=-1), stress.ravel())
 
 
 def polylines(curves: Any) -> Any:
@@ -157,43 +144,41 @@ def edges(positions: np.ndarray) -> Any:
     return polylines([side for f in positions for side in (f[0], f[-1], f[:, 0], f[:, -1])])
 
 
-def colours(largest: float) -> Any:
-    table = vtkLookupTable()
-    table.SetNumberOfTableValues(256)
-    table.SetRange(0, largest)
-    for i in range(256):
-        at = i / 255 * (len(VIRIDIS) - 1)
-        k = min(int(at), len(VIRIDIS) - 2)
-        rgb = [a + (at - k) * (b - a) for a, b in zip(VIRIDIS[k], VIRIDIS[k + 1])]
-        table.SetTableValue(i, *rgb, 1)
-    return table
-
-
-def body(data: Any, table: Any) -> Any:
-    normals = vtkPolyDataNormals()
-    normals.SetInputData(data)
-    normals.SplittingOff()
+def body(data: Any, table: Any, ambient: float = 0.7, smooth: bool = True) -> Any:
+    """A surface, coloured by its scalars; of one colour without a table. Much ambient light lets the colour be read off, and
+    the shading shows the shape alone."""
     mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(normals.GetOutputPort())
-    mapper.SetScalarModeToUsePointFieldData()
-    mapper.SelectColorArray(FIELD)
-    mapper.SetLookupTable(table)
-    mapper.UseLookupTableScalarRangeOn()
+    mapper.SetInputData(with_normals(data) if smooth else data)
+    if table:
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray(FIELD)
+        mapper.SetLookupTable(table)
+        mapper.UseLookupTableScalarRangeOn()
+    else:
+        mapper.ScalarVisibilityOff()
     actor = vtkActor()
     actor.SetMapper(mapper)
-    # Much ambient light: the colour is to be read off, the shading only tells the shape.
-    actor.GetProperty().SetAmbient(0.7)
-    actor.GetProperty().SetDiffuse(0.3)
+    actor.GetProperty().SetAmbient(ambient)
+    actor.GetProperty().SetDiffuse(1 - ambient)
     actor.GetProperty().SetSpecular(0)
     return actor
 
 
-def lines(polydata: Any, colour: Any, width: float, opacity: float = 1.0) -> Any:
+def with_normals(data: Any) -> Any:
+    normals = vtkPolyDataNormals()
+    normals.SetInputData(data)
+    normals.SplittingOff()
+    normals.Update()
+    return normals.GetOutput()
+
+
+def lines(polydata: Any, colour: Any, width: float, opacity: float = 1.0, offset: tuple[float, float] = (-4, -4)) -> Any:
+    """Lines on a surface; the offset moves them towards the camera, so that the surface does not hide them."""
     mapper = vtkPolyDataMapper()
     mapper.SetInputData(polydata)
     mapper.ScalarVisibilityOff()
     mapper.SetResolveCoincidentTopologyToPolygonOffset()
-    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(-4, -4)
+    mapper.SetRelativeCoincidentTopologyLineOffsetParameters(*offset)
     actor = vtkActor()
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(colour)
@@ -201,10 +186,6 @@ def lines(polydata: Any, colour: Any, width: float, opacity: float = 1.0) -> Any
     actor.GetProperty().SetOpacity(opacity)
     actor.GetProperty().LightingOff()
     return actor
-
-
-def normalized(a: Any) -> np.ndarray:
-    return a / np.linalg.norm(a)
 
 
 def dashed_circle(radius: float, distance: float, n_dashes: int = 48) -> Any:
@@ -217,59 +198,10 @@ def dashed_circle(radius: float, distance: float, n_dashes: int = 48) -> Any:
     return polylines(radius * in_plane + distance * to_camera)
 
 
-def text(content: str, size: int, x: float, y: float, bold: bool = False) -> Any:
-    actor = vtkTextActor()
-    actor.SetInput(content)
-    style(actor.GetTextProperty(), size, bold)
-    actor.GetTextProperty().SetJustificationToCentered()
-    actor.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
-    actor.SetPosition(x, y)
-    return actor
-
-
-def style(properties: Any, size: int, bold: bool = False) -> None:
-    properties.SetFontFamilyToArial()
-    properties.SetFontSize(size)
-    properties.SetColor(0.1, 0.1, 0.1)
-    properties.SetBold(bold)
-    properties.SetItalic(False)
-    properties.SetShadow(False)
-
-
-def colour_bar(table: Any) -> Any:
-    bar = vtkScalarBarActor()
-    bar.SetLookupTable(table)
-    bar.SetOrientationToHorizontal()
-    bar.SetNumberOfLabels(5)
-    bar.SetLabelFormat("%.2g")
-    bar.UnconstrainedFontSizeOn()
-    style(bar.GetLabelTextProperty(), 28)
-    bar.SetTextPositionToPrecedeScalarBar()
-    bar.SetPosition(0.2, 0.46)
-    bar.SetWidth(0.6)
-    bar.SetHeight(0.5)
-    bar.SetBarRatio(0.45)
-    bar.SetTextPad(6)
-    return bar
-
-
-def renderer(window: Any, x0: float, y0: float, x1: float, y1: float) -> Any:
-    view = vtkRenderer()
-    view.SetViewport(x0, y0, x1, y1)
-    view.SetBackground(1, 1, 1)
-    window.AddRenderer(view)
-    return view
-
-
 def aim(view: Any, extent: float) -> None:
-    camera = view.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(0, 0, 0)
-    camera.SetPosition([10 * extent * x for x in normalized(VIEW_FROM)])
-    camera.SetViewUp(0, 0, 1)
-    camera.SetParallelScale(1.22 * extent)
-    camera.SetWindowCenter(0, 0.1)
-    view.ResetCameraClippingRange()
+    """At a whole body, with room for a title above it."""
+    look(view, 1.22 * extent, 10 * extent)
+    view.GetActiveCamera().SetWindowCenter(0, 0.1)
 
 
 def rounded_up(value: float) -> float:
@@ -360,11 +292,8 @@ def draw(picture: Scene, limits: tuple[float, float, float], output: str | os.Pa
     time, radius, bodies = picture
     end_of_bar, largest, extent = limits
     table = colours(end_of_bar)
-    window = vtkRenderWindow()
-    window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
     n = len(bodies)
-    window.SetSize(WIDTH * max(n, 2) // 2, HEIGHT)
+    window = new_window(WIDTH * max(n, 2) // 2, HEIGHT)
     for i, (title, (x, stress)) in enumerate(bodies.items()):
         view = renderer(window, i / n, STRIP, (i + 1) / n, 1)
         x = x - centre_of(x)
@@ -376,23 +305,7 @@ def draw(picture: Scene, limits: tuple[float, float, float], output: str | os.Pa
     strip = renderer(window, 0, 0, 1, STRIP)
     strip.AddActor2D(colour_bar(table))
     strip.AddActor2D(text(caption(largest, table), 30, 0.5, 0.13))
-
-    window.Render()
-    image = vtkWindowToImageFilter()
-    image.SetInput(window)
-    image.ReadFrontBufferOff()
-    writer = vtkPNGWriter()
-    writer.SetFileName(str(output))
-    writer.SetCompressionLevel(9)
-    writer.SetInputConnection(image.GetOutputPort())
-    writer.Write()
-    if writer.GetErrorCode():
-        raise WrongInput(f"--output: {output} cannot be written")
-
-
-def check_screen() -> None:
-    if not os.environ.get("DISPLAY"):
-        raise WrongInput("there is no screen; put xvfb-run -a before the command (packages xvfb, xauth and libgl1-mesa-dri)")
+    write_png(window, output)
 
 
 def picture(run: Run, output: str | os.PathLike[str], frame: int = -1, cut: bool = True) -> str:
