@@ -2,12 +2,11 @@
 many more points, integrated with the same method and step, whose errors are common to both. Every scene follows from the
 seed of the part and its number. A record has the largest difference of Q over the samples as a part of the estimate."""
 import random
-import shutil
 import statistics
 
-from program import DONE, WRONG_INPUT, faults_of_end, words
+from program import DONE, words
 from random_scenes import text
-from tolerances import CONFIGURATION, LONGEST, start
+from tolerances import LONGEST, error_of_Q, record_of, start
 
 MOST_POINTS = 24
 ROUND_OFF = 1e-11
@@ -43,18 +42,9 @@ def finer(entries, counters):
 def one(program, seed, number, quick):
     rng = random.Random(f"quadrature/{seed}/{number}")
     entries = scene(rng, quick)
-    name = f"scene{number}"
-    run = program.run(entries, name, limit=LONGEST)
-    record = {"number": number, "kind": f"degree {entries['Polynomial/Degree']}", "code": run.code,
-              "tolerance": entries["Time/Tolerance"], "estimate": "", "of_estimate": "", "of_tolerance": "", "said": "",
-              "faults": "; ".join(faults_of_end(run))}
-    if run.code == WRONG_INPUT:
-        record["faults"] = run.stderr.strip()
-    if run.code == DONE:
-        judge(program, entries, run, record)
-    if not record["faults"]:
-        shutil.rmtree(run.folder, ignore_errors=True)
-    return record
+    run = program.run(entries, f"scene{number}", limit=LONGEST)
+    kind = f"degree {entries['Polynomial/Degree']}"
+    return record_of(run, number, kind, entries, lambda record: judge(program, entries, run, record))
 
 
 def judge(program, entries, run, record):
@@ -63,8 +53,7 @@ def judge(program, entries, run, record):
     if reference.code != DONE:
         record["said"] = "no reference"
         return
-    a, b = run.table("polynomial"), reference.table("polynomial")
-    error = max(abs(x - y) for column in CONFIGURATION for x, y in zip(a.column(column), b.column(column)))
+    error = error_of_Q(run, reference, "polynomial")
     record.update(points=counters["quadrature_points"], error=error, forces=counters["forces"] + counters.get("pilot_forces", 0),
                   quadrature_forces=counters.get("quadrature_pilot_forces", 0))
     if "estimated_quadrature_error" not in counters:

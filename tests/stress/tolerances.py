@@ -87,6 +87,25 @@ def reference_of(entries, counters):
     return {**entries, "Time/Method": "rattle-8", "Time/Tolerance": 1e-9}
 
 
+def record_of(run, number, kind, entries, complete):
+    """The record of the run of a scene. `complete` adds to the record of a run that is done. The folder of a run with a fault
+    stays."""
+    record = {"number": number, "kind": kind, "code": run.code, "method": entries.get("Time/Method", "auto"),
+              "tolerance": entries["Time/Tolerance"], "estimate": "", "of_tolerance": "", "of_estimate": "", "said": "",
+              "faults": run.stderr.strip() if run.code == WRONG_INPUT else "; ".join(faults_of_end(run))}
+    if run.code == DONE:
+        complete(record)
+    if not record["faults"]:
+        shutil.rmtree(run.folder, ignore_errors=True)
+    return record
+
+
+def error_of_Q(run, reference, model):
+    """The largest difference of an entry of Q over the samples."""
+    a, b = run.table(model), reference.table(model)
+    return max(abs(x - y) for column in CONFIGURATION for x, y in zip(a.column(column), b.column(column)))
+
+
 def one(program, seed, number, with_continuum):
     """Runs scene `number` and its reference; a record. A scene that refuses its method is run with another."""
     rng = random.Random(f"tolerances/{seed}/{number}")
@@ -96,16 +115,8 @@ def one(program, seed, number, with_continuum):
     if run.code == WRONG_INPUT:
         entries.pop("Time/Method", None)
         run = program.run(entries, name, limit=LONGEST)
-    record = {"number": number, "kind": f"{model} {entries.get('Polynomial/Degree', '')}".strip(), "code": run.code,
-              "method": entries.get("Time/Method", "auto"), "tolerance": entries["Time/Tolerance"], "estimate": "",
-              "of_tolerance": "", "of_estimate": "", "said": "", "faults": "; ".join(faults_of_end(run))}
-    if run.code == WRONG_INPUT:
-        record["faults"] = run.stderr.strip()
-    if run.code == DONE:
-        judge(program, entries, run, record)
-    if not record["faults"]:
-        shutil.rmtree(run.folder, ignore_errors=True)
-    return record
+    kind = f"{model} {entries.get('Polynomial/Degree', '')}".strip()
+    return record_of(run, number, kind, entries, lambda record: judge(program, entries, run, record))
 
 
 def judge(program, entries, run, record):
@@ -119,8 +130,7 @@ def judge(program, entries, run, record):
     if reference.code != DONE or known_to > 0.05 * tolerance:
         record["said"] = record["said"] or "no reference"
         return
-    a, b = run.table(model), reference.table(model)
-    error = max(abs(x - y) for column in CONFIGURATION for x, y in zip(a.column(column), b.column(column)))
+    error = error_of_Q(run, reference, model)
     record["of_tolerance"] = error / tolerance
     if record["said"]:
         return
