@@ -59,8 +59,9 @@ def write_gif(frames: Sequence[Any], milliseconds: int, output: pathlib.Path) ->
     # Without dithering: its noise differs from frame to frame, and would be most of the file.
     first, *others = (frame.quantize(palette=palette, dither=PIL.Image.Dither.NONE) for frame in frames)
     try:
+        output.parent.mkdir(parents=True, exist_ok=True)
         first.save(output, save_all=True, append_images=others, duration=milliseconds, loop=0, optimize=False)
-    except OSError as error:
+    except (OSError, ValueError) as error:
         raise WrongInput(f"--output: {output} cannot be written: {error}") from error
     print(f"{output}: {len(frames)} frames")
 

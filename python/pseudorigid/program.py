@@ -23,7 +23,8 @@ RESULTS = "results are in "
 
 
 def find_program() -> pathlib.Path:
-    """The program: of the environment variable PSEUDORIGID, of the sources or the installation that this package is in, or on PATH."""
+    """The path of the program. The environment variable PSEUDORIGID comes first, then the sources or the installation of this
+    package, then PATH."""
     chosen = os.environ.get("PSEUDORIGID")
     if chosen:
         return existing(pathlib.Path(chosen))
@@ -39,12 +40,12 @@ def find_program() -> pathlib.Path:
 
 def existing(program: pathlib.Path) -> pathlib.Path:
     if not program.is_file():
-        raise WrongInput(f"{program} does not exist; scripts/run.sh builds the program")
+        raise WrongInput(f"{program} {'is a directory' if program.is_dir() else 'does not exist'}; scripts/run.sh builds the program")
     return program.resolve()
 
 
 def entry_text(value: Any) -> str:
-    """A value as a scene has it: rows of a matrix are separated by ";", entries by ","."""
+    """The text of a value in a scene. A semicolon separates the rows of a matrix, a comma its entries."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, (int, float)):
@@ -62,8 +63,8 @@ def run(scene: Path | Entries, options: Entries | None = None, *, output: Path |
     """Runs a scene and returns its results.
 
     scene     a parameter file, or the entries themselves: {"Models": "reduced", "Time/End": 3}
-    options   entries in place of those of the scene: {"Initial state/Deformation": np.diag([0.8, 1, 1.25])}
-    output    directory of the results; if it is not given, that of the scene
+    options   entries that replace those of the scene: {"Initial state/Deformation": np.diag([0.8, 1, 1.25])}
+    output    the directory of the results; by default the scene names it
     resume    goes on from the last checkpoint in that directory
     quiet     False shows what the program prints
     program   path of the program; default: find_program()
@@ -87,7 +88,7 @@ def run(scene: Path | Entries, options: Entries | None = None, *, output: Path |
 
 
 def check(scene: Path | Entries, options: Entries | None = None, *, program: Path | None = None) -> str:
-    """What the scene needs and what is skipped, in lines. WrongInput if the scene cannot run."""
+    """The lines that list the needs of the scene and the parts that are skipped. WrongInput if the scene cannot run."""
     with tempfile.TemporaryDirectory() as folder:
         return printed(command_of("check", scene, options, pathlib.Path(folder), program))
 
@@ -114,8 +115,7 @@ def command_of(subcommand: str, scene: Path | Entries, options: Entries | None, 
 
 def execute(command: Sequence[str], quiet: bool) -> list[str]:
     """The lines on standard error. Ctrl-C interrupts the program once, which then saves its state and exits with code 3."""
-    with tempfile.TemporaryFile("w+") as output, subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.PIPE, text=True, process_group=0) as process:
+    with tempfile.TemporaryFile("w+") as output, started(command, output, process_group=0) as process:
         lines: list[str] = []
         try:
             lines.extend(shown(process, quiet))
@@ -131,6 +131,13 @@ def execute(command: Sequence[str], quiet: bool) -> list[str]:
     return lines
 
 
+def started(command: Sequence[str], output: Any, **options: Any) -> "subprocess.Popen[str]":
+    try:
+        return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.PIPE, text=True, **options)
+    except OSError as error:
+        raise WrongInput(f"{command[0]} cannot be started: {error.strerror}") from error
+
+
 def shown(process: "subprocess.Popen[str]", quiet: bool) -> Iterator[str]:
     assert process.stderr
     for line in process.stderr:
@@ -140,13 +147,14 @@ def shown(process: "subprocess.Popen[str]", quiet: bool) -> Iterator[str]:
 
 
 def error_of(code: int, lines: Sequence[str]) -> Error:
-    """With the program's one sentence."""
+    """The exception has the program's one sentence."""
     sentences = [line.removeprefix("error: ") for line in lines if line.startswith("error: ")]
     return ERRORS.get(code, Defect)(sentences[0] if sentences else f"the program ended with code {code} and without a message")
 
 
 def printed(command: Sequence[str]) -> str:
-    result = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
-    if result.returncode:
-        raise error_of(result.returncode, result.stderr.splitlines())
-    return result.stdout
+    with started(command, subprocess.PIPE) as process:
+        output, errors = process.communicate()
+    if process.returncode:
+        raise error_of(process.returncode, errors.splitlines())
+    return output

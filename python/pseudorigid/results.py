@@ -82,8 +82,11 @@ class Run:
         return values[path]
 
     def counter(self, model: str, name: str) -> float:
-        """What a model has counted: counter("continuum", "steps")."""
-        return self.manifest["models"][model]["counters"][name]
+        """A counter of a model: counter("continuum", "steps")."""
+        counters = self.manifest.get("models", {}).get(model, {}).get("counters", {})
+        if name not in counters:
+            raise WrongInput(f"{self.directory}/manifest.json has no counter {name} of {model}; it has {', '.join(counters) or 'none'}")
+        return counters[name]
 
     @property
     def comparison(self) -> dict[str, Any] | None:
@@ -96,7 +99,8 @@ class Run:
 
     def columns(self, name: str) -> dict[str, np.ndarray]:
         """The columns of <name>.csv by name."""
-        return read_csv(existing(self.directory, f"{name}.csv", "run the scene with another list of Models?"))
+        tables = ", ".join(sorted(path.stem for path in self.directory.glob("*.csv")))
+        return read_csv(existing(self.directory, f"{name}.csv", f"the tables of this run are {tables}" if tables else "this run has no tables"))
 
     def records(self, name: str) -> np.ndarray:
         """<name>.csv as a structured array, a record a row: the table without pandas."""

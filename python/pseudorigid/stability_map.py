@@ -10,6 +10,7 @@ from typing import Any
 from pseudorigid.errors import WrongInput
 from pseudorigid.figures import ORANGE, SKY, YELLOW, plt, save
 
+COLUMNS = ("kind", "degree", "amplitude", "step", "part_of_limit", "outcome", "time", "biot_time")
 # With a hatching for each, the colours are distinct in print as well.
 OUTCOMES = {"bounded": (SKY, "", "energy within 10 % until t = 25 r/c"),
             "lost": (YELLOW, "....", "energy off by more than 10 %"),
@@ -62,7 +63,11 @@ def write(data: pathlib.Path, picture: pathlib.Path) -> None:
     if not data.is_file():
         raise WrongInput(f"{data} does not exist; scripts/stress.sh map makes it")
     with open(data, newline="") as file:
-        lines = list(csv.DictReader(file))
+        table = csv.DictReader(file)
+        lines = list(table)
+    absent = [name for name in COLUMNS if name not in (table.fieldnames or ())]
+    if absent or not lines:
+        raise WrongInput(f"{data} is not a map of stability: it has no {absent[0] if absent else 'row'}")
     biot = next(float(line["amplitude"]) for line in lines if line["kind"].startswith("Biot"))
     runs = [{**line, "degree": int(line["degree"]), "amplitude": float(line["amplitude"]), "step": float(line["step"]),
              "part_of_limit": float(line["part_of_limit"])} for line in lines if line["degree"] and line["outcome"]]

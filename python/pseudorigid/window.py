@@ -4,6 +4,7 @@ VTK draws through an X server; without a screen, xvfb-run is one.
 """
 
 import os
+import pathlib
 from typing import Any
 
 from pseudorigid.errors import WrongInput, needs
@@ -43,7 +44,11 @@ def new_window(width: int, height: int) -> Any:
 
 
 def write_png(window: Any, output: str | os.PathLike[str]) -> None:
-    """Draws the window into a file."""
+    """Draws the window into a file, and makes its folder."""
+    try:
+        pathlib.Path(output).parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise WrongInput(f"--output: {error}") from error
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)

@@ -4,9 +4,10 @@ import subprocess
 import sys
 
 import numpy as np
+import PIL.Image
 
 from program_test import ProgramTest, WRONG_INPUT, main
-from pseudorigid import Run, render
+from pseudorigid import Run, WrongInput, animate, render, window
 from pseudorigid.plot import component, curves
 
 SCENE = {"Models": "reduced, polynomial", "Polynomial/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 1, "Output/Samples": 10,
@@ -54,6 +55,7 @@ class Drawing(ProgramTest):
         run = self.make_run()
         for arguments, fragment in ((("plot", "nowhere"), "nowhere/manifest.json"), (("plot", run.directory, "--quantity", "Q14"), "Q14"),
                                     (("plot", run.directory, "--output", "a.xyz"), "--output"), (("map", "nowhere.csv", "a.svg"), "nowhere.csv"),
+                                    (("map", run.directory / "reduced.csv", "a.svg"), "reduced.csv"),
                                     (("equilibria", "--program", "nowhere"), "nowhere"), (("render", run.directory, "--frame", 9), "")):
             environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
             self.assert_one_sentence(self.run_program(*arguments, env=environment), fragment)
@@ -71,6 +73,30 @@ class Drawing(ProgramTest):
         self.assertLess(np.linalg.norm(with_cut[run.title("reduced")][0], axis=-1).min(), 1e-6)
         with self.assertRaisesRegex(Exception, "--frame: expected a number from 0 to 1, got 2"):
             render.read_bodies(run, 2, cut=True)
+
+    def test_a_file_that_cannot_be_read(self):
+        """VTK's own lines are not shown. Files are read before anything is drawn: no screen is needed."""
+        run = self.make_run(Models="reduced")
+        environment = {**os.environ, "DISPLAY": ":nowhere"}
+        (self.scratch / "damaged.vtu").write_text("nothing")
+        for name in "nowhere.vtu", "damaged.vtu":
+            self.assert_one_sentence(self.run_program("cells", name, name, env=environment), name)
+        picture = run.frames("reduced")[-1].path
+        picture.unlink()
+        self.assert_one_sentence(self.run_program("render", run.directory, env=environment), picture.name)
+        with self.assertRaisesRegex(WrongInput, picture.name):
+            run.frames("reduced")[-1].read()
+        (run.directory / "reduced.pvd").write_text("<VTKFile>")
+        with self.assertRaisesRegex(WrongInput, "reduced.pvd"):
+            run.frames("reduced")
+
+    def test_a_file_that_cannot_be_written(self):
+        (self.scratch / "file").write_text("no folder")
+        with self.assertRaisesRegex(WrongInput, "--output"):
+            window.write_png(window.new_window(8, 8), self.scratch / "file/a.png")
+        for name in "file/a.gif", "a.txt":
+            with self.assertRaisesRegex(WrongInput, "--output"):
+                animate.write_gif([PIL.Image.new("RGB", (8, 8))], 100, self.scratch / name)
 
     def test_a_missing_package_is_named(self):
         # -S: without the folder of Debian's packages, as with another Python.

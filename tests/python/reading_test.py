@@ -94,7 +94,7 @@ class Reading(ProgramTest):
         self.assertIsNone(run.comparison)
         self.assertFalse(run.has_frames("reduced"))
         for ask in (lambda: run.frames("reduced"), lambda: run.matrices("reduced", "F"), lambda: run.entry("Body/Raduis"),
-                    lambda: run.columns("continuum"), lambda: Run(self.scratch)):
+                    lambda: run.columns("continuum"), lambda: run.counter("reduced", "stepz"), lambda: run.counter("continuum", "steps"), lambda: Run(self.scratch)):
             with self.assertRaises(WrongInput):
                 ask()
 

@@ -72,6 +72,13 @@ class Running(ProgramTest):
             with self.assertRaisesRegex(pseudorigid.Defect, sentence):
                 pseudorigid.run(FREE, program=self.fake_program(script))
 
+    def test_a_command_that_cannot_be_started(self):
+        (self.scratch / "text").write_text("no program")
+        for ask in (lambda: pseudorigid.run(FREE, launcher=["nowhere"]), lambda: pseudorigid.run(FREE, program=self.scratch / "text"),
+                    lambda: pseudorigid.check(FREE, program=self.scratch / "text"), lambda: pseudorigid.run(FREE, program=self.scratch)):
+            with self.assertRaises(pseudorigid.WrongInput):
+                ask()
+
     def test_the_program_is_found_or_missed(self):
         self.assertEqual(pseudorigid.find_program(), self.program)
         os.environ["PSEUDORIGID"] = str(self.scratch / "nowhere")
