@@ -20,7 +20,7 @@ INVERTED = {"Models": "reduced", "Body/Incompressible": False, "Material/Law": "
 LONG_RUN = """
 import pseudorigid
 try:
-    pseudorigid.run({"Models": "reduced", "Time/End": 1e6, "Time/Step": 1e-4, "Time/Method": "rattle"}, output="long")
+    pseudorigid.run({"Models": "reduced", "Time/End": 1e6, "Time/Step": 1e-4, "Time/Method": "rattle"}, output="long", quiet=False)
 except pseudorigid.Stopped as stopped:
     print(stopped, stopped.directory)
 """
@@ -91,9 +91,11 @@ class Running(ProgramTest):
         self.assertEqual(exit_code_of(fails), STOPPED)
 
     def test_an_interrupted_run_goes_on(self):
-        started = subprocess.Popen([sys.executable, "-c", LONG_RUN], cwd=self.scratch, stdout=subprocess.PIPE, text=True)
+        started = subprocess.Popen([sys.executable, "-c", LONG_RUN], cwd=self.scratch, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
         self.addCleanup(self.end_process, started)
-        self.wait_until(lambda: (self.scratch / "long" / "manifest.json").is_file(), "the run has started")
+        # The first line that Python shows: it waits for the program now, and no longer starts it.
+        started.stderr.readline()
         started.send_signal(signal.SIGINT)
         printed, _ = started.communicate()
         self.assertRegex(printed, "interrupted at t = .* long\n")
