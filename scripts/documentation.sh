@@ -3,8 +3,7 @@
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
-#   pages       docs/parameters.md, docs/equilibria_tables.md, what commands print in README.md, docs/python.md, docs/scope.md and
-#               docs/tutorial.md
+#   pages       docs/parameters.md, docs/data/equilibria.md, what commands print in README.md and in pages of docs/
 #   pictures    docs/images: quickstart, phase portrait, report, equilibria, gallery
 #   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
@@ -36,7 +35,7 @@ export PYTHONPATH=$root/python
 
 make_pages() {
   "$program" parameters --format markdown >docs/parameters.md
-  /usr/bin/python3 -m pseudorigid equilibria --program "$program" >docs/equilibria_tables.md
+  /usr/bin/python3 -m pseudorigid equilibria --program "$program" >docs/data/equilibria.md
   tools/print_pages.py "$program"
 }
 

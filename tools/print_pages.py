@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes README.md, docs/python.md, docs/scope.md and docs/tutorial.md with what their commands print now.
+"""Writes README.md and pages of docs/ (PAGES) with what their commands print now.
 
     tools/print_pages.py build/release/bin/pseudorigid
 
@@ -16,7 +16,7 @@ sys.path.insert(0, str(ROOT / "tests" / "support"))
 
 import documentation  # noqa: E402
 
-PAGES = ("README.md", "docs/python.md", "docs/scope.md", "docs/tutorial.md")
+PAGES = ("README.md", "docs/first_run.md", "docs/own_scene.md", "docs/accurate_runs.md", "docs/python.md", "docs/scope.md")
 
 
 def main():

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""docs/stress_tables.md, docs/data/stability_map.csv and docs/images/stability_map.svg from the results of the stress
+"""docs/data/stress.md, docs/data/stability_map.csv and docs/images/stability_map.svg from the results of the stress
 suite.
 
     tools/stress_tables.py output/stress
@@ -91,7 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", type=pathlib.Path)
     results = parser.parse_args().results
-    page = ["# Tables of the stress suite", "", "Written by `scripts/stress.sh`; [stress.md](stress.md) says what is tested.", ""]
+    page = ["# Tables of the stress suite", "", "Written by `scripts/stress.sh`; [stress.md](../stress.md) says what is tested.", ""]
     for part, title in TITLES.items():
         path = results / f"{part}.json"
         if not path.is_file():
@@ -99,7 +99,7 @@ def main():
         part_results = json.loads(path.read_text())
         page += [f"## {title}", "", f"{part_results['program']}, {part_results['date']}, seed {part_results['seed']}, "
                  f"{part_results['seconds'] / 60:.0f} min", "", *of_kinds(part_results), *(DETAILS[part](part_results) if part in DETAILS else [])]
-    (ROOT / "docs/stress_tables.md").write_text("\n".join(page).rstrip() + "\n")
+    (ROOT / "docs/data/stress.md").write_text("\n".join(page).rstrip() + "\n")
     if (results / "map.csv").is_file():
         data = ROOT / "docs/data/stability_map.csv"
         data.parent.mkdir(parents=True, exist_ok=True)

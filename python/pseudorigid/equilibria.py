@@ -1,8 +1,8 @@
-"""Figures of equilibrium of fluid and elastic bodies, computed by the program: the page docs/equilibria_tables.md on
+"""Figures of equilibrium of fluid and elastic bodies, computed by the program: the page docs/data/equilibria.md on
 standard output, or with --output the picture of docs/equilibria.md. The picture shows the squared spin of fluid bodies over
 their angular momentum, and the spin of elastic spheroids between a ball of rubber and a ball of water.
 
-    python3 -m pseudorigid equilibria > docs/equilibria_tables.md
+    python3 -m pseudorigid equilibria > docs/data/equilibria.md
     python3 -m pseudorigid equilibria --output docs/images/equilibria.svg
 
 The picture needs Debian's python3-matplotlib.
@@ -95,7 +95,7 @@ def elastic(program: pathlib.Path | None) -> str:
 
 def page(program: pathlib.Path | None) -> str:
     return ("# Tables of relative equilibria\n\nPrinted by `python3 -m pseudorigid equilibria` from the program's own `equilibria.csv`; "
-            "[equilibria.md](equilibria.md) says what the families are. Fluid bodies: units in which r = ρ = πGρ = 1. Stability is that of "
+            "[equilibria.md](../equilibria.md) says what the families are. Fluid bodies: units in which r = ρ = πGρ = 1. Stability is that of "
             "affine disturbances: *stable* means even with dissipation, *stable without friction* that the energy at fixed J and Z has "
             "falling directions but no small motion grows.\n\n"
             + "\n".join(part(program) for part in (maclaurin, jacobi, riemann, elastic)))

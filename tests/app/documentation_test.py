@@ -1,4 +1,4 @@
-"""The commands of README.md, docs/python.md, docs/scope.md and docs/tutorial.md print what the pages say.
+"""The commands of README.md and of six pages of docs/ print what the pages say.
 
 After a change of what the program prints, tools/print_pages.py writes the pages anew.
 """
@@ -46,11 +46,17 @@ class Documentation(ProgramTest):
     def test_scope(self):
         self.assertGreaterEqual(self.check("docs/scope.md"), 4)
 
-    def test_tutorial(self):
-        self.assertGreaterEqual(self.check("docs/tutorial.md"), 10)
+    def test_first_run(self):
+        self.assertGreaterEqual(self.check("docs/first_run.md"), 4)
+
+    def test_own_scene(self):
+        self.assertGreaterEqual(self.check("docs/own_scene.md"), 9)
+
+    def test_accurate_runs(self):
+        self.assertGreaterEqual(self.check("docs/accurate_runs.md"), 3)
 
     def test_every_link_of_the_documentation_leads_somewhere(self):
-        for page in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]:
+        for page in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").rglob("*.md")), SOURCE / "meshes" / "README.md"]:
             text = page.read_text()
             for target in re.findall(r"\]\(([^)\s]+)\)", text) + re.findall(r'src="([^"]+)"', text):
                 if re.match(r"https?:", target):

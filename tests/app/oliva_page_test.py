@@ -1,5 +1,5 @@
 """docs/oliva.md against the program and the other pages: what it tells to run can be run, what to look at exists, the tests
-it names are in docs/statements.md, and no numbered statement of the chapter is missing."""
+it names are in docs/data/statements.md, and no numbered statement of the chapter is missing."""
 import re
 
 from program_test import ProgramTest, SOURCE, main
@@ -65,7 +65,7 @@ class OlivaPage(ProgramTest):
                     self.assertIn(word, known, row)
 
     def test_tests_and_corrections_exist(self):
-        suites = set(re.findall(r"`((?:Statement|Correction)_\w+)` `", (SOURCE / "docs/statements.md").read_text()))
+        suites = set(re.findall(r"`((?:Statement|Correction)_\w+)` `", (SOURCE / "docs/data/statements.md").read_text()))
         corrections = set()
         for row in rows():
             for suite in quoted(row[TEST]):

@@ -90,10 +90,10 @@ class PseudoRigid(ReducedTest):
                 self.assertAlmostEqual(energy, 2 * math.pi / 3 * (l * l + 2 / l - 3), delta=1e-12)
 
     def test_page_of_tables(self):
-        """docs/equilibria_tables.md is what the program prints."""
+        """docs/data/equilibria.md is what the program prints."""
         printed = subprocess.run([sys.executable, "-m", "pseudorigid", "equilibria", "--program", self.program], capture_output=True,
                                  text=True, check=True).stdout
-        self.assertEqual(printed, (SOURCE / "docs/equilibria_tables.md").read_text())
+        self.assertEqual(printed, (SOURCE / "docs/data/equilibria.md").read_text())
 
     # Equilibria
 

@@ -241,7 +241,7 @@ def broken_rules(sentence):
 def texts():
     """(kind of text, file, function that takes it apart) of everything that is read."""
     parameters = SOURCE / "docs/parameters.md"
-    for path in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").glob("*.md")), *sorted((SOURCE / "meshes").glob("*.md"))]:
+    for path in [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").rglob("*.md")), *sorted((SOURCE / "meshes").glob("*.md"))]:
         yield ("parameters", path, parameter_sentences) if path == parameters else ("pages", path, page_sentences)
     for path in sorted((SOURCE / "src").rglob("*.h")):
         yield "comments", path, comment_sentences

@@ -9,7 +9,7 @@ import unittest
 from markdown_it import MarkdownIt
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-PAGES = [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").glob("*.md")), SOURCE / "meshes" / "README.md"]
+PAGES = [*sorted(SOURCE.glob("*.md")), *sorted((SOURCE / "docs").rglob("*.md")), SOURCE / "meshes" / "README.md"]
 MARKDOWN = MarkdownIt("commonmark").enable(["table", "strikethrough"])
 
 

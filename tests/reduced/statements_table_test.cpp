@@ -1,4 +1,4 @@
-/// docs/statements.md against the sources of the tests: what it names exists, and no statement or correction is
+/// docs/data/statements.md against the sources of the tests: what it names exists, and no statement or correction is
 /// missing.
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Which rows of docs/statements.md notice a defect of the program: mutants of the headers behind the statements, each against
+"""Which rows of docs/data/statements.md notice a defect of the program: mutants of the headers behind the statements, each against
 the tests of the rows, until every row has been red three times or no mutant is left. docs/mutation.md says what was found.
 
     tools/mutation/statements.py make | build | run | report        as those of mutate.py
@@ -19,7 +19,7 @@ ENOUGH = 3  # mutants that have turned a row red; it is not asked any more
 def rows():
     """[(number, test case, its file)] of the table, those without a test left out."""
     found = []
-    for line in (mutate.SOURCE / "docs/statements.md").read_text().splitlines():
+    for line in (mutate.SOURCE / "docs/data/statements.md").read_text().splitlines():
         if match := re.match(r"\| (.+?) \| .* \| `(\w+)` `(\w+)` `([\w/.]+)` \|$", line):
             found.append((match[1], f"{match[2]}.{match[3]}", match[4]))
     return found
