@@ -176,8 +176,8 @@ void compare_energies(Workshop& w) {
   const double reference = energy_reference({&w.r, &w.c}, w.options.facts.energy_unit);
   for (const std::string name : {"kinetic", "elastic", "energy"})
     w.add(name + "_difference", reference, each(std::minus{}, w.c.column(name), w.r.column(name)));
-  w.out.model.energy_drift = drift(w.r.column("energy"), reference);
-  w.out.reference.energy_drift = drift(w.c.column("energy"), reference);
+  set_energy_drift(w.r, reference, w.options.facts.tolerance, w.out.model);
+  set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
 using Drift = std::optional<double> ModelSummary::*;

@@ -275,6 +275,8 @@ std::string summary_sentence(const Comparison& c) {
   // A part of the kinetic energy of a ball that does not move is a quotient of round-off.
   const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
+  for (const ModelSummary* m : {&c.model, &c.reference})
+    if (const std::string clause = energy_clause(*m); !clause.empty()) sentence += fmt::format("; {}", clause);
   return sentence + ".";
 }
 

@@ -49,10 +49,12 @@ inline std::string unknown_parts(const ErrorBar& bar) {
 /// "fit 3e-03, time 2e-06, space not known", and of polynomial bodies ", quadrature 4e-06".
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
-    return value ? name + (" " + printed_error(*value)) : fmt::format("{} not known", name);
+    return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
   };
-  return (bar.fit > 0 ? part("fit", bar.fit) + ", " : "") + part("time", bar.time) + ", " + part("space", bar.space) +
-         (bar.quadrature == 0.0 ? "" : ", " + part("quadrature", bar.quadrature));
+  std::vector<std::string> parts{part("time", bar.time), part("space", bar.space)};
+  if (bar.fit > 0) parts.insert(parts.begin(), part("fit", bar.fit));
+  if (bar.quadrature != 0.0) parts.push_back(part("quadrature", bar.quadrature));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 /// " +- 0.003", or " (error in space not known)".

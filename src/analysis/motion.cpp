@@ -120,6 +120,24 @@ double energy_reference(std::initializer_list<const io::Table*> models, double u
   return others > 0 ? others : unit;
 }
 
+void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance,
+                      ModelSummary& summary) {
+  constexpr double most = 0.01, size_of_Q = std::numbers::sqrt3;
+  const double departure = summary.departure;
+  summary.energy_bound = tolerance && departure > 0 ? std::min(most, 4 * *tolerance * size_of_Q / departure) : most;
+  const std::vector<double> energy = table.column("energy"), time = table.column("time");
+  summary.energy_drift = drift(energy, reference);
+  for (std::size_t n = 0; n < energy.size() && !summary.energy_beyond_since; ++n)
+    if (std::abs(energy[n] - energy[0]) > summary.energy_bound * reference) summary.energy_beyond_since = time[n];
+}
+
+std::string energy_clause(const ModelSummary& summary) {
+  if (!summary.energy_beyond_since) return {};
+  const std::string whose = summary.adjective == summary.name ? "" : fmt::format(" of the {} ball", summary.adjective);
+  return fmt::format("the energy{} changes by up to {:.2g} %, and by more than {:.2g} % from t = {:.4g} on", whose,
+                     100 * *summary.energy_drift, 100 * summary.energy_bound, *summary.energy_beyond_since);
+}
+
 std::string drift_in_words(double drift) {
   return drift <= round_off_drift ? "round-off" : fmt::format("{:.2g}", drift);
 }
@@ -145,7 +163,7 @@ MotionSummary summarize_motion(const ModelRunTable& run, const SceneFacts& facts
   for (const auto& [name, label] : shown_ranges)
     if (table.has_column(name)) s.ranges.push_back(range_of(label, table.column(name)));
   if (has_all(table, {"kinetic", "elastic", "energy"}))
-    s.model.energy_drift = drift(table.column("energy"), energy_reference({&table}, facts.energy_unit));
+    set_energy_drift(table, energy_reference({&table}, facts.energy_unit), facts.tolerance, s.model);
   s.model.angular_momentum_drift = momentum_drift(table, {"J1", "J2", "J3"});
   s.model.circulation_drift = momentum_drift(table, {"Z1", "Z2", "Z3"});
   if (has_all(table, {"nonaffine_kinetic_fraction", "kinetic"}))
@@ -170,7 +188,7 @@ MotionSummary summarize_system(const ModelRunTable& run) {
       potential = std::max(std::abs(range.least), std::abs(range.greatest));
     }
     if (size < least_energy_part * potential) size = potential;
-    if (size > 0) s.model.energy_drift = drift(table.column("energy"), size);
+    if (size > 0) set_energy_drift(table, size, std::nullopt, s.model);
   }
   return s;
 }
@@ -212,6 +230,7 @@ std::string terminal_table(const MotionSummary& s) {
   if (s.ranges.size() > most_ranges)
     lines.push_back(
         fmt::format("columns not shown: {} (they are in {}.csv)", s.ranges.size() - most_ranges, s.model.name));
+  if (const std::string clause = energy_clause(s.model); !clause.empty()) lines.push_back(fmt::format("{}.", clause));
   return fmt::format("{}\n", fmt::join(lines, "\n"));
 }
 

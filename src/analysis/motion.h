@@ -33,6 +33,8 @@ struct ModelSummary {
   bool turns = false;            ///< Q changes
   bool deforms = false;          ///< C changes
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
+  double energy_bound = 0;                      ///< what the run was asked to keep of it
+  std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more
 };
 
 /// One model's Q and C = QᵀQ, and the summary of its motion.
@@ -56,6 +58,15 @@ FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<
 /// energies that there are, the largest of them. `unit` is the scene's unit of energy, of which 1e-24 is as much as
 /// round-off of velocities has.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
+
+/// Sets the drift of the column "energy" over the reference value, and the time from which it is beyond its bound. If
+/// the error of Q is τ|Q|, the energy of an oscillation which departs by D = max|Q − Q(0)|, twice its amplitude,
+/// changes by 4τ|Q|/D of itself. This is the bound if the step follows from τ, but never more than 1 %.
+void set_energy_drift(const io::Table& table, double reference, std::optional<double> tolerance, ModelSummary& summary);
+
+/// "the energy of the elastic ball changes by up to 4.2 %, and by more than 1 % from t = 3.2 on". Empty within the
+/// bound.
+std::string energy_clause(const ModelSummary& summary);
 
 /// A drift up to this is said to be round-off: some hundred roundings of a double.
 inline constexpr double round_off_drift = 1e-13;
@@ -90,6 +101,7 @@ struct MotionSummary {
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are not a motion
   double energy_unit = 0;     ///< of the scene
+  std::optional<double> tolerance{};       ///< of Q, relative, if the step follows from it
   std::vector<double> load_frequencies{};  ///< angular, of loads that depend on time
 };
 

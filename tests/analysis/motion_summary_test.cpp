@@ -67,6 +67,28 @@ TEST(MotionSummary, EnergiesOfABallAtRestAreRoundOff) {
   EXPECT_NEAR(*of_ball(small, facts).model.energy_drift, 1e-2, 1e-9);
 }
 
+/// The energy falls by 2e-3 a unit of time, from 1: to within 1 % until t = 5, and to within 4τ|Q|/D sooner.
+TEST(MotionSummary, EnergyBeyondItsBoundIsReportedWithItsTime) {
+  const auto leaks = [](double rate) {
+    return [=](double t, ContinuumObservables& o) {
+      o.kinetic = 1;
+      o.elastic = -rate * t;
+    };
+  };
+  EXPECT_FALSE(of_ball(leaks(0.9e-3)).model.energy_beyond_since);
+  EXPECT_TRUE(energy_clause(of_ball(leaks(0.9e-3)).model).empty());
+  const MotionSummary lost = of_ball(leaks(2e-3));
+  const double interval = ten[1] - ten[0];
+  EXPECT_GE(*lost.model.energy_beyond_since, 5);
+  EXPECT_LE(*lost.model.energy_beyond_since, 5 + 1.01 * interval);
+  EXPECT_TRUE(says(lost, "the elastic ball changes by up to 2 %"));
+  const MotionSummary precise = of_ball(leaks(2e-3), {.tolerance = 1e-5});
+  const double bound = 4e-5 * std::sqrt(3.0) / precise.model.departure;
+  EXPECT_LT(bound, 0.005);
+  EXPECT_GE(*precise.model.energy_beyond_since, bound / 2e-3);
+  EXPECT_LE(*precise.model.energy_beyond_since, bound / 2e-3 + 1.01 * interval);
+}
+
 TEST(MotionSummary, FrequencyHasABarOnlyIfAllItsErrorsAreKnown) {
   EXPECT_TRUE(says(of_ball({}), " +- "));
   EXPECT_FALSE(says(of_ball({}, {}, reduced_pulsation, {.time = 1e-8}), " +- "));

@@ -63,10 +63,16 @@ analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Ma
       .other = other == others.end() ? nullptr : &other->second};
 }
 
+void warn_of_energy(const RunContext& context, const analysis::ModelSummary& summary) {
+  if (const std::string clause = analysis::energy_clause(summary); !clause.empty())
+    context.log->warn("{}; a smaller Time/Step or Time/Tolerance keeps it better", clause);
+}
+
 analysis::SceneFacts facts_of(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   return {.resolution = scene.time.tolerance,
           .energy_unit = context.units.energy(),
+          .tolerance = scene.time.step ? std::nullopt : std::optional(scene.time.tolerance),
           .load_frequencies = loads::angular_frequencies(scene.loads)};
 }
 
@@ -101,9 +107,10 @@ std::string summarize_run(const RunContext& context, const io::Manifest& manifes
     run.adjective = scene::runs_of(model, context.scene).back().adjective;
     run.errors = errors_of(model, manifest.models.at(name), others);
   }
+  const auto summary = is_system ? analysis::summarize_system(run) : analysis::summarize_motion(run, facts_of(context));
+  warn_of_energy(context, summary.model);
   try {
-    io::print(analysis::terminal_table(is_system ? analysis::summarize_system(run)
-                                                 : analysis::summarize_motion(run, facts_of(context))));
+    io::print(analysis::terminal_table(summary));
   } catch (const io::WriteError& error) {
     return error.what();
   }
@@ -121,10 +128,12 @@ std::string compare_models(const RunContext& context, const io::Manifest& manife
     comparisons.push_back(compare(context, runs[i], runs.back(), others));
     const analysis::Comparison& comparison = comparisons.back();
     analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + runs[i].name, comparison);
+    warn_of_energy(context, comparison.model);
     context.log->debug("{}", analysis::summary_sentence(comparison));
     if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));
     if (comparison.ratio) context.log->debug("{}", analysis::frequency_ratio(comparison));
   }
+  warn_of_energy(context, comparisons.back().reference);
   if (!is_pair)
     io::write_file_atomically(context.directory.comparison_json(),
                               {analysis::overview_json(comparisons).dump(2), "\n"});
