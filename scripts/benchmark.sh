@@ -2,8 +2,8 @@
 # Measures run time against error and writes the page of benchmarks: scripts/benchmark.sh [option …] [PART …]
 #
 # Installs what is missing (Debian 12; as root or with sudo), builds the benchmarks in build/release, measures, and
-# writes data, pictures and docs/benchmarks/index.html, and the tables of docs/benchmarks.md, docs/kernels.md,
-# docs/parallel.md, docs/polynomial.md and README.md. About 25 minutes on 2 cores beside installing and building. Parts (default: all but long-run):
+# writes data, pictures and docs/benchmarks/index.html, and the tables of README.md and of pages of docs/. About 25 minutes
+# on 2 cores in addition to installing and building. Parts (default: all but long-run):
 #   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
 #   ladder      the release by polynomial bodies and finite elements, whole processes
@@ -171,10 +171,6 @@ if [[ -z $page_only ]]; then
     [[ -n $not_measured ]] || "$root/benchmarks/machine.py" "$data" "$part" "$((SECONDS - start))" "$load" "$program" "${quick[@]}"
     say "$part took $((SECONDS - start)) s"
   done
-fi
-# Both programs on the same machine, one after the other.
-if [[ " ${parts[*]} " == *" release "* && " ${parts[*]} " == *" peers "* && -z $page_only && ${#quick[@]} -eq 0 ]]; then
-  "$root/benchmarks/release_history.py" "$data"
 fi
 "$root/tools/benchmark_page.py" "${page_options[@]}"
 say "The page is $output/index.html"

@@ -9,8 +9,6 @@ from collections import defaultdict
 import package  # noqa: F401
 from pseudorigid.errors import WrongInput
 
-HISTORY_LEVELS = (1e-4, 1e-5)  # errors of the release whose run times are kept for each commit
-
 
 def read_rows(folder, name):
     """[row by column names], numbers as texts; [] where the part was not measured."""

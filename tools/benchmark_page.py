@@ -2,8 +2,7 @@
 """Pictures, page and tables of the benchmarks, from the data that scripts/benchmark.sh has measured.
 
     tools/benchmark_page.py                  docs/benchmarks/data → docs/images, docs/benchmarks/index.html, and the
-                                             tables of docs/benchmarks.md, docs/kernels.md,
-                                             docs/parallel.md, docs/polynomial.md and README.md
+                                             tables of README.md and of pages of docs/ (PAGES)
     tools/benchmark_page.py --output DIR     DIR/data → DIR
     tools/benchmark_page.py --check          whether the tables are those of the data (no picture is made)
 
@@ -35,7 +34,6 @@ TABLES = {
     "release": tables.release,
     "release_runs": tables.release_runs,
     "peers": tables.peers,
-    "release_history": tables.release_history,
     "gravitating_release": tables.gravitating_release,
     "gravity_cost": tables.gravity_cost,
     "lamb": tables.lamb,
@@ -62,7 +60,9 @@ TEXTS = {
     "machine_limits": sections.limits_of_the_machine,
     "long_run_drift": sections.drift_of_the_long_run,
     "summary_picture": sections.summary_picture,
+    "dates": sections.dates,
 }
+PAGES = ("README.md", "docs/benchmarks.md", "docs/comparisons.md", "docs/kernels.md", "docs/parallel.md")
 MARKERS = re.compile(r"(<!-- begin: (\w+) -->\n).*?(<!-- end: \2 -->)", re.DOTALL)
 
 
@@ -169,7 +169,7 @@ def main():
     arguments = parser.parse_args()
     target = arguments.output or ROOT / "docs/benchmarks"
     data = target / "data"
-    pages = [] if arguments.output else [ROOT / name for name in ("docs/benchmarks.md", "docs/kernels.md", "docs/parallel.md", "docs/polynomial.md", "README.md")]
+    pages = [] if arguments.output else [ROOT / name for name in PAGES]
     if arguments.check:
         stale = [str(page) for page in pages if spliced(page.read_text(), data, page) != page.read_text()]
         if stale:

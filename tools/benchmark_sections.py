@@ -1,7 +1,7 @@
 """The sections of the page of benchmarks: what is computed, how the error is measured, how good the reference is; and
 the sentences with numbers that other pages have too (None without data)."""
 
-from benchmark_data import errors_of, front, read_notes, read_rows, release_uncertainty, space_rate
+from benchmark_data import errors_of, front, read_notes, read_rows, read_runs, release_uncertainty, space_rate
 
 
 def reference_of_release(data):
@@ -30,10 +30,10 @@ def rates_in_space(data):
                     for of in ("", "hand_")}
     if min(len(by_velocity), len(from_stretch)) < 3:
         return None
-    return (f"The error in space falls as N⁻ᵖ, N = k·1.6^r after r refinements: p = {space_rate(by_velocity):.1f} for "
-            f"this release by a velocity (symmetric-4, {len(by_velocity)} discretisations), {space_rate(from_stretch):.1f} "
-            f"for one from a stretch (Q, {len(from_stretch)} discretisations of the part `auto`), by least squares in "
-            "logarithms.")
+    return ("The error in space falls as N⁻ᵖ with N = k·1.6^r for degree k and r refinements. "
+            f"Least squares in logarithms give p = {space_rate(by_velocity):.1f} for this release by a velocity "
+            f"(symmetric-4, {len(by_velocity)} discretisations), and p = {space_rate(from_stretch):.1f} for one from a "
+            f"stretch (Q, {len(from_stretch)} discretisations of the part `auto`).")
 
 
 def limits_of_the_machine(data):
@@ -45,6 +45,16 @@ def drift_of_the_long_run(data):
     rows = read_rows(data, "long_run_summary.csv")
     ratios = [abs(float(r["energy_drift"]) / float(r["drift_error"])) for r in rows]
     return f"The largest drift is {max(ratios):.1f} times its standard error." if ratios else None
+
+
+def dates(data):
+    """Which parts were measured when and of which commit, and on what."""
+    runs, groups = read_runs(data), {}
+    for part, run in sorted(runs.items()):
+        groups.setdefault((run["date"][:10], run["commit"][:9]), []).append(part)
+    machines = {(run["processor"], run["cores"], run["vector instructions"], run["compiler"]) for run in runs.values()}
+    lines = [f"- machine: {', '.join(machine)}" for machine in sorted(machines)]
+    return "\n".join([*lines, *(f"- {date}, commit {commit}: {', '.join(parts)}" for (date, commit), parts in sorted(groups.items()))]) or None
 
 
 def summary_picture(data):
@@ -103,8 +113,6 @@ def errors_of_the_ball(data):
           "tolerances 5e-3, 1e-3 and 1e-4. Time: processor time from the start of the process to its end, median; the search "
           "for the step is contained. Table: with 1e-4. N = 1 is the pseudo-rigid body."],
          lambda f, d, i: f.draw_ladder(d, i), ["ladder"]),
-        ("Elastic ball: the release over commits", "release",
-         ["The cheapest runs with errors of at most 1e-4 and 1e-5."], None, ["release_history"]),
         ("Elastic ball: release under its own gravity", "gravity",
          ["The same with γ = ρgr/μ = 5, g = (4/3)πGρr; the reference likewise. Second table: a step of symmetric-4, and in it "
           "one evaluation of gravity, from the positions to the forces; then the sums over pairs alone, counted as 45 "

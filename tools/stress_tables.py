@@ -91,7 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", type=pathlib.Path)
     results = parser.parse_args().results
-    page = ["# Tables of the stress suite", "", "Written by `scripts/stress.sh`; [stress.md](../stress.md) says what is tested.", ""]
+    page = ["# Tables of the stress suite", "", "Written by `scripts/stress.sh`; [testing.md](../testing.md) says what is tested.", ""]
     for part, title in TITLES.items():
         path = results / f"{part}.json"
         if not path.is_file():

@@ -1,4 +1,4 @@
-"""The map of stability (docs/stress.md) from its CSV file. Needs Debian's python3-matplotlib.
+"""The map of stability (docs/testing.md) from its CSV file. Needs Debian's python3-matplotlib.
 
     python3 -m pseudorigid map docs/data/stability_map.csv docs/images/stability_map.svg
 """

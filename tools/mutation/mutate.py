@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Mutation testing: changes one sign, factor, term, condition or statement of the program at a time, and looks whether a
-test notices. docs/mutation.md says what was found.
+test notices. docs/testing.md says what was found.
 
     tools/mutation/mutate.py make        a copy of the sources with the mutants of every layer in it, chosen by --seed
     tools/mutation/mutate.py build       compiles its tests; mutants that no compiler takes are dropped

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Which rows of docs/data/statements.md notice a defect of the program: mutants of the headers behind the statements, each against
-the tests of the rows, until every row has been red three times or no mutant is left. docs/mutation.md says what was found.
+the tests of the rows, until every row has been red three times or no mutant is left. docs/testing.md says what was found.
 
     tools/mutation/statements.py make | build | run | report        as those of mutate.py
 """
