@@ -33,7 +33,7 @@ struct ModelSummary {
   bool turns = false;            ///< Q changes
   bool deforms = false;          ///< C changes
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
-  double energy_bound = 0;                      ///< what the run was asked to keep of it
+  double energy_bound = 0;                      ///< largest change of the energy that is not warned of
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more
 };
 
