@@ -29,6 +29,7 @@ TABLES = {
     "sl3": lambda data: tables.methods(data, "sl3"),
     "rigid_body": lambda data: tables.methods(data, "rigid_body"),
     "double_pendulum": lambda data: tables.methods(data, "double_pendulum"),
+    "methods_together": tables.methods_together,
     "single_calls": lambda data: tables.calls(data, "single_calls.csv"),
     "self_gravity": lambda data: tables.calls(data, "self_gravity.csv"),
     "release": tables.release,

@@ -37,6 +37,22 @@ def methods(data, problem):
     return header, rows
 
 
+PROBLEMS = {"sl3": "pseudo-rigid ball", "rigid_body": "rigid body", "double_pendulum": "double pendulum"}
+
+
+def methods_together(data, level="1e-10"):
+    """The times in ms of every method for one error, a column for each problem."""
+    times = {}
+    for problem in PROBLEMS:
+        header, rows = methods(data, problem) or (["method", level], [])
+        for row in rows:
+            times.setdefault(row[0].removesuffix(" (constrained)"), {})[problem] = row[header.index(level)]
+    if not times:
+        return None
+    return (["method", *PROBLEMS.values()], [[method, *(found.get(problem, "") for problem in PROBLEMS)]
+                                             for method, found in times.items() if set(found.values()) != {NONE}])
+
+
 def calls(data, name):
     """Medians of Google Benchmark."""
     rows = [row for row in read_rows(data, name) if row["name"].endswith("_median")]
@@ -348,8 +364,7 @@ def library_version(data, part, library):
 def summary(data):
     """A line for each problem that has its data."""
     lines = []
-    for problem, title in (("sl3", "pseudo-rigid ball, 50 pulsations"), ("rigid_body", "free rigid body"),
-                           ("double_pendulum", "double pendulum")):
+    for problem, title in PROBLEMS.items():
         if not (measured := methods(data, problem)):
             continue
         header, rows = measured

@@ -22,10 +22,10 @@
 
 namespace pseudorigid::analysis {
 
-/// The measured rates are between the bounds or above them (docs/benchmarks.md, "The ball: nonlinear release").
+/// The measured rates are between the bounds or above them (docs/benchmarks.md, "Error in space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
 /// The rate for polynomial bodies of degree N. Releases of incompressible balls have rates above 2; the error of a
-/// compressible one whose pressure front meets at the centre falls with 1.3 (docs/output.md, "Errors").
+/// compressible one whose pressure front meets at the centre falls with 1.3.
 inline constexpr double least_polynomial_rate = 1.5;
 
 /// e of the run of resolution N, at the distance d from one of resolution N_other.

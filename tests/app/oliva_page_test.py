@@ -1,10 +1,10 @@
-"""docs/oliva.md against the program and the other pages: what it tells to run can be run, what to look at exists, the tests
+"""docs/data/chapter5.md against the program and the other pages: what it tells to run can be run, what to look at exists, the tests
 it names are in docs/data/statements.md, and no numbered statement of the chapter is missing."""
 import re
 
 from program_test import ProgramTest, SOURCE, main
 
-PAGE = (SOURCE / "docs/oliva.md").read_text()
+PAGE = (SOURCE / "docs/data/chapter5.md").read_text()
 # Propositions, exercises, examples and remarks of each section, which the book counts together.
 N_STATEMENTS = {1: 2, 2: 2, 3: 1, 4: 1, 5: 2, 6: 20, 7: 12, 8: 9}
 BOOK, SAYS, RUN, LOOK, TEST, CORRECTION = range(6)
