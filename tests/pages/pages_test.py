@@ -164,6 +164,13 @@ def named_paths(page):
     return re.findall(r"`([\w./-]+/[\w-]+\.\w+)`", page)
 
 
+class Index(unittest.TestCase):
+    def test_every_page_is_in_it(self):
+        listed = set(re.findall(r"\]\(([\w/]+\.md)\)", (SOURCE / "docs/README.md").read_text()))
+        pages = {path.relative_to(SOURCE / "docs").as_posix() for path in (SOURCE / "docs").rglob("*.md")} - {"README.md"}
+        self.assertEqual(pages - listed, set())
+
+
 class Architecture(unittest.TestCase):
     def test_places_exist(self):
         self.assertEqual(named_paths("`a/b.h`, `Time/Step`, `c.h`, `d/e-f.cmake`"), ["a/b.h", "d/e-f.cmake"])
