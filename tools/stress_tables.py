@@ -34,7 +34,7 @@ def of_kinds(results):
         rows.append((name, kind["runs"], ends.get("done", 0), ends.get("refused", 0), ends.get("stopped", 0),
                      ends.get("interrupted after the time limit", 0), kind["faults"]))
     rows.append(("**together**", *(sum(row[i] for row in rows) for i in range(1, 7))))
-    return table(("what", "runs", "exit 0", "exit 2", "exit 3", "too long, interrupted", "faults"), rows)
+    return table(("case", "runs", "exit 0", "exit 2", "exit 3", "too long, interrupted", "faults"), rows)
 
 
 def of_reasons(results):

@@ -42,7 +42,7 @@ TEST(Mutants, OfParameterFilesBesideDealII) {
   const std::vector<std::string> seeds = texts_of(PARAMS, ".prm");
   const PrmOracle oracle = oracle_of_all_entries();
   std::mt19937_64 random(14);
-  Tally tally{"parameter files beside deal.II"};
+  Tally tally{"parameter files compared with deal.II"};
   for (int i = 0; i < n_mutants(); ++i) {
     const std::string text = damaged_text(seeds[i % seeds.size()], prm_words, seeds, random);
     if (is_read_differently(text)) continue;
