@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-PACKAGES = ("libgsl-dev", "libboost-dev", "libsundials-dev", "libdeal.ii-dev", "libpetsc-real-dev",
+PACKAGES = ("libgsl-dev", "libboost-dev", "libsundials-dev", "python3-scipy", "libdeal.ii-dev", "libpetsc-real-dev",
             "libopenblas0-serial", "libopenblas0-pthread", "python3-dolfinx-real")
 
 

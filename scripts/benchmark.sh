@@ -15,7 +15,7 @@
 #   steps       what a step costs, with the number of unknowns, the degree and two ranks; iterations of Gram solves
 #   scaling     messages and reductions of a step on 1, 2 and 4 ranks, for a model of runs on many cores
 #   skipping    what the scenes of params/ skip, and what it would have cost
-#   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed
+#   peers       the nonlinear release by FEniCSx, where python3-dolfinx-real is installed, and small systems by SciPy
 #   long-run    a million periods of the reduced model: 15 minutes more
 # Options:
 #   --quick         all parts in about 3 minutes, for a look; results in build/benchmarks-quick
@@ -138,6 +138,12 @@ measure_skipping() { into skipping.csv "$root/benchmarks/skipping.py" "$program"
 # What is not of this project may be missing or fail: then its earlier results stay, with their date.
 measure_peers() {
   not_measured=1
+  if [[ -n $(missing_packages python3-scipy) ]]; then
+    say "SciPy is left out: apt-get install --no-install-recommends python3-scipy"
+  else
+    into scipy_small_systems.csv /usr/bin/python3 "$root/benchmarks/peers/scipy_small_systems.py" "${quick[@]}" ||
+      say "SciPy failed; its earlier results stay"
+  fi
   if [[ -n $(missing_packages python3-dolfinx-real) ]]; then
     say "FEniCSx is left out: apt-get install --no-install-recommends python3-dolfinx-real"
   elif into fenicsx_release.csv /usr/bin/python3 "$root/benchmarks/peers/fenicsx_release.py" "${quick[@]}"; then

@@ -36,9 +36,9 @@ def read_runs(folder):
 
 
 def work_precision(folder):
-    """problem -> method -> [(seconds, error)]"""
+    """problem -> method -> [(seconds, error)]; SciPy's runs belong to the part `peers`."""
     problems = defaultdict(lambda: defaultdict(list))
-    for row in read_rows(folder, "work_precision.csv"):
+    for row in read_rows(folder, "work_precision.csv") + read_rows(folder, "scipy_small_systems.csv"):
         problems[row["problem"]][row["method"]].append((float(row["seconds"]), float(row["error"])))
     return problems
 

@@ -20,6 +20,10 @@ STYLES = {
     "symmetric-8": ("#0072B2", "o", "-"),
     "symmetric-12": ("#56B4E9", "s", "-"),
     "explicit-8": ("#009E73", "D", "-"),
+    "gauss-16": ("#A50F15", "o", "-"),
+    "gauss-16 iterated to 1e-8": ("#CB181D", "<", "-"),
+    "gauss-16 iterated to 1e-10": ("#EF3B2C", "s", "-"),
+    "gauss-16 iterated to 1e-12": ("#FB6A4A", "D", "-"),
     "rattle-8": ("#000000", "^", "-"),
     "rattle-6": ("#555555", "v", "-"),
     "rattle-4": ("#777777", "<", "-"),
@@ -32,11 +36,13 @@ STYLES = {
     "CVODE Adams": ("#8B4513", "^", ":"),
     "CVODE BDF": ("#8B4513", "<", ":"),
     "ARKODE order 8": ("#999933", "v", ":"),
+    "SciPy DOP853": ("#333333", "P", ":"),
 }
 PROBLEMS = {
     "sl3": "neo-Hookean pseudo-rigid ball on SL(3)",
     "rigid_body": "free rigid body",
     "double_pendulum": "double pendulum",
+    "gravitating": "fluid ellipsoid with gravity",
 }
 DEGREES = {2: ("#000000", "o"), 3: ("#E69F00", "s"), 4: ("#56B4E9", "D"), 5: ("#009E73", "^"), 6: ("#0072B2", "v"),
            7: ("#D55E00", "<"), 8: ("#CC79A7", ">")}
@@ -296,7 +302,8 @@ def draw_skipping(data, images):
 
 
 LONG_RUN = {"rattle-8": ("#000000", "^", "-"), "symmetric-8": ("#0072B2", "o", "--"),
-            "symmetric-12": ("#56B4E9", "s", ":"), "energy-momentum": ("#D55E00", "P", "-.")}
+            "symmetric-12": ("#56B4E9", "s", ":"), "energy-momentum": ("#D55E00", "P", "-."),
+            "gauss-16": ("#009E73", "D", "-")}
 N_INTERVALS = 20
 
 
@@ -309,21 +316,21 @@ def largest_of_intervals(times, values):
 
 def draw_long_run(data, images):
     rows = read_rows(data, "long_run.csv")
-    if not rows:
+    if not rows or "problem" not in rows[0]:  # of an earlier form
         return None
     quantities = [("energy_error", "energy"), ("J_error", "angular\nmomentum"), ("Z_error", "circulation"),
-                  ("det_error", "det Q")]
+                  ("constraint_error", "det Q")]
     plt.rcParams.update({"font.size": 11})
     figure, all_axes = plt.subplots(len(quantities), 1, sharex=True, figsize=(7.5, 9), layout="constrained")
     for axes, (column, label) in zip(all_axes, quantities):
         for method, (colour, marker, line) in LONG_RUN.items():
-            own = [r for r in rows if r["method"] == method and float(r["time"]) > 0]
+            own = [r for r in rows if r["problem"] == "sl3" and r["method"] == method]
             times = [float(r["time"]) / 2e6 for r in own]
             errors = [max(abs(float(r[column])), 1e-17) for r in own]
             axes.semilogy(times, errors, ".", markersize=1.6, color=colour, alpha=0.4, rasterized=True)
             axes.semilogy(*largest_of_intervals(times, errors), color=colour, marker=marker, markersize=4.5,
                           linestyle=line, linewidth=1.1, label=method)
-        kind = "(absolute; 0 at 1e-17)" if column == "det_error" else "(relative)"
+        kind = "(absolute; 0 at 1e-17)" if column == "constraint_error" else "(relative)"
         axes.set_ylabel(f"|error| of\n{label}\n{kind}")
         axes.grid(color="#dddddd", linewidth=0.6)
     all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, fontsize=10)

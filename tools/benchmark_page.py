@@ -30,6 +30,8 @@ TABLES = {
     "rigid_body": lambda data: tables.methods(data, "rigid_body"),
     "double_pendulum": lambda data: tables.methods(data, "double_pendulum"),
     "methods_together": tables.methods_together,
+    "gravitating": lambda data: tables.methods(data, "gravitating"),
+    "small_systems": tables.small_systems,
     "single_calls": lambda data: tables.calls(data, "single_calls.csv"),
     "self_gravity": lambda data: tables.calls(data, "self_gravity.csv"),
     "release": tables.release,

@@ -90,6 +90,16 @@ def small_systems():
         ("Double pendulum", "methods",
          ["Masses, lengths and g are 1, at rest at θ = 0.6, φ = 0.8, until t = 100."],
          lambda f, d, i: f.draw_methods(d, i, "double_pendulum"), ["double_pendulum"]),
+        ("Fluid ellipsoid", "methods",
+         ["Dirichlet's fluid ellipsoid under its own gravity, from Q = diag(1.2, 1, 1/1.2) with a full Q⁻¹Q̇, time in "
+          "1/√(πGρ), until t = 100."],
+         lambda f, d, i: f.draw_methods(d, i, "gravitating"), ["gravitating"]),
+        ("Small systems: the fastest", "methods",
+         ["For an error the fastest of the own methods and of the libraries, double pendulum in either form. SciPy has "
+          "right-hand sides in Python (part peers). Libraries with a Nyström method for forces that depend on the "
+          "velocity are not in Debian 12, nor are heyoka and DifferentialEquations.jl. odeint's methods of Nyström's "
+          "kind are for q̈ = f(q)."],
+         None, ["small_systems"]),
         ("Single calls", "methods", ["Medians of Google Benchmark. latency: each call waits for the one before."],
          None, ["single_calls", "self_gravity"]),
     ]

@@ -9,7 +9,9 @@ from benchmark_data import (
     cheapest, discretization, errors_of, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-12)
-LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE")
+LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE", "SciPy")
+PROBLEMS = {"sl3": "pseudo-rigid ball", "rigid_body": "rigid body", "double_pendulum": "double pendulum",
+            "gravitating": "fluid ellipsoid"}
 NONE = "–"
 AUTO_SCENES = {"release": "release from a stretch", "velocity": "release by a velocity, a = 0.3",
                "compressible": "compressible, in a tidal field"}
@@ -37,9 +39,6 @@ def methods(data, problem):
     return header, rows
 
 
-PROBLEMS = {"sl3": "pseudo-rigid ball", "rigid_body": "rigid body", "double_pendulum": "double pendulum"}
-
-
 def methods_together(data, level="1e-10"):
     """The times in ms of every method for one error, a column for each problem."""
     times = {}
@@ -49,8 +48,28 @@ def methods_together(data, level="1e-10"):
             times.setdefault(row[0].removesuffix(" (constrained)"), {})[problem] = row[header.index(level)]
     if not times:
         return None
-    return (["method", *PROBLEMS.values()], [[method, *(found.get(problem, "") for problem in PROBLEMS)]
-                                             for method, found in times.items() if set(found.values()) != {NONE}])
+    measured = [problem for problem in PROBLEMS if any(problem in found for found in times.values())]
+    return (["method", *(PROBLEMS[problem] for problem in measured)],
+            [[method, *(found.get(problem, "") for problem in measured)]
+             for method, found in times.items() if set(found.values()) != {NONE}])
+
+
+def small_systems(data):
+    """For each problem and error the fastest of our methods and of the libraries."""
+    def fastest(points, level, of_libraries):
+        times = [(t, method) for method, p in points.items()
+                 if method.startswith(LIBRARIES) == of_libraries and (t := time_for(p, level))]
+        return min(times, default=None)
+
+    rows = []
+    for problem, points in work_precision(data).items():
+        for level in LEVELS:
+            own, library = fastest(points, level, False), fastest(points, level, True)
+            rows.append([PROBLEMS[problem], f"{level:.0e}",
+                         *(f"{1e3 * best[0]:.3f} ({best[1]})" if best else NONE for best in (own, library)),
+                         f"{own[0] / library[0]:.2f}" if own and library else NONE])
+    header = ["problem", "error", "ms, pseudorigid", "ms, fastest library", "pseudorigid / library"]
+    return (header, rows) if rows else None
 
 
 def calls(data, name):
@@ -299,11 +318,18 @@ def with_error(value, error):
 
 def long_run(data):
     rows = read_rows(data, "long_run_summary.csv")
-    header = ["method, step", "energy", "its drift", "J", "Z", "det Q − 1", "s"]
-    return (header, [[f"{r['method']}, 1/{r['steps_per_unit']}", f"{float(r['energy_error']):.1e}",
-                      with_error(float(r["energy_drift"]), float(r["drift_error"])),
-                      *(f"{float(r[name]):.1e}" for name in ("J_error", "Z_error", "det_error")),
-                      number(float(r["seconds"]))] for r in rows]) if rows else None
+    header = ["method, step", "energy", "its drift", "its exponent", "J", "Z", "constraint", "coordinates",
+              "their exponent", "s"]
+
+    def line(r):
+        chaotic = float(r["error"]) > 0.1
+        return [f"{r['method']}, 1/{r['steps_per_unit']}{' (rigid body)' if r['problem'] == 'rigid_body' else ''}",
+                f"{float(r['energy_error']):.1e}", with_error(float(r["energy_drift"]), float(r["drift_error"])),
+                r["energy_growth"], *(f"{float(r[name]):.1e}" if float(r[name]) else NONE
+                                      for name in ("J_error", "Z_error", "constraint_error")),
+                *([NONE, NONE] if chaotic else [f"{float(r['error']):.1e}", r["error_growth"]]),
+                number(float(r["seconds"]))]
+    return (header, [line(r) for r in rows]) if rows and "problem" in rows[0] else None  # not of an earlier form
 
 
 def machine(data):
@@ -352,7 +378,7 @@ def digits_of_error(error):
 
 
 PACKAGES = {"GSL": "libgsl-dev", "odeint": "libboost-dev", "CVODE": "libsundials-dev", "ARKODE": "libsundials-dev",
-            "FEniCSx": "python3-dolfinx-real"}
+            "SciPy": "python3-scipy", "FEniCSx": "python3-dolfinx-real"}
 
 
 def library_version(data, part, library):
