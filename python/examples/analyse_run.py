@@ -12,7 +12,7 @@ import sys
 import matplotlib.pyplot as plt
 import numpy as np
 
-from pseudorigid import Run
+from pseudorigid import Run, printed_error
 
 run = Run(sys.argv[1] if len(sys.argv) > 1 and "ipykernel" not in sys.modules else "output/quickstart")
 print(run.models, run.entry("Body/Radius"), run.entry("Time/End"))
@@ -36,7 +36,7 @@ print(f"C differs most at t = {reduced.index[apart.argmax()]:.4g}, by {apart.max
 print(run.comparison["summary"])
 frequency = run.comparison["frequency"]
 if frequency["ratio_uncertainty"]:  # none if an error is not known, or if the balls follow a load
-    print(f"ratio of the frequencies {frequency['ratio']:.4f} +- {frequency['ratio_uncertainty']:.1g}")
+    print(f"ratio of the frequencies {frequency['ratio']:.4f} +- {printed_error(frequency['ratio_uncertainty'])}")
 
 # %% A phase portrait of both models: C33, the squared stretch along z, and its rate.
 figure, ax = plt.subplots(figsize=(5, 4), layout="constrained")

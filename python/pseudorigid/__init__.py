@@ -19,12 +19,14 @@ from pseudorigid.errors import Defect, Error, Stopped, WrongInput
 if TYPE_CHECKING:
     from pseudorigid.frames import Frame, Picture
     from pseudorigid.program import check, find_program, parameters, run
-    from pseudorigid.results import Run
+    from pseudorigid.results import Run, printed_error
 
 __version__ = "0.2.0"
-__all__ = ["Defect", "Error", "Frame", "Picture", "Run", "Stopped", "WrongInput", "check", "find_program", "parameters", "run"]
+__all__ = ["Defect", "Error", "Frame", "Picture", "Run", "Stopped", "WrongInput", "check", "find_program", "parameters", "printed_error",
+           "run"]
 
-_MODULES = {"frames": ("Frame", "Picture"), "program": ("check", "find_program", "parameters", "run"), "results": ("Run",)}
+_MODULES = {"frames": ("Frame", "Picture"), "program": ("check", "find_program", "parameters", "run"),
+            "results": ("Run", "printed_error")}
 
 
 def __getattr__(name: str) -> Any:

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import math
 import os
 import pathlib
 from typing import TYPE_CHECKING, Any
@@ -20,6 +21,15 @@ INDICES = {"sweep": ["run"], "connections": ["curve"], "trajectories": ["run", "
 OF_ALL_TABLES = {"time": "time", "frequency": "1/time"}  # units that the manifest need not say
 # What the columns of a sweep add to the name of a column.
 OF_A_RUN = ("_end", "_min", "_max", "_drift")
+
+
+def printed_error(error: float) -> str:
+    """An error to one digit, rounded up as the program does it, so that the printed number is a bound as well."""
+    if not error > 0:
+        return "0"
+    place = 10 ** math.floor(math.log10(error))
+    round_off = 1e-9
+    return f"{math.ceil(error / place * (1 - round_off)) * place:.1g}"
 
 
 def existing(directory: str | os.PathLike[str], name: str, remedy: str) -> pathlib.Path:

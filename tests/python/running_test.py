@@ -45,6 +45,11 @@ class Running(ProgramTest):
                             ([np.array([1, 2]), np.array([3, 4])], "1, 2; 3, 4")):
             self.assertEqual(entry_text(value), text)
 
+    def test_errors_are_rounded_up_as_the_program_does_it(self):
+        """The values of tests/analysis/comparison_report_test.cpp."""
+        for error, text in ((0, "0"), (0.0804, "0.09"), (0.08, "0.08"), (9.3e-7, "1e-06"), (31, "4e+01"), (0.0031, "0.004")):
+            self.assertEqual(pseudorigid.printed_error(error), text)
+
     def test_a_file_and_entries_alone(self):
         Q = np.diag([0.8, 1, 1.25])
         alone = pseudorigid.run(FREE, {"Initial state/Deformation": Q}, output=self.scratch / "alone", launcher=["nice", "-n", "1"])
