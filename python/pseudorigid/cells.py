@@ -1,7 +1,7 @@
 """The same picture of a body with linear cells and with Lagrange cells (Output/Cells), side by side, as VTK draws them.
 
-Above is the body, below a part of its outline; white lines are edges of cells, colours the von Mises stress. Lagrange cells
-are drawn with Nonlinear Subdivision Level 4. Needs Debian's python3-vtk9 and an X server:
+Above is the body, below a part of its outline, enlarged; white lines are edges of cells, and a bar at the bottom has the
+colours of the von Mises stress. Lagrange cells are drawn with Nonlinear Subdivision Level 4. Needs Debian's python3-vtk9 and an X server:
 
     apt-get install python3-vtk9 xvfb xauth libgl1-mesa-dri
     xvfb-run -a python3 -m pseudorigid cells LINEAR.vtu LAGRANGE.vtu --output cells.png
@@ -15,14 +15,16 @@ from typing import Any
 from pseudorigid.errors import WrongInput
 from pseudorigid.frames import read_grid
 from pseudorigid.render import FIELD, body, lines, polylines
-from pseudorigid.window import VIEW_FROM, check_screen, colours, look, new_window, normalized, renderer, text, write_png
+from pseudorigid.window import (VIEW_FROM, check_screen, colour_bar, colours, look, new_window, normalized, renderer, text,
+                                write_png)
 from vtkmodules.vtkCommonCore import reference
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
-SIZE = (1100, 960)
+SIZE = (1100, 1060)
 SUBDIVISION = 4  # of curved cells: 2^4 straight pieces along an edge
-LARGEST = 0.5  # stress at the end of the colours, in the scene's unit
-UPPER = 0.55  # part of the height with the upper views
+LARGEST = 0.6  # stress at the end of the colours, in the scene's unit
+# Parts of the height: the bar of colours, the lower views, the upper views.
+BAR, LOWER, UPPER = 0.1, 0.4, 0.5
 CLOSE = 0.22  # height of the lower views, in that of the upper ones
 
 
@@ -75,13 +77,13 @@ def show(window: Any, grid: Any, title: str, column: int) -> None:
     extent = max(abs(x) for x in grid.GetBounds())
     right = normalized((-VIEW_FROM[1], VIEW_FROM[0], 0))
     outline = extent * (0.66 * right + (0, 0, 0.6))
-    for row, (half_height, focus) in enumerate(((1.15 * extent, (0, 0, 0)), (CLOSE * extent, outline))):
-        view = renderer(window, 0.5 * column, 0.45 * (1 - row), 0.5 * (column + 1), 0.45 + UPPER * (1 - row))
+    for bottom, height, half_height, focus, name in ((BAR + LOWER, UPPER, 1.15 * extent, (0, 0, 0), title),
+                                                     (BAR, LOWER, CLOSE * extent, outline, "enlarged")):
+        view = renderer(window, 0.5 * column, bottom, 0.5 * (column + 1), bottom + height)
         view.AddActor(body(surface(grid), colours(LARGEST), ambient=0.75, smooth=False))
         view.AddActor(lines(polylines(edges(grid)), (1, 1, 1), 1.5, offset=(-2, -40)))
         look(view, half_height, 10 * extent, focus)
-        if row == 0:
-            view.AddActor2D(text(title, 20, 0.5, 1 - 30 / (UPPER * SIZE[1])))
+        view.AddActor2D(text(name, 20, 0.5 if name == title else 0.85, 1 - 30 / (height * SIZE[1])))
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -95,5 +97,8 @@ def main(arguments: argparse.Namespace) -> None:
     window = new_window(*SIZE)
     for column, (path, title) in enumerate(((arguments.linear, "Cells = linear"), (arguments.lagrange, "Cells = lagrange"))):
         show(window, grid_of(path), title, column)
+    strip = renderer(window, 0, 0, 1, BAR)
+    strip.AddActor2D(colour_bar(colours(LARGEST)))
+    strip.AddActor2D(text("von Mises stress (the scene's unit of pressure)", 20, 0.5, 0.08))
     write_png(window, arguments.output)
     print(arguments.output)
