@@ -6,9 +6,10 @@
 ///   v_{n+1} = v + h Σ_j b_j a_j,    q_{n+1} = q + h v + h² Σ_j b_j (1 − c_j) a_j
 ///
 /// The method is symmetric. It is symplectic if the mass is constant and there is no constraint. Momenta that are
-/// bilinear in q and v, as J and Z of a body, are kept to round-off. Forces may depend on velocity and time and may
-/// dissipate. A system with constraints is integrated with its explicit multiplier (explicit_multiplier.h), which keeps
-/// g = 0 to the error of the step. Every few steps, and before a state is observed, the state is projected,
+/// bilinear in q and v, as J and Z of a body, are kept to round-off if the stages are iterated to it. Forces may depend
+/// on velocity and time and may dissipate. A system with constraints is integrated with its explicit multiplier
+/// (explicit_multiplier.h), which keeps g = 0 to the error of the step. Every few steps, and before a state is
+/// observed, the state is projected,
 ///
 ///   q ← q + M⁻¹Gᵀδ,   v ← v − M⁻¹D²(δ·g)(v),   then  v ← v + M⁻¹Gᵀμ,
 ///
@@ -20,9 +21,11 @@
 /// the polynomial does not resolve the motion. These coefficients do not depend on the direction of time, so the halved
 /// steps do not either.
 ///
-/// Coefficients and sums of q and v have more than double precision. If the stages are iterated to round-off, the
-/// errors of a step are random and below the round-off of the state, and momenta and energy do not drift. If they are
-/// iterated to a tolerance, momenta and energy are kept to that tolerance.
+/// Coefficients and sums of q and v have more than double precision. If the stages are iterated to round-off and the
+/// step resolves the motion, the errors of a step are random and below the round-off of the state. Then momenta and
+/// energy do not drift. If the step does not resolve the motion, the energy has the error of the step. If the stages
+/// are iterated to a tolerance, momenta have its error, and the energy has this error and that of the step. The
+/// tolerance of the iteration alone does not bound it.
 
 #include <algorithm>
 #include <cmath>
