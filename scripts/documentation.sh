@@ -4,7 +4,8 @@
 # Installs what is missing (Debian 12; as root or with sudo), builds the program and writes into docs/ and README.md;
 # `git diff` then shows what has changed. Parts (default: pages, pictures and benchmarks; "all": every one):
 #   pages       docs/parameters.md, docs/data/equilibria.md, what commands print in README.md and in pages of docs/
-#   pictures    docs/images: quickstart, phase portrait, report, equilibria, gallery
+#   pictures    docs/images: quickstart, phase portrait, cells, report, equilibria, gallery; not paraview.png, because
+#               ParaView takes the place of python3-vtk9 (docs/python.md)
 #   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
 #   stress      scripts/stress.sh --fresh, half an hour
@@ -43,12 +44,17 @@ make_pictures() {
   local images=docs/images runs=output/documentation
   "$program" run params/quickstart.prm --output "$runs/quickstart"
   MPLBACKEND=Agg /usr/bin/python3 python/examples/analyse_run.py "$runs/quickstart"
-  mv "$runs/quickstart/phase_portrait.png" "$images"
+  mv "$runs/quickstart/phase_portrait.svg" "$images"
   /usr/bin/python3 -m pseudorigid plot "$runs/quickstart" --quantity Q33 --output "$images/quickstart_curves.svg"
   "$program" run params/quickstart.prm --output "$runs/fine" --set "Continuum/Refinements=1" --set "Time/End=7" \
     --set "Output/Samples=140" --set "Output/Frames=29"
   xvfb-run -a /usr/bin/python3 -m pseudorigid render "$runs/fine" --output "$images/quickstart.png"
   xvfb-run -a /usr/bin/python3 -m pseudorigid animate "$runs/fine" --output "$images/both_balls.gif"
+  for cells in linear lagrange; do
+    "$program" run params/quickstart.prm --output "$runs/$cells" --set "Time/End=7" --set "Output/Samples=140" \
+      --set "Output/Frames=29" --set "Output/Cells=$cells"
+  done
+  xvfb-run -a /usr/bin/python3 -m pseudorigid cells "$runs"/{linear,lagrange}/graphics/continuum-000028.vtu --output "$images/cells.png"
   "$program" run params/quickstart.prm --output "$runs/report" --set "Output/Report=true"
   tools/page_picture.py "$runs/report/report.html" --output "$images/report.png"
   /usr/bin/python3 -m pseudorigid equilibria --program "$program" --output "$images/equilibria.svg"

@@ -148,7 +148,7 @@ def draw_ladder(data, images):
         return None
     figure, axes = make()
     for model, colour, marker, label, letter in (
-            ("polynomial", "#D55E00", "o", "polynomial bodies of degree N", "N"),
+            ("polynomial", "#009E73", "o", "polynomial bodies of degree N", "N"),
             ("continuum", "#0072B2", "s", "finite elements of degree k", "k")):
         rungs = defaultdict(list)
         for row in rows:

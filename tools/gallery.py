@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Makes every picture of docs/gallery.md again: runs the scenes with the program and draws their results.
+"""Makes every picture of docs/gallery.md again: runs the scenes with the program and draws their results,
+curves as SVG and bodies as PNG with all their colours.
 
 Needs Debian's python3-matplotlib and python3-vtk9, which draws through an X server; without a screen:
 
@@ -13,8 +14,6 @@ import functools
 import pathlib
 import sys
 
-import PIL.Image
-
 import gallery_bodies
 import gallery_curves
 import gallery_systems
@@ -22,9 +21,9 @@ import package  # noqa: F401
 from pseudorigid.errors import WrongInput, exit_code_of
 from pseudorigid.program import run as run_scene
 
-WIDTH, N_COLOURS = 800, 256
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-PICTURES = {**gallery_bodies.PICTURES, **gallery_curves.PICTURES, **gallery_systems.PICTURES}  # name -> drawing(run, its path)
+CURVES = {**gallery_curves.PICTURES, **gallery_systems.PICTURES}  # name -> drawing(run, its path)
+PICTURES = {**gallery_bodies.PICTURES, **CURVES}
 
 
 class Runs:
@@ -41,20 +40,6 @@ class Runs:
         return run_scene(ROOT / "params" / f"{scene}.prm", options, output=directory, program=self.program).directory
 
 
-def make_small(path):
-    """At most WIDTH pixels wide, with a palette: a third of the size of the file."""
-    image = PIL.Image.open(path).convert("RGB")
-    if image.width > WIDTH:
-        image = image.resize((WIDTH, image.height * WIDTH // image.width), PIL.Image.Resampling.LANCZOS)
-    palette = image.quantize(N_COLOURS, PIL.Image.Quantize.MAXCOVERAGE)
-    small = image.quantize(palette=palette, dither=PIL.Image.Dither.FLOYDSTEINBERG)
-    colours, (_, paper) = small.getpalette(), max(small.getcolors())
-    # What is most of a picture is white but for the choice of a palette.
-    colours[3 * paper:3 * paper + 3] = [255, 255, 255]
-    small.putpalette(colours)
-    small.save(path, optimize=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", type=pathlib.Path)
@@ -67,9 +52,8 @@ def main():
     arguments.output.mkdir(parents=True, exist_ok=True)
     run = Runs(arguments.program, arguments.runs)
     for name in arguments.only:
-        path = arguments.output / f"{name}.png"
+        path = arguments.output / f"{name}.{'svg' if name in CURVES else 'png'}"
         PICTURES[name](run, path)
-        make_small(path)
         print(f"{path}: {path.stat().st_size // 1000} kB")
         sys.stdout.flush()
 

@@ -59,7 +59,7 @@ def rough_ball(run, path):
         view = renderer(window, k / 3, render.STRIP, (k + 1) / 3, 1)
         view.AddActor(render.body(render.quadrilaterals(surface.points, surface.faces, surface.fields["von_mises"]), table, AMBIENT))
         sides = surface.points[surface.faces[:, [0, 1, 2, 3, 0]]]
-        view.AddActor(render.lines(render.polylines(sides), (1, 1, 1), 1, 0.35))
+        view.AddActor(render.lines(render.polylines(sides), (1, 1, 1), 1, 0.35, offset=(-2, -40)))
         view.AddActor2D(text(f"t = {time:g} r/c", 26, 0.5, 0.9, bold=True))
         render.aim(view, 1.25)
     add_colour_bar(window, render.STRIP, table, "von Mises stress (μ)")

@@ -71,7 +71,7 @@ def amplitude(run, path):
 @picture
 def dirichlet(run, path):
     drawn, (motion, error) = figure(1, 2, height=3.6)
-    for stretch, (colour, line) in zip((1.1, 1.3, 1.5), ((GREEN, ":"), (ORANGE, "--"), (BLUE, "-"))):
+    for stretch, (colour, line) in zip((1.1, 1.3, 1.5), ((BLACK, ":"), (SKY, "--"), (BLUE, "-"))):
         narrow = stretch**-0.5
         directory = run("dirichlet", f"Initial state/Deformation={narrow}, 0, 0; 0, {narrow}, 0; 0, 0, {stretch}",
                         "Continuum/Error estimate=none")
@@ -295,6 +295,6 @@ def sweep_of_releases(run, path):
         ax.plot(t["l"][chosen], t["a3_min"][chosen], color=colour, linestyle=line, label=f"b = {b:g}")
     l = np.linspace(1.02, 2, 15)
     ax.plot(l, (np.sqrt(l**2 + 8 / l) - l) / 2, ".", color=BLACK, label="b = 0, exact")
-    label_axes(ax, "stretch ℓ at which the ball is let go", "least thickness reached (r)")
+    label_axes(ax, "stretch ℓ at which the ball is released", "least thickness reached (r)")
     ax.legend(frameon=False)
     save(drawn, path)

@@ -7,12 +7,11 @@ import matplotlib.pyplot as plt  # noqa: E402
 import numpy as np  # noqa: E402
 
 import package  # noqa: E402, F401
-from pseudorigid.figures import BLACK, BLUE, GREEN, GREY, ORANGE, SKY  # noqa: E402, F401
+from pseudorigid.figures import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, STYLES, save  # noqa: E402, F401
 from pseudorigid.results import read_csv  # noqa: E402
 
-# Curves differ in their strokes as well as in their colours.
-REDUCED = {"color": ORANGE, "linestyle": "--", "label": "pseudo-rigid ball"}
-CONTINUUM = {"color": BLUE, "linestyle": "-", "label": "elastic ball"}
+REDUCED = {**STYLES["reduced"], "label": "pseudo-rigid ball"}
+CONTINUUM = {**STYLES["continuum"], "label": "elastic ball"}
 TIME = "time (r/c)"
 
 
@@ -31,11 +30,6 @@ def figure(n_rows=1, n_columns=1, height=3.2, **options):
         ax.grid(color="#dddddd", linewidth=0.6)
         ax.spines[["top", "right"]].set_visible(False)
     return drawn, list(axes.flat)
-
-
-def save(drawn, path):
-    drawn.savefig(path, dpi=100)
-    plt.close(drawn)
 
 
 def legend_above(ax, n_columns):

@@ -184,7 +184,8 @@ def jacobi_geodesics(run, path):
     titles = {"jacobi_torus": "particle on a torus", "jacobi_pendulum": "double pendulum"}
     labels = {"jacobi_torus": ("w", "u"), "jacobi_pendulum": ("angle of the upper rod", "angle of the lower rod")}
     for ax, (scene, U) in zip(axes, potentials.items()):
-        ax.contourf(first, second, U, 12, cmap="Greys", alpha=0.45)
+        ax.contourf(first, second, U, 12, cmap="Greys", vmin=U.min(), vmax=U.min() + 2 * np.ptp(U), zorder=-1)
+        ax.set_rasterization_zorder(0)  # as curves its bands would be most of the file
         t = table(run(scene), "jacobi_geodesic")
         shown = slice(0, 201)
         q = [np.remainder(t[name][shown] + np.pi, 2 * np.pi) - np.pi for name in ("q1", "q2")]

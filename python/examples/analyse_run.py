@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from pseudorigid import Run, printed_error
+from pseudorigid.figures import STYLES
 
 run = Run(sys.argv[1] if len(sys.argv) > 1 and "ipykernel" not in sys.modules else "output/quickstart")
 print(run.models, run.entry("Body/Radius"), run.entry("Time/End"))
@@ -40,13 +41,13 @@ if frequency["ratio_uncertainty"]:  # none if an error is not known, or if the b
 
 # %% A phase portrait of both models: C33, the squared stretch along z, and its rate.
 figure, ax = plt.subplots(figsize=(5, 4), layout="constrained")
-for model, colour in {"continuum": "#0072B2", "reduced": "#D55E00"}.items():
+for model in reversed(run.models):
     C33 = C[model][:, 2, 2]
-    ax.plot(C33, np.gradient(C33, run.columns(model)["time"]), color=colour, label=run.title(model))
+    ax.plot(C33, np.gradient(C33, run.columns(model)["time"]), **STYLES[model], label=run.title(model))
 ax.set_xlabel("C$_{33}$ (squared stretch along z)")
 ax.set_ylabel("dC$_{33}$/dt (c/r)")
 ax.legend(frameon=False)
-figure.savefig(run.directory / "phase_portrait.png", dpi=120)
+figure.savefig(run.directory / "phase_portrait.svg")
 
 # %% Pictures: fields at the points of the elastic ball in the last frame, and its largest stress.
 if run.has_frames("continuum"):

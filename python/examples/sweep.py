@@ -4,13 +4,14 @@
 #
 # It needs pandas and matplotlib. The scene is written here, entry by entry; docs/parameters.md lists the entries.
 
-# %% The ball is stretched by l along z and let go, for eight values of l.
+# %% The ball is stretched by l along z and released, for eight values of l.
 import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import pseudorigid
+from pseudorigid.figures import STYLES
 
 output = sys.argv[1] if len(sys.argv) > 1 and "ipykernel" not in sys.modules else "output/amplitudes"
 run = pseudorigid.run({
@@ -35,7 +36,7 @@ print(f"c = {c:.4f}")
 
 # %% The picture.
 figure, ax = plt.subplots(figsize=(5, 3.5), layout="constrained")
-ax.plot(sweep["l"], sweep["frequency"], "o-", color="#D55E00")
+ax.plot(sweep["l"], sweep["frequency"], "o-", color=STYLES["reduced"]["color"])
 ax.axhline(np.sqrt(10), color="#777777", linestyle=":")
 ax.set_xlabel("stretch l along z at the release")
 ax.set_ylabel("frequency of C (c/r)")

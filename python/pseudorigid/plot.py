@@ -16,13 +16,12 @@ import re
 from typing import Any
 
 from pseudorigid.errors import WrongInput, needs
-from pseudorigid.figures import BLUE, GREEN, ORANGE, YELLOW, plt, save
+from pseudorigid.figures import BLUE, GREEN, YELLOW, plt, save, styles
 from pseudorigid.results import Run
 
 with needs("python3-numpy"):
     import numpy as np
 
-STYLES = [{"color": BLUE, "linestyle": "-"}, {"color": ORANGE, "linestyle": "--"}, {"color": GREEN, "linestyle": "-."}]
 FONT_SIZE = 13
 AXES = [BLUE, YELLOW, GREEN]
 
@@ -53,7 +52,7 @@ def draw_difference(run: Run, quantity: str, n: int, axes: Any) -> None:
     axes[1].set_ylabel("difference")
     table = run.columns(reference)
     if "nonaffine_kinetic_fraction" in table:
-        axes[2].plot(table["time"][:n], table["nonaffine_kinetic_fraction"][:n], color=STYLES[0]["color"], linewidth=1.8)
+        axes[2].plot(table["time"][:n], table["nonaffine_kinetic_fraction"][:n], color=styles([reference])[reference]["color"], linewidth=1.8)
         axes[2].set_ylim(0, 1.05)
         axes[2].set_ylabel("non-affine /\nall kinetic\nenergy")
 
@@ -89,7 +88,7 @@ def drawn(run: Run, quantity: str, n: int) -> Any:
     models = list(reversed(run.models))
     heights = [3, 1.6, 1.6]
     figure, axes = plt.subplots(3, 1, sharex=True, figsize=(7, 1.1 * sum(heights)), height_ratios=heights, layout="constrained")
-    for model, style in zip(models, STYLES):
+    for model, style in styles(models).items():
         axes[0].plot(run.columns(model)["time"][:n], component(run, model, quantity)[:n], linewidth=2, label=run.title(model), **style)
     axes[0].set_ylabel(f"{quantity[0]}$_{{{quantity[1:]}}}$ (ratio of lengths{', squared' * (quantity[0] == 'C')})")
     axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=len(models), frameon=False)

@@ -8,6 +8,7 @@ import PIL.Image
 
 from program_test import ProgramTest, WRONG_INPUT, main
 from pseudorigid import Run, WrongInput, animate, render, window
+from pseudorigid.figures import STYLES
 from pseudorigid.plot import component, curves
 
 SCENE = {"Models": "reduced, polynomial", "Polynomial/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 1, "Output/Samples": 10,
@@ -46,6 +47,13 @@ class Drawing(ProgramTest):
         self.assertEqual(self.bytes("one.svg"), self.bytes("two.svg"))
         self.run_done("plot", run.directory)
         self.assertTrue((run.directory / "comparison.svg").is_file())
+
+    def test_every_model_of_a_ladder_has_a_curve_and_a_colour(self):
+        run = self.make_run(**{"Polynomial/Degree": "1, 2, 3"})
+        colours = [line.get_color() for line in curves(run, "Q11").axes[0].lines]
+        self.assertEqual(len(colours), 4)
+        self.assertEqual(len(set(colours)), 3)  # that of degree 1 is the colour of the pseudo-rigid model
+        self.assertEqual((colours[0], colours[-1]), (STYLES["polynomial"]["color"], STYLES["reduced"]["color"]))
 
     def test_curves_of_one_model(self):
         figure = curves(self.make_run(Models="reduced"))

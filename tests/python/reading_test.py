@@ -49,7 +49,7 @@ class Reading(ProgramTest):
         run = Run(self.scratch / "output/scene")
         self.assertIn(run.comparison["summary"], printed)
         self.assertIn(f"{len(run.frames('continuum')[-1].read().points)} points", printed)
-        self.assertTrue((run.directory / "phase_portrait.png").is_file())
+        self.assertTrue((run.directory / "phase_portrait.svg").is_file())
 
     def test_three_models(self):
         self.scene({**SCENE, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 2, "Output/Graphics": "none"})
