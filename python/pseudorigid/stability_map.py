@@ -80,9 +80,9 @@ def write(data: pathlib.Path, picture: pathlib.Path) -> None:
         axes.set_xlabel("amplitude a of the release, in c/r")
     for axes in grid[:, 0]:
         axes.set_ylabel("step / stability limit at rest")
-    handles = [plt.Rectangle((0, 0), 1, 1, facecolor=colour, hatch=hatch, edgecolor="white",
-                     label=f"{label} ({sum(run['outcome'] == name for run in runs)} runs)")
-               for name, (colour, hatch, label) in OUTCOMES.items()]
+    counts = {name: sum(run["outcome"] == name for run in runs) for name in OUTCOMES}
+    handles = [plt.Rectangle((0, 0), 1, 1, facecolor=colour, hatch=hatch, edgecolor="white", label=f"{label} ({counts[name]} runs)")
+               for name, (colour, hatch, label) in OUTCOMES.items() if counts[name]]
     handles.append(plt.Line2D([], [], marker="o", markersize=5, color="black", markeredgecolor="white", linestyle="",
                               label="the continuum's surface reached Biot's limit"))
     handles.append(plt.Line2D([], [], color="black", linewidth=1.6,
