@@ -225,7 +225,7 @@ def energy_drift(run):
     energy is to stay."""
     drifts = {}
     for path in run.files(".csv"):
-        if path.stem in ("comparison", "moving_frame", "manifolds"):
+        if path.stem in ("comparison", "moving_frame", "manifolds", "equilibria"):
             continue
         table = run.table(path.stem)
         if "energy" not in table.header or "kinetic" not in table.header or len(table) < 2:
