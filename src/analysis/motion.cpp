@@ -113,7 +113,8 @@ double energy_reference(std::initializer_list<const io::Table*> models, double u
   double of_motion = 0, others = 0;
   for (const io::Table* table : models) {
     of_motion = std::max(of_motion, largest(each(std::plus{}, table->column("kinetic"), table->column("elastic"))));
-    for (const char* name : {"gravitational", "external", "dissipated"})
+    if (table->has_column("dissipated")) of_motion = std::max(of_motion, largest(table->column("dissipated")));
+    for (const char* name : {"gravitational", "external"})
       if (table->has_column(name)) others = std::max(others, largest(table->column(name)));
   }
   if (of_motion >= std::max(least_energy_part * others, least_kinetic_part * unit)) return of_motion;

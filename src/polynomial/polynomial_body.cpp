@@ -129,6 +129,20 @@ double PolynomialBody::add_dissipation(const Vector& v, const double* F, double*
   return dense().add_viscous_stress(n, space_->weights().data(), constant_.viscosity, F, A, B, T);
 }
 
+void PolynomialBody::add_damping(const Vector& q, const Vector& v, Vector& f) const {
+  const int n_unknowns = space_->n_unknowns();
+  if (constant_.viscosity != 0) {
+    ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
+    space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
+    std::fill_n(static_cast<double*>(T), space_->gradients().size(3), 0.0);
+    add_dissipation(v, F, T);
+    Vector taken = Vector::Zero(f.size());
+    space_->gradients().add_transposed(space_->blocks(), 3, T, taken.data());
+    f -= taken;
+  }
+  f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
+}
+
 PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3));

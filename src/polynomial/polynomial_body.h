@@ -71,6 +71,8 @@ class PolynomialBody {
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
+  /// f ← f + the viscous force and the drag, linear in v (mechanics/core/linear_damping.h).
+  void add_damping(const Vector& q, const Vector& v, Vector& f) const;
   /// f ← f + the rate of the conservative forces along u, of loads that do not depend on time.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
@@ -83,6 +85,7 @@ class PolynomialBody {
 
   /// x = c + A X; velocities likewise.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
+  void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 

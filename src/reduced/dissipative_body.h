@@ -58,6 +58,18 @@ class DissipativeBody {
     const Eigen::Vector3d last = f.col(3);
     a << A, last;
   }
+  void apply_mass(const Vector& v, Vector& f) const {
+    Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+    body_.apply_mass(matrix(v), F);
+    const Eigen::Vector3d last = v.col(3);
+    f << F, last;
+  }
+  /// f ← f − ∂R/∂Q̇, linear in Q̇ (mechanics/core/linear_damping.h).
+  void add_damping(const Vector& q, const Vector& v, Vector& f) const {
+    Eigen::Matrix3d F = matrix(f);
+    dissipation_.add_force(body_.reference(), matrix(q), matrix(v), F);
+    f.leftCols<3>() = F;
+  }
   mechanics::Status constraint(const Vector& q, Multiplier& g) const { return body_.constraint(matrix(q), g); }
   void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const {
     body_.constraint_rate(matrix(q), matrix(v), r);
@@ -85,6 +97,7 @@ class DissipativeBody {
   mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
+  void add_taken(double energy, Vector& v) const { v(0, 3) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 3); }
   /// V_t − W
   double driven_energy(const mechanics::VectorState<Vector>& state) const {

@@ -153,6 +153,12 @@ TEST(DissipativeBody, MomentaOfAGravitatingBody) {
     EXPECT_LT((observed(viscous_body, s).angular_momentum - before.angular_momentum).norm(), 1e-13);
   EXPECT_GT((observed(viscous_body, r.last()).circulation - before.circulation).norm(), 0.1);
 
+  const Damped<LoadedSl3> stiff(elastic_sl3({weak_gravity}), {.viscosity = 1e4});
+  const auto creeping = run<mechanics::Rattle>(stiff, stiff.state_of(start), 10, 10, 5);
+  ASSERT_TRUE(creeping.finished()) << creeping.result.reason;
+  for (const auto& s : creeping.states)
+    EXPECT_LT((observed(stiff, s).angular_momentum - before.angular_momentum).norm(), 1e-13);
+
   for (const auto& s : integrate_samples(ExplicitMultiplier(dragged_body), dragged_body.state_of(start), 5, 20)) {
     const auto o = observed(dragged_body, s);
     EXPECT_LT((o.angular_momentum - std::exp(-c * s.t) * before.angular_momentum).norm(), 1e-11);
@@ -217,6 +223,58 @@ TEST(DissipativeBody, SmallOscillationsDecayAtTheKnownRates) {
       const double exact = std::exp(-delta * t) * (std::cos(omega_d * t) + delta / omega_d * std::sin(omega_d * t));
       EXPECT_NEAR(response[k], exact, 1e-7) << "t = " << t << "; of the order ε²";
     }
+  }
+}
+
+/// The error of Q at the end of RATTLE, from n and 2n steps.
+template <class Body>
+std::vector<ErrorPoint> differences_of_steps(const Damped<Body>& system, double end) {
+  const auto start = system.state_of(benchmark_state<Body>());
+  std::vector<Matrix3d> Q;
+  std::vector<ErrorPoint> points;
+  for (const long n : {20, 40, 80, 160, 320}) {
+    const auto r = run<mechanics::Rattle>(system, start, end, 1, n);
+    EXPECT_TRUE(r.finished()) << r.result.reason;
+    if (!r.finished()) return {};
+    Q.push_back(system.motion(r.last()).q);
+    if (Q.size() > 1) points.push_back({end / static_cast<double>(n), (Q[Q.size() - 2] - Q.back()).norm()});
+  }
+  return points;
+}
+
+/// η = 10 … 10⁵ are steps of 10 … 10⁵ times the limit 1/γ of a force that is met by iteration, γ = 10η. The order stays
+/// 2, and no step fails.
+TYPED_TEST(EnergyBalance, ViscosityDoesNotLimitTheStep) {
+  for (const double viscosity : {10.0, 163.0, 1e5}) {
+    const auto system = body_with<TypeParam>({.viscosity = viscosity});
+    EXPECT_NEAR(fit_order(differences_of_steps(system, 2)).order, 2, 0.25) << viscosity;
+  }
+}
+
+/// An independent solution of a stiff motion: the explicit method with steps below 1/γ.
+TYPED_TEST(EnergyBalance, StiffMotionIsThatOfExplicit8) {
+  const auto system = body_with<TypeParam>({.viscosity = 10});
+  const auto start = system.state_of(benchmark_state<TypeParam>());
+  const auto exact = integrate(ExplicitMultiplier(system), start, 2, 1e-11);
+  const auto r = run<mechanics::Rattle>(system, start, 2, 1, 400);
+  ASSERT_TRUE(r.finished()) << r.result.reason;
+  EXPECT_LT((system.motion(r.last()).q - system.motion(exact).q).norm(), 2e-5);
+  EXPECT_LT((system.motion(r.last()).v - system.motion(exact).v).norm(), 2e-4);
+}
+
+/// An overdamped ball creeps back: ℓ − 1 falls at the rate δ − √(δ² − ω²), δ = 5η, ω² = 10, from the first step on, and
+/// without oscillation of Q or Q̇. Steps are 0.3 periods of the pulsation and 500 times 1/γ.
+TEST(DissipativeBody, OverdampedBallCreeps) {
+  constexpr double viscosity = 163, delta = 5 * viscosity, epsilon = 1e-5;
+  const double rate = delta - std::sqrt(delta * delta - 10);
+  const Damped<Sl3> system(neo_hookean_sl3(), {.viscosity = viscosity});
+  const auto r = run<mechanics::Rattle>(system, system.state_of(stretched(1 + epsilon)), 60, 100, 2);
+  ASSERT_TRUE(r.finished()) << r.result.reason;
+  for (std::size_t k = 1; k < r.states.size(); ++k) {
+    const auto s = system.motion(r.states[k]);
+    const double expected = std::exp(-rate * s.t);
+    EXPECT_NEAR((s.q(2, 2) - 1) / epsilon, expected, 2e-4) << "t = " << s.t << "; of the order of ε and h²";
+    EXPECT_NEAR(s.v(2, 2) / epsilon / -rate, expected, 1e-2) << "t = " << s.t;
   }
 }
 

@@ -140,6 +140,7 @@ class ModelStepping {
       double limit = 0;
       if (Status status = rattle_limit(state, reserve, limit); !status) return status;
       request.rattle_limit = std::min(limit, request.end);
+      if (Status status = judge_stiffness(state, request); !status) return status;
     } else {
       request.rattle_limit = HUGE_VAL;  // accuracy and the iteration of the stages bound the step
     }
@@ -174,11 +175,26 @@ class ModelStepping {
     auto workspace = model_.system().make_workspace();
     const auto frequency = mechanics::largest_frequency(model_.system(), state, workspace, n_lanczos, accuracy);
     if (!frequency.status) return frequency.status;
-    const auto damping =
-        mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos, accuracy);
-    if (!damping.status) return damping.status;
-    limit = std::min(mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety),
-                     mechanics::damped_step_limit(damping.gamma, safety));
+    limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state), safety);
+    if constexpr (!mechanics::LinearlyDamped<System>) {
+      const auto damping =
+          mechanics::largest_damping(model_.system(), state, workspace, frequency.omega, n_lanczos, accuracy);
+      if (!damping.status) return damping.status;
+      limit = std::min(limit, mechanics::damped_step_limit(damping.gamma, safety));
+    }
+    return {};
+  }
+
+  /// An explicit method makes some γh steps, γ the largest rate of damping, where RATTLE makes one of length h.
+  Status judge_stiffness(const State& state, mechanics::StepRequest& request) const {
+    if constexpr (mechanics::LinearlyDamped<System>) {
+      constexpr double most_steps = mechanics::has_costly_force<System> ? 30 : 100;
+      auto workspace = model_.system().make_workspace();
+      const double h = request.rattle_limit, omega = mechanics::Rattle::stability_limit / h;
+      const auto damping = mechanics::largest_damping(model_.system(), state, workspace, omega, n_lanczos, 0.1);
+      if (!damping.status) return damping.status;
+      request.stiff = damping.gamma * h > most_steps;
+    }
     return {};
   }
 

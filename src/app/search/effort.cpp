@@ -58,49 +58,42 @@ double step_of_mesh(const scene::Discretization& d) {
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of a step found from a tolerance to the stability limit at rest.
 constexpr double usual_part_of_limit = 0.6;
-/// The same ratio to the limit that viscosity sets.
-constexpr double chosen_part_of_damped_step = 0.31;
 /// Pilot runs, and the companion run that estimates the discretisation error, take this much of the run beside it.
 constexpr double pilots = 0.5, companion = 0.35;
-
-double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps) {
-  const double n_unknowns = effort_of(scene, *scene::fixed_discretization(scene), 0).n_unknowns;
-  const double a_step = n_unknowns * (needs.constraint ? seconds_of_unknown : seconds_of_compressible_unknown);
-  return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
-}
 
 /// η in internal units.
 double viscosity(const scene::Scene& scene) { return loads::constant_forcing(internal_loads(scene)).viscosity; }
 
-/// Viscosity damps the strains of the ball at rest at the rate 10η. The step is chosen with some reserve
-/// (mechanics/steps/step_size.h). Measured for η = 1 … 100, RATTLE's iteration converges at 0.06/η and not at 0.08/η.
-constexpr double reduced_chosen_step = 0.04, reduced_largest_step = 0.07;  // times 1/η
+/// γh on the builtin mesh, γ the largest rate of damping at rest.
+double damping_of_step(const scene::Scene& scene, const scene::Discretization& d, double step) {
+  return 2.2 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
+}
+
+/// Forces and products with the viscosity that a step of RATTLE takes, γh = damping_of_step (mechanics/core/
+/// linear_damping.h).
+double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 6 * std::sqrt(1 + gamma_h / 2) : 1; }
+
+double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {
+  const double n_unknowns = effort_of(scene, *scene::fixed_discretization(scene), 0).n_unknowns;
+  const double a_step = n_unknowns * (needs.constraint ? seconds_of_unknown : seconds_of_compressible_unknown) *
+                        work_of_viscous_step(damping_of_step(scene, *scene::fixed_discretization(scene), step));
+  return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
+}
 
 /// Of the pseudo-rigid body: evaluations of the force by a method of order 8, measured as 73 per unit of time at a
-/// tolerance of 1e-6, of steps that viscosity bounds, and of those that are given.
+/// tolerance of 1e-6, or of steps that are given.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;
   constexpr double seconds_of_force = 1e-7;
-  const double end = scene.time.end / units_of(scene).time, eta = viscosity(scene);
+  const double end = scene.time.end / units_of(scene).time;
   double n = 73 * std::pow(scene.time.tolerance / 1e-6, -1.0 / 8) * end;
   if (scene.time.step) n = std::max(n, scene.time.end / *scene.time.step);
-  n = std::max(n, end * eta / reduced_chosen_step);
   needs.needed.push_back(fmt::format("effort of the {} model: roughly {:.1g} evaluations of the force, {:.1g} s",
                                      (*model)->name, n, n * seconds_of_force));
-  const double limit = reduced_largest_step / eta * units_of(scene).time;
-  if (scene.time.method == mechanics::Rattle::name && scene.time.step.value_or(0) > limit)
-    needs.warnings.push_back(
-        fmt::format("Time/Step: with this viscosity RATTLE's iteration converges up to steps of about {:.3g}; the {} "
-                    "model will stop at once with a step of {:.3g}",
-                    limit, (*model)->name, *scene.time.step));
 }
 
 }  // namespace
-
-double damped_step(const scene::Scene& scene, const scene::Discretization& d) {
-  return 0.32 * std::pow(step_of_mesh(d), 2) / viscosity(scene) * units_of(scene).time;
-}
 
 std::string in_bytes(double bytes) {
   if (bytes < 1e6) return fmt::format("{:.0f} kB", std::ceil(bytes / 1e3));
@@ -148,32 +141,26 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   needs.needed.push_back("effort of the continuum: " + in_words(effort_of(scene, *fixed, 0)));
   if (scene.analysis != scene::Analysis::motion) return needs;
   const auto method = mechanics::find_method(scene.time.method);
-  const double elastic = stable_step(scene, *fixed), damped = damped_step(scene, *fixed);
-  const double limit = std::min(elastic, damped);
+  const double limit = stable_step(scene, *fixed);
   const auto name = mechanics::method_name(method.value_or(mechanics::id_of<mechanics::Rattle>));
-  needs.needed.back() += damped < elastic
-                             ? fmt::format("; with this viscosity, {} takes steps up to about {:.3g}", name, damped)
-                             : fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, elastic);
+  needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);
   if (!method || !scene.time.step) {
-    const double usual = std::min(usual_part_of_limit * elastic, chosen_part_of_damped_step * damped);
-    const double n_steps = std::ceil(scene.time.end / usual);
+    const double usual = usual_part_of_limit * limit, n_steps = std::ceil(scene.time.end / usual);
     needs.needed.back() += fmt::format("; roughly {:.1g} steps and {:.1g} s on one core", n_steps,
-                                       seconds_of_continuum(scene, needs, n_steps));
+                                       seconds_of_continuum(scene, needs, n_steps, usual));
     return needs;
   }
   const mechanics::SampleTimes times{scene.time.end, scene.output.samples};
   const double n_steps = static_cast<double>(times.steps_per_interval(*scene.time.step));
   const double step = times.interval() / n_steps;
   needs.needed.back() += fmt::format(" and takes {} steps of {:.3g}", count(n_steps * scene.output.samples), step);
-  needs.needed.back() +=
-      fmt::format(", roughly {:.1g} s on one core", seconds_of_continuum(scene, needs, n_steps * scene.output.samples));
+  needs.needed.back() += fmt::format(", roughly {:.1g} s on one core",
+                                     seconds_of_continuum(scene, needs, n_steps * scene.output.samples, step));
   if (step > limit)
     needs.warnings.push_back(
         fmt::format("Time/Step: steps of {:.3g} are above the stability limit of the continuum, about {:.3g} for small "
-                    "motions at rest; expect a stop after a few steps, {}",
-                    step, limit,
-                    damped < elastic ? "since the iteration on the viscous force does not converge"
-                                     : "with an element turned inside out"));
+                    "motions at rest; expect a stop after a few steps, with an element turned inside out",
+                    step, limit));
   return needs;
 }
 

@@ -40,9 +40,6 @@ std::string in_bytes(double bytes);
 /// program chooses are counted as RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// The largest with which viscosity is integrated, of RATTLE; infinite without.
-double damped_step(const scene::Scene& scene, const scene::Discretization& discretization);
-
 /// scene::needs, with lines about the effort of the continuum and a warning of a step that is not stable.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 

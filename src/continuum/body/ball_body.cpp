@@ -70,6 +70,13 @@ void BallBody::apply_inverse_mass(const Vector& f, Vector& a) const {
   scale_by(space_.inverse_mass(), a);
 }
 
+void BallBody::apply_mass(const Vector& v, Vector& f) const {
+  f = v;
+  const Vector& inverse = space_.inverse_mass();
+  for (unsigned int i = 0; i < f.locally_owned_size(); ++i)
+    f.local_element(i) = inverse.local_element(i) > 0 ? v.local_element(i) / inverse.local_element(i) : 0;
+}
+
 Vector BallBody::affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {
   const Vector& X = space_.reference_positions();
   Vector x = make_vector();
@@ -97,6 +104,10 @@ Eigen::Vector3d BallBody::mean(const Vector& x) const {
 }
 
 double BallBody::mass() const { return space_.mesh().sector().n_images() * space_.mass().l1_norm() / 3; }
+
+void BallBody::add_taken(double energy, Vector& v) const {
+  if (const auto entry = space_.account()) v.local_element(*entry) += space_.mesh().sector().n_images() * energy;
+}
 
 double BallBody::dissipated(const Vector& v) const { return account_entry(v, 0); }
 double BallBody::given(const Vector& v) const { return account_entry(v, 1); }

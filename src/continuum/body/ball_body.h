@@ -46,6 +46,9 @@ class BallBody {
   BallBody& operator=(const BallBody&) = delete;
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
+  void apply_mass(const Vector& v, Vector& f) const;
+  /// f ← f + the viscous force and the drag, linear in v (mechanics/core/linear_damping.h).
+  void add_damping(const Vector& x, const Vector& v, Vector& f) const { loads_.add_dissipation(x, v, f); }
   bool time_dependent() const { return loads_.time_dependent(); }
   bool velocity_dependent() const { return loads_.dissipative(); }
   bool dissipative() const { return loads_.dissipative(); }
@@ -58,6 +61,8 @@ class BallBody {
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field; components across a symmetry plane cancel.
   Eigen::Vector3d mean(const Vector& x) const;
+  /// `energy` over the sector.
+  void add_taken(double energy, Vector& v) const;
   /// The energy that dissipation has taken, and that loads which depend on time have given, from the velocity.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;

@@ -32,6 +32,8 @@ class LoadForces {
 
   /// f ← f + loads, with the powers of the whole ball at BallSpace::account.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
+  /// f ← f + the forces of viscosity and drag; returns the power that they take, over the cells and nodes of this rank.
+  double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
   /// V of the whole ball, from Σ m xxᵀ, Σ m x and ∫F dX over it and its volume.
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
@@ -43,7 +45,6 @@ class LoadForces {
  private:
   void add_body_forces(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   void add_pressure(double pressure, const Vector& x, Vector& f) const;
-  double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
 
   loads::Loads loads_;
   loads::Forcing constant_;  ///< of those that do not depend on time

@@ -17,7 +17,11 @@
 ///
 /// A force that depends on the velocity is taken at v_n in the first half step and at v_{n+1} in the second, which is
 /// then implicit:  v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n],  solved together with the projection.
-/// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2).
+/// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2). The equation is solved
+/// by iteration on the force. If this is slow and the force is −C(q)v with a symmetric C, it is solved as a linear
+/// system (linear_damping.h), and damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2
+/// for every c. The first half step of such a run is implicit as well, so that an overdamped body starts on its slow
+/// motion.
 ///
 /// The small increments of q and v are summed with compensation (vector_space.h), and if the system can do it
 /// (resolves_rounding), the constraint is met by q + q_rounding.
@@ -32,6 +36,7 @@
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/constraint_newton.h"
+#include "mechanics/core/linear_damping.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
@@ -142,6 +147,7 @@ struct RattleWorkspace {
         acceleration(system.make_vector()),
         q_start(system.make_vector()),
         settling(system),
+        damping(system, velocity_dependent(system)),
         q_rounding(make_rounding(system)),
         v_rounding(make_rounding(system)),
         constraint(system),
@@ -152,6 +158,7 @@ struct RattleWorkspace {
   typename S::Workspace system;
   typename S::Vector acceleration, q_start;  // M⁻¹f at the state (symmetric_multistep.h adds a reaction); q_n
   VelocityIteration<S> settling;
+  [[no_unique_address]] DampingTemporaries<S> damping;
   typename S::Vector q_rounding, v_rounding;  // remainders of the compensated sums of q and v
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
@@ -161,6 +168,9 @@ struct RattleWorkspace {
   double pending_weight = 0;     // half steps since the last projection, whose reaction is still to come
   double acceleration_time = 0;  // at which a force that depends on time was evaluated
   bool acceleration_known = false;
+  // Of linearly damped systems:
+  bool begun = false;  ///< a step has been made
+  bool stiff = false;  ///< iteration on the damping is slow, and the velocity is solved for
   Counters counters;
 
   /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
@@ -169,6 +179,10 @@ struct RattleWorkspace {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
     history.visit_memory(visit);
     visit(pending_weight);
+    if constexpr (LinearlyDamped<S>) {
+      visit(begun);
+      visit(stiff);
+    }
     if constexpr (VectorSpace<typename S::Vector>::compensated) {
       visit(q_rounding);
       visit(v_rounding);
@@ -200,15 +214,18 @@ struct Rattle {
   /// One substep without the final velocity projection (which forces that depend on the velocity need, and get).
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
-    if (Status status = ensure_acceleration(system, state, w); !status) return status;
-    if (velocity_dependent(system)) w.settling.half = state.v;
-    add(h / 2, w.acceleration, state.v, w.v_rounding);
+    if (Status status = kick(system, h, state, w); !status) return status;
     if (Status status = move_on_constraint(system, h, state, w); !status) return status;
     state.t += h;
     w.acceleration_known = false;
     w.pending_weight = h / 2;
     ++w.counters.n_substeps;
-    if (velocity_dependent(system)) return settle_velocity(system, h, state, w);
+    if (velocity_dependent(system)) {
+      scale(-1.0, w.settling.half);
+      axpy(2.0, state.v, w.settling.half);
+      std::swap(w.settling.half, state.v);
+      return settle_velocity(system, h, state, w);
+    }
     if (Status status = ensure_acceleration(system, state, w); !status) return status;
     add(h / 2, w.acceleration, state.v, w.v_rounding);
     return {};
@@ -247,15 +264,94 @@ struct Rattle {
   }
 
  private:
-  /// v_{n+1} from v_{n+1/2} by iteration on the force, each time with the projection, until v no longer changes; begun
-  /// with v_n + 2 (v_{n+1/2} − v_n).
+  /// The first half step; w.settling.half is v_n after it.
+  template <ConstrainedSystem S>
+  static Status kick(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    if (velocity_dependent(system)) w.settling.half = state.v;
+    if constexpr (LinearlyDamped<S>)
+      if (velocity_dependent(system) && !std::exchange(w.begun, true)) {
+        const typename S::Vector start = state.v, rounding = w.v_rounding;
+        if (Status status = settle_velocity(system, h, state, w); !status) return status;
+        w.settling.half = start;
+        if (w.stiff) {
+          system.add_taken(taken_beyond_power(system, h / 2, state, start, w.damping), state.v);
+          return {};
+        }
+        state.v = start;
+        w.v_rounding = rounding;
+      }
+    if (Status status = ensure_acceleration(system, state, w); !status) return status;
+    add(h / 2, w.acceleration, state.v, w.v_rounding);
+    return {};
+  }
+
+  /// An implicit kick from v_0 to v during s takes ½s (v_0 + v)ᵀC v, of which s vᵀC v has been accounted for.
+  template <LinearlyDamped S>
+  static double taken_beyond_power(const S& system, double s, const State<S>& state, const typename S::Vector& start,
+                                   DampingTemporaries<S>& w) {
+    scale(0.0, w.force);
+    system.add_damping(state.q, state.v, w.force);
+    return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
+  }
+
+  /// v ← w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ].
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    if constexpr (LinearlyDamped<S>) {
+      if (!w.stiff) {
+        constexpr bool compensated = VectorSpace<typename S::Vector>::compensated;
+        auto &guess = w.damping.solution, &rounding = w.damping.product;
+        guess = state.v;
+        if constexpr (compensated) rounding = w.v_rounding;
+        if (Status status = iterate_velocity(system, h, state, w); !status) return status;
+        if (!w.stiff) return {};
+        state.v = guess;
+        if constexpr (compensated) w.v_rounding = rounding;
+      }
+      return solve_velocity(system, h, state, w);
+    } else {
+      return iterate_velocity(system, h, state, w);
+    }
+  }
+
+  /// The same for a force that is linear in v: a solution, and one for the remainder, with which the powers are those
+  /// of v.
+  template <LinearlyDamped S>
+  static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
+    const typename S::Vector rounding_half = w.v_rounding;
+    if (Status status = project_velocity(system, state, w); !status) return status;
+    for (int i = 0; i < 2; ++i) {
+      w.acceleration_known = false;
+      if (Status status = ensure_acceleration(system, state, w); !status) return status;
+      auto& residual = w.damping.residual;
+      residual = w.settling.half;
+      axpy(-1.0, state.v, residual);
+      if constexpr (VectorSpace<typename S::Vector>::compensated) {
+        axpy(1.0, rounding_half, residual);
+        axpy(-1.0, w.v_rounding, residual);
+      }
+      axpy(h / 2, w.acceleration, residual);
+      const double round_off = std::numeric_limits<double>::epsilon() * max_norm(state.v);
+      const double enough = std::max(round_off, w.constraint_tolerance / 10);
+      w.constraint.direction_known = false;
+      Status status = solve_damping(system, h / 2, state.q, enough, w.system, w.constraint, w.damping);
+      // A product costs about as much as a force, and is counted as one.
+      w.counters.n_force += std::exchange(w.damping.n_products, 0);
+      if (!status) return status;
+      add(1.0, w.damping.solution, state.v, w.v_rounding);
+      status = project_velocity(system, state, w);
+      if (!status) return status;
+    }
+    w.acceleration_known = false;  // of the velocity before
+    return {};
+  }
+
+  /// The same for any force, by iteration on it, each time with the projection, until v no longer changes. If the force
+  /// is linear in v and the iteration is slow, sets w.stiff instead.
+  template <ConstrainedSystem S>
+  static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;
     constexpr bool keeps_reactions = VelocityIteration<S>::keeps_reactions;
-    scale(-1.0, half);
-    axpy(2.0, state.v, half);
-    std::swap(half, state.v);
     const typename S::Vector rounding_half = w.v_rounding;
     if constexpr (keeps_reactions) scale(0.0, reaction);
     double size_before = HUGE_VAL;
@@ -287,7 +383,15 @@ struct Rattle {
         w.acceleration_known = false;  // of the velocity before
         return {};
       }
-      if (!(size < 2 * size_before)) break;
+      constexpr double slow = 0.3;
+      if (LinearlyDamped<S> && !(c <= slow)) {
+        if (i > 0) {
+          w.stiff = true;
+          return {};
+        }
+      } else if (!(size < 2 * size_before)) {
+        break;
+      }
       size_before = size;
     }
     return Status::failure(

@@ -26,6 +26,7 @@ struct StepRequest {
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
+  bool stiff = false;                ///< damping leaves nothing to methods whose step it limits
   bool spare_pilots = false;         ///< forces cost much: a glance may do, and small gains are not looked for
   std::optional<MethodId> method{};  ///< empty: the cheapest
   std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search

@@ -67,10 +67,12 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
                         bool compensated, const StepRequest& request);
 
 /// The one that is asked for, or any that auto may take and whose promises hold. If a force costs much, an adaptive
-/// method is for dissipative systems, to which no method of fixed step and high order is open.
+/// method is for dissipative systems, to which no method of fixed step and high order is open. If they are stiff,
+/// RATTLE alone is left, whose kicks solve for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
+  if (request.stiff && id_of<Method> != id_of<Rattle>) return false;
   if (Method::adaptive && has_costly_force<S> && !dissipative(system)) return false;
   if constexpr (wants_stages_in_lanes<Method> && method_fits<Method, S>())
     if (!has_stages_in_lanes(field_of(system))) return false;

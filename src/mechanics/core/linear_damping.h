@@ -1,0 +1,113 @@
+#pragma once
+/// Forces −C(q) v that are linear in the velocity, with C symmetric and positive semidefinite: viscosity and drag.
+/// An implicit step of size 2s ends with the velocity v + u, if r is the residual of its equation at v:
+///
+///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
+///
+/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G, symmetric and positive in the inner product
+/// ⟨x, y⟩ = xᵀM y, and is solved by conjugate gradients. The operator is at least 1, so the error of u is at most the
+/// residual. It is at most 1 + sγ, γ the largest rate of damping: the iterations grow like √(sγ), and no γ limits the
+/// step.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/constraint_newton.h"
+
+namespace pseudorigid::mechanics {
+
+/// A system that also gives this part of its force, f += −C(q) v. Other forces that depend on the velocity it has not.
+template <class S>
+concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
+  s.add_damping(v, v, f);  // (q, v, f)
+  s.apply_mass(v, f);      // f = M v
+  s.add_taken(0.0, f);     // (energy, v): what dissipation has taken, which is part of v, grows by that energy
+};
+
+/// Temporaries of the solution.
+template <class S>
+struct DampingTemporaries {
+  DampingTemporaries(const S&, bool) {}
+};
+template <LinearlyDamped S>
+struct DampingTemporaries<S> {
+  explicit DampingTemporaries(const S& system, bool used)
+      : residual(vector_if(used, system)),
+        solution(residual),
+        direction(residual),
+        product(residual),
+        force(residual),
+        momentum(residual) {}
+
+  typename S::Vector residual;  ///< r, to be set by the caller
+  typename S::Vector solution;  ///< u
+  typename S::Vector direction, product, force, momentum;
+  long n_products = 0;  ///< with C
+
+ private:
+  static typename S::Vector vector_if(bool used, const S& system) {
+    return used ? system.make_vector() : typename S::Vector{};
+  }
+};
+
+namespace detail {
+
+/// x ← P x at q.
+template <ConstrainedSystem S>
+Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
+                                  typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
+  if constexpr (unconstrained<S>)
+    return {};
+  else
+    return meet_velocity_constraint(system, tolerance, q, x, system_workspace, constraint,
+                                    [&] { axpy(1.0, constraint.reaction, x); });
+}
+
+}  // namespace detail
+
+/// w.solution from w.residual until what is left of that is at most `enough`, or round-off of it. Fails if the operator
+/// is not positive, as in a step backwards in time that is too long, or if the iteration is slower than conjugate
+/// gradients are.
+template <LinearlyDamped S>
+Status solve_damping(const S& system, double s, const typename S::Vector& q, double enough,
+                     typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
+                     DampingTemporaries<S>& w) {
+  constexpr int most_iterations = 2000;
+  constexpr double part = 0.1;  // of the residual, that projections may leave
+  const auto project = [&](typename S::Vector& x) {
+    return detail::project_onto_tangent_space(system, part * enough, q, x, system_workspace, constraint);
+  };
+  const auto squared = [&](const typename S::Vector& x) {
+    system.apply_mass(x, w.momentum);
+    return dot(x, w.momentum);
+  };
+  scale(0.0, w.solution);
+  if (Status status = project(w.residual); !status) return status;
+  const double round_off = 64 * std::numeric_limits<double>::epsilon() * max_norm(w.residual);
+  const double sufficient = std::max(enough, round_off);
+  w.direction = w.residual;
+  double square = squared(w.residual);
+  for (int i = 0; i < most_iterations; ++i) {
+    if (max_norm(w.residual) <= sufficient) return {};
+    scale(0.0, w.force);
+    system.add_damping(q, w.direction, w.force);
+    ++w.n_products;
+    const double curvature = squared(w.direction) - s * dot(w.direction, w.force);
+    if (!(curvature > 0)) break;
+    system.apply_inverse_mass(w.force, w.product);
+    if (Status status = project(w.product); !status) return status;
+    scale(-s, w.product);
+    axpy(1.0, w.direction, w.product);
+    const double alpha = square / curvature;
+    axpy(alpha, w.direction, w.solution);
+    axpy(-alpha, w.product, w.residual);
+    const double before = std::exchange(square, squared(w.residual));
+    scale(square / before, w.direction);
+    axpy(1.0, w.residual, w.direction);
+  }
+  return Status::failure("the velocity that the dissipation leaves is not found; use a smaller step");
+}
+
+}  // namespace pseudorigid::mechanics
