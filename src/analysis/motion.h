@@ -54,9 +54,9 @@ struct Deformation {
 /// Of samples of a component of C. The times need not be equally spaced, but then there is none.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
-/// Reference value for energies of one or more models: max_t (kinetic + elastic) or what dissipation has taken, if this
-/// is more. If that is round-off of the energies that there are, it is the largest of them. `unit` is the scene's unit of energy, of which 1e-24 is as much as
-/// round-off of velocities has.
+/// Reference value for energies of one or more models: max_t (kinetic + elastic) or the dissipated energy, if this is
+/// more. If that is round-off of the energies that there are, it is the largest of them. `unit` is the scene's unit of
+/// energy, of which 1e-24 is as much as round-off of velocities has.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the column "energy" over the reference value, and the time from which it is beyond its bound. If

@@ -6,12 +6,10 @@
 ///
 /// for degree k and r refinements of the builtin mesh. If volume is preserved λ is what the law has beside a
 /// function of J, which is 0 for neo-Hookean balls. Fitted to the largest frequencies that Lanczos' method finds:
-/// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. Viscosity η bounds the step likewise,
+/// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. A viscosity η makes steps dearer, by the
+/// largest rate of damping
 ///
-///   h = 0.32/η · (0.38/(k (k + 0.4)) · 0.493^r)²,
-///
-/// if RATTLE's iteration on the velocity converges; steps are chosen 3.2 times shorter, which this gives within 5 %
-/// (compressible: 8 %) for k = 2 … 8, r = 0, 1.
+///   γ = 2.2 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (within 10 % for k = 2 … 8, r = 0, 1).
 
 #include <cstddef>
 #include <optional>

@@ -4,10 +4,10 @@
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///
-/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G, symmetric and positive in the inner product
-/// ⟨x, y⟩ = xᵀM y, and is solved by conjugate gradients. The operator is at least 1, so the error of u is at most the
-/// residual. It is at most 1 + sγ, γ the largest rate of damping: the iterations grow like √(sγ), and no γ limits the
-/// step.
+/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G. The operator is symmetric and positive in the
+/// inner product ⟨x, y⟩ = xᵀM y, so the solution is that of conjugate gradients. The operator is at least 1, so the
+/// error of u is at most the residual. It is at most 1 + sγ, γ the largest rate of damping: the iterations grow like
+/// √(sγ), and no γ limits the step.
 
 #include <algorithm>
 #include <limits>
@@ -23,7 +23,7 @@ template <class S>
 concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(v, v, f);  // (q, v, f)
   s.apply_mass(v, f);      // f = M v
-  s.add_taken(0.0, f);     // (energy, v): what dissipation has taken, which is part of v, grows by that energy
+  s.add_taken(0.0, f);     // (energy, v): the dissipated energy, a part of v, grows by that much
 };
 
 /// Temporaries of the solution.
@@ -67,7 +67,7 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// w.solution from w.residual until what is left of that is at most `enough`, or round-off of it. Fails if the operator
+/// w.solution from w.residual, until the rest of that is at most `enough`, or round-off of it. Fails if the operator
 /// is not positive, as in a step backwards in time that is too long, or if the iteration is slower than conjugate
 /// gradients are.
 template <LinearlyDamped S>

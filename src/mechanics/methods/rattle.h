@@ -18,9 +18,9 @@
 /// A force that depends on the velocity is taken at v_n in the first half step and at v_{n+1} in the second, which is
 /// then implicit:  v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n],  solved together with the projection.
 /// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2). The equation is solved
-/// by iteration on the force. If this is slow and the force is −C(q)v with a symmetric C, it is solved as a linear
-/// system (linear_damping.h), and damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2
-/// for every c. The first half step of such a run is implicit as well, so that an overdamped body starts on its slow
+/// by iteration on the force. If this is slow and the force is −C(q)v with a symmetric C, a linear system is solved
+/// (linear_damping.h). Then damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for
+/// every c. The first half step of such a run is implicit as well, so that an overdamped body starts on its slow
 /// motion.
 ///
 /// The small increments of q and v are summed with compensation (vector_space.h), and if the system can do it
@@ -168,9 +168,8 @@ struct RattleWorkspace {
   double pending_weight = 0;     // half steps since the last projection, whose reaction is still to come
   double acceleration_time = 0;  // at which a force that depends on time was evaluated
   bool acceleration_known = false;
-  // Of linearly damped systems:
-  bool begun = false;  ///< a step has been made
-  bool stiff = false;  ///< iteration on the damping is slow, and the velocity is solved for
+  bool begun = false;  ///< a linearly damped system has made a step
+  bool stiff = false;  ///< iteration on its damping is slow, and the velocity is solved for
   Counters counters;
 
   /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
