@@ -138,8 +138,8 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
   if (!json.contains("entries"))
     throw UserError(
-        fmt::format("'{}' is of an earlier version, which did not record the values of the entries; run the "
-                    "scene again, as used.prm beside it says",
+        fmt::format("'{}' is of an earlier version, which did not record the values of the entries; run the scene "
+                    "again, as used.prm in its folder has it",
                     manifest.native()));
   return movers;
 }

@@ -13,13 +13,13 @@ struct Pressure {
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {
-    visit(self.pressure, scene::Number{},
-          scene::About{
-              "Loads/Pressure", "pressure",
-              "Pressure p of the surroundings: the traction -p n per current area with the current normal n of "
-              "the surface. Its energy is p (current volume). It does not move a body that keeps its volume; the "
-              "multiplier and the pressure inside are then higher by what the log says, and their columns do not "
-              "contain it."});
+    visit(
+        self.pressure, scene::Number{},
+        scene::About{"Loads/Pressure", "pressure",
+                     "Pressure p of the surroundings: the traction -p n per current area with the current normal n of "
+                     "the surface. Its energy is p (current volume). It does not move a body that keeps its volume. "
+                     "The multiplier and the pressure inside are then higher by a constant, which the log has and "
+                     "their columns do not contain."});
   }
 
   static constexpr std::string_view no_equilibria = "";

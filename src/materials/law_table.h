@@ -76,7 +76,7 @@ inline constexpr LawEntry law_entries[] = {
      .path = "Material/Gent limit",
      .low_excluded = true,
      .documentation = "J_m of gent, the value of I - 3 that no deformation reaches; a motion that reaches it is "
-                      "stopped. The larger J_m, the closer to neo-hookean. Other laws ignore it."},
+                      "stopped. The law tends to neo-hookean as J_m grows. Other laws ignore it."},
 };
 static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entries)),
               "every number of LawParameters has one line of law_entries");

@@ -10,7 +10,7 @@ std::string_view documentation_of_laws() {
   static const std::string text = [] {
     std::string words =
         "Stored energy W per undeformed volume, with C = F^T F, I = tr C, II = (I^2 - tr C^2)/2, J = det F, III = J^2, "
-        "mu the shear modulus, lambda Lame lambda and B = (lambda/4) (III - 1 - ln III), a constant where volume is "
+        "mu the shear modulus, lambda Lame lambda and B = (lambda/4) (III - 1 - ln III), a constant if volume is "
         "preserved.";
     for (const materials::NamedLaw& law : materials::law_table) words += fmt::format(" {}: {}", law.name, law.energy);
     return words;

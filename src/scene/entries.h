@@ -37,22 +37,22 @@ void visit_problem(S& scene, Visit& visit) {
         About{"Models", "", "Models of the ball to run, see Models below. Several are compared automatically."});
   visit(scene.system, system_kind(catalogue_of(scene)),
         About{"System", "",
-              "What moves: the elastic ball, or one of the finite-dimensional systems of mechanics, each of which "
-              "has a subsection and a CSV file of its own."});
-  visit(
-      scene.analysis, analysis_kind,
-      About{"Analysis", "",
-            "What to compute. motion: the motion that follows from the initial state. modes (modes.csv): the "
-            "lowest frequencies of small motions about rest, of the continuum or of a polynomial body; see "
-            "Modes/Number. equilibrium: for the ball a family of relative equilibria with their stability, or its "
-            "equilibria at rest, see Equilibrium/Family; of the reduced model in equilibria.csv, of polynomial bodies, "
-            "where the family "
-            "turns as a whole, in equilibria-polynomial.csv. For another system (equilibria.csv): the critical "
-            "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
-            "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
-            "has none, under a unit friction. Of these systems, manifolds (manifolds.csv, connections.csv): motions on "
-            "the unstable and stable manifolds of the critical points, and where they end, see Manifolds/Starts; "
-            "section (section.csv): where the motion crosses a surface of section, see Section/Column."});
+              "The system that moves: the elastic ball, or one of the finite-dimensional systems of mechanics, each of "
+              "which has a subsection and a CSV file of its own."});
+  visit(scene.analysis, analysis_kind,
+        About{"Analysis", "",
+              "The kind of computation. With motion, it is the motion that follows from the initial state. With modes, "
+              "it is the lowest frequencies of small motions about rest, of the continuum or of a polynomial body "
+              "(modes.csv); see Modes/Number. With equilibrium, it is for the ball a family of relative equilibria "
+              "with their stability, or its equilibria at rest; see Equilibrium/Family. The reduced model writes "
+              "equilibria.csv. Polynomial bodies write equilibria-polynomial.csv, if the family turns as a whole. For "
+              "another system (equilibria.csv): the critical "
+              "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
+              "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
+              "has none, under a unit friction. With manifolds, it is for these systems the motions on the unstable "
+              "and stable manifolds of the critical points, and their ends (manifolds.csv, connections.csv); see "
+              "Manifolds/Starts. With section, it is the crossings of the motion with a surface of section "
+              "(section.csv); see Section/Column."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -65,8 +65,8 @@ void visit_body(S& scene, Visit& visit) {
               "true: volume is preserved, det F = 1, by a pressure. false: the body is compressible."});
   visit(semi_axes, Numbers{3, positive},
         About{"Body/Semi-axes", "radius",
-              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other values are for "
-              "the reduced model and polynomial bodies, and for the reduced body beside a mesh from a file."});
+              "Semi-axes of the undeformed body along x, y, z, in radii: 1, 1, 1 is the ball. Other values are for the "
+              "reduced model and polynomial bodies, and for the reduced body of a scene with a mesh from a file."});
   visit(inertia, AutoOrMatrix{},
         About{"Body/Inertia", "mass*length^2",
               "E0, the integral of density X X^T over the undeformed body: symmetric, positive definite. auto: that "
@@ -141,7 +141,7 @@ void visit_modes(S& scene, Visit& visit) {
               "Columns: index; omega, the mean of the 2n+1 copies of a mode of degree n; kind: 1 spheroidal, 2 "
               "toroidal; degree n; overtone: 0 is the fundamental of its kind and degree; multiplicity 2n+1; "
               "spread: (largest - smallest copy)/omega, an error of the mesh alone; exact: omega of the elastic "
-              "sphere; reduced: omega of the pseudo-rigid ball, or 0 where it has no such mode. Rigid motions are "
+              "sphere; reduced: omega of the pseudo-rigid ball, or 0 if it has no such mode. Rigid motions are "
               "left out. Graphics shows one mode of each row (modes.pvd), for the first Frames rows, with a "
               "largest displacement of one radius."});
 }
@@ -161,13 +161,13 @@ void visit_section(S& scene, Visit& visit) {
   auto& [column, value, period, crossings] = scene.section;
   visit(column, Text{},
         About{"Section/Column", "",
-              "The column of the system's CSV file that Analysis = section watches: every crossing of Value until "
+              "The column of the system's CSV file that Analysis = section watches. Every crossing of Value until "
               "Time/End is a row of section.csv, with the columns of the motion at that time."});
   visit(value, Number{}, About{"Section/Value", "", "The value that is crossed, in the column's own unit."});
   visit(period, not_negative,
         About{"Section/Period", "",
               "For a column that is an angle and counts its turns: the values Value + k Period, k any integer, are "
-              "crossed as well. 0: none. Where a column jumps, it crosses nothing."});
+              "crossed as well. 0: none. A jump of a column is not a crossing."});
   visit(crossings, crossings_kind,
         About{"Section/Direction", "", "Which crossings count: of a column that rises, that falls, or both."});
 }
@@ -190,11 +190,10 @@ void visit_time(S& scene, Visit& visit) {
             "Integrator, as listed under Methods. auto: the cheapest that meets Tolerance over this length of time."});
   visit(
       tolerance, Number{1e-13, 1e-1},
-      About{
-          "Time/Tolerance", "",
-          "Bound of the time error of Q over the run (largest entry, over all samples). For other systems: of "
-          "their configuration, in the system's own unit of length. Of a ball and a run of 40 r/c or more: also of the "
-          "relative change of energy by symmetric-4, extrapolated from the first eighth."});
+      About{"Time/Tolerance", "",
+            "Bound of the time error of Q over the run (largest entry, over all samples). For other systems it is the "
+            "error of their configuration, in the system's own unit of length. It also bounds the relative change of "
+            "energy of a ball by symmetric-4 in a run of 40 r/c or more, extrapolated from the first eighth."});
   visit(
       constraint_tolerance, AutoOrNumber{1e-13, 1e-3},
       About{
@@ -202,7 +201,7 @@ void visit_time(S& scene, Visit& visit) {
           "Largest mean of |ln J| that a step of an incompressible body may leave: over a cell of the continuum, over "
           "a polynomial body. The next step starts from it, so it does not accumulate. At samples it also bounds "
           "the rate of this mean. "
-          "auto: 1e-4 of Tolerance where the step is found from Tolerance, 1e-13 where Step is given. The "
+          "auto: 1e-4 of Tolerance if the step is found from Tolerance, 1e-13 if Step is given. The "
           "reduced body keeps its volume to round-off."});
 }
 
@@ -212,11 +211,11 @@ void visit_polynomial(S& scene, Visit& visit) {
   visit(degrees, AutoOrIntegers{{1, largest_polynomial_degree}},
         About{"Polynomial/Degree", "",
               "Degree N of the polynomials in which the positions are written; degree 1 is the pseudo-rigid body. "
-              "Several degrees, for example 1, 3, 5, are run one after another; each run is compared with that of "
-              "the richest model. auto: 1, 3, 5, ... until the estimated error meets Tolerance."});
+              "Several degrees, for example 1, 3, 5, are run one after another; each run is compared with that of the "
+              "most accurate model. auto: 1, 3, 5, ... until the estimated error meets Tolerance."});
   visit(tolerance, Number{1e-10, 1e-1},
         About{"Polynomial/Tolerance", "",
-              "Where Degree is auto: largest error of Q that the choice of the degree may cause (largest entry over "
+              "If Degree is auto: largest error of Q that the choice of the degree may cause (largest entry over "
               "all samples). The time error is then kept below a twentieth of it."});
   visit(gravity_points, AutoOrInteger{{2, 24}},
         About{"Polynomial/Gravity points", "",
@@ -224,11 +223,13 @@ void visit_polynomial(S& scene, Visit& visit) {
               "four more than Degree. The cost of gravity grows as the fourth power of this number."});
   visit(
       quadrature_points, AutoOrInteger{{2, 24}},
-      About{"Polynomial/Quadrature points", "",
-            "Points per direction on an octant of the body for all its integrals but self-gravity; never fewer than "
-            "(Degree + 3)/2, rounded up, which integrate the forces of small motions exactly. auto: these, and if "
-            "the step is found from a Time/Tolerance below 1e-6, as many as that asks for. The log has their estimated "
-            "error of Q. The cost grows as the third power."});
+      About{
+          "Polynomial/Quadrature points", "",
+          "Points per direction on an octant of the body for all its integrals but self-gravity. There are never fewer "
+          "than (Degree + 3)/2, rounded up, which integrate the forces of small motions exactly. With auto, these are "
+          "taken, or as many as a Time/Tolerance below 1e-6 asks for if the step is found from it. The log has their "
+          "estimated "
+          "error of Q. The cost grows as the third power."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -243,16 +244,16 @@ void visit_continuum(S& scene, Visit& visit) {
               "How many times each cell of the mesh is divided into eight. auto: as Tolerance needs, up to 2."});
   visit(tolerance, Number{1e-10, 1e-1},
         About{"Continuum/Tolerance", "",
-              "Where Degree or Refinements is auto: largest error of Q that the discretisation in space may cause "
+              "If Degree or Refinements is auto: largest error of Q that the discretisation in space may cause "
               "(largest entry over all samples). The time error is then kept below a twentieth of it."});
   visit(error_estimate, error_estimate_kind,
         About{"Continuum/Error estimate", "",
-              "auto: in a comparison the continuum is also run on a coarser discretisation, for about a third of "
-              "the cost, and the discretisation error is reported. none: this run is left out."});
+              "With auto, a comparison also runs the continuum on a coarser discretisation, for about a third of the "
+              "cost, and reports the discretisation error. With none, this run is left out."});
   visit(gravity_points, AutoOrInteger{{2, 16}},
         About{"Continuum/Gravity points", "",
-              "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. auto: "
-              "two more than Degree, or one more where an elastic body is refined, so that their error is below "
+              "Gauss points per direction on each face of the surface; self-gravity sums over their pairs. With auto, "
+              "there are two more than Degree, or one more if an elastic body is refined, so that their error is below "
               "that of the mesh. The cost of gravity grows as the fourth power of this number."});
   visit(stiffness, AutoOrNumber{not_negative},
         About{"Continuum/Volumetric stiffness", "pressure",
@@ -264,15 +265,15 @@ void visit_continuum(S& scene, Visit& visit) {
   visit(mesh, BuiltinOrMeshFile{},
         About{"Continuum/Mesh", "",
               "The mesh to start from: the builtin mesh of the ball, or a Gmsh file (format 2.2, ASCII, hexahedra "
-              "of 8 nodes), searched beside the parameter file. "
+              "of 8 nodes), searched in the folder of the parameter file. "
               "A mesh of which all cells are left-handed is turned. The file holds the whole body, with coordinates "
-              "in the unit of Body/Radius; the body is moved so that its centre of mass is the origin. Semi-axes "
-              "and Inertia are then those of the reduced body beside it."});
+              "in the unit of Body/Radius; the body is moved so that its centre of mass is the origin. Semi-axes and "
+              "Inertia are then those of the reduced body that is compared with it."});
   visit(symmetry, symmetry_kind,
         About{"Continuum/Symmetry", "",
-              "Coordinate planes, named by their normals, that are taken as symmetry planes, so that only a "
-              "sector of the ball is computed (octant: all three; none: the full ball). auto: every plane that "
-              "the initial state and the loads admit, none where the mesh is from a file. Motions that would "
+              "Coordinate planes, named by their normals, that are taken as symmetry planes, so that only a sector of "
+              "the ball is computed (octant: all three; none: the full ball). With auto, they are every plane that the "
+              "initial state and the loads admit, and none if the mesh is from a file. Motions that would "
               "break the symmetry are then excluded."});
 }
 
@@ -302,9 +303,9 @@ void visit_output(S& scene, Visit& visit) {
             "these five. Fewer fields make smaller files. Ignored without Graphics."});
   visit(cells, cells_kind,
         About{"Output/Cells", "",
-              "Cells of a picture. linear: an element of degree k is cut into k^3 hexahedra with straight edges, which "
-              "every program shows; lagrange: it is one hexahedron of degree k, curved, for programs that know VTK's "
-              "Lagrange cells, as ParaView does (Nonlinear Subdivision Level). Ignored without Graphics."});
+              "Cells of a picture. With linear, an element of degree k is cut into k^3 hexahedra with straight edges, "
+              "which every program shows. With lagrange, it is one curved hexahedron of degree k, for programs that "
+              "read VTK's Lagrange cells, such as ParaView (Nonlinear Subdivision Level). Ignored without Graphics."});
   visit(report, Boolean{},
         About{"Output/Report", "",
               "Whether to write report.html at the end: one page for a browser, without links to anything outside, "
@@ -322,8 +323,8 @@ void visit_sweep(S& scene, Visit& visit) {
           "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the "
           "parameters as $(expression), for instance $(1/sqrt(l)). Every parameter is used by some entry, and none has "
           "the "
-          "name of a function or a constant of expressions or of another column of sweep.csv. For every model but the "
-          "continuum, and for the other systems."});
+          "name of a function or a constant of expressions or of another column of sweep.csv. It is for every model "
+          "but the continuum, and for the other systems."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
   visit(scene.sweep_trajectories, Boolean{},
@@ -336,8 +337,8 @@ void visit_sweep(S& scene, Visit& visit) {
               "bodies without gravity, loads and dissipation, and the same law, Time and Output/Samples in all eight. "
               "The method is symmetric-8 (symmetric, not symplectic), or another symmetric one that Time/Method names; "
               "the step is the one that the worst of the eight needs. Rows differ from those of single runs by at most "
-              "the errors that Time/Tolerance allows, and with a given method and step by round-off. false: each row "
-              "is that of a single run, bit by bit."});
+              "the errors that Time/Tolerance allows, and with a given method and step by round-off. With false, each "
+              "row is that of a single run, bit by bit."});
 }
 
 /// The entries of the systems of the catalogue.

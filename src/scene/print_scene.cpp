@@ -128,19 +128,20 @@ std::string file_of(std::string_view name) { return fmt::format("{}.csv", name);
 std::string columns_tables(const Catalogue& catalogue) {
   std::string text;
   for (const ModelDescription& model : catalogue.models)
-    text +=
-        columns_table(file_of(model.name),
-                      "Of the ball, in the groups of Output/Quantities. The first column is `time`.", model.columns);
+    text += columns_table(
+        file_of(model.name),
+        "These are the columns of a ball, in the groups of Output/Quantities. The first column is `time`.",
+        model.columns);
   for (const SystemDescription& system : catalogue.systems)
     text += columns_table(file_of(system.file), fmt::format("{} The first column is `time`.", system.documentation),
                           system.columns);
   if (!catalogue.connections.empty())
     text += columns_table(file_of("connections"),
-                          "Of the systems beside the ball: where the motions of manifolds.csv end (Analysis = "
-                          "manifolds), a row each.",
+                          "The motions of manifolds.csv of systems other than the ball have their ends here (Analysis "
+                          "= manifolds), a row each.",
                           catalogue.connections);
   if (!catalogue.equilibria.empty())
-    text += columns_table("equilibria.csv of systems beside the ball",
+    text += columns_table("equilibria.csv of systems other than the ball",
                           "The critical points of the potential (Analysis = equilibrium), a row each.",
                           catalogue.equilibria);
   for (const ModelDescription& model : catalogue.models)

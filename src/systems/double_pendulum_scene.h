@@ -59,7 +59,7 @@ struct DoublePendulumScene {
 
   std::vector<Column> columns() const {
     return {{"theta", "", "angle of the upper rod from the downward vertical, radians, -pi to pi"},
-            {"phi", "", "angle of the lower rod, likewise"},
+            {"phi", "", "angle of the lower rod from the downward vertical, radians, -pi to pi"},
             {"theta_dot", "1/time", "rate of theta"},
             {"phi_dot", "1/time", "rate of phi"},
             {"x1", "length", "position of the upper point, horizontal"},
@@ -69,14 +69,14 @@ struct DoublePendulumScene {
             {"kinetic", "mass*length^2/time^2", "kinetic energy"},
             {"potential", "mass*length^2/time^2", "potential energy"},
             {"energy", "mass*length^2/time^2", "their sum"},
-            {"tension1", "mass*length/time^2", "force along the upper rod, positive where it pulls"},
+            {"tension1", "mass*length/time^2", "force along the upper rod, positive if it pulls"},
             {"tension2", "mass*length/time^2", "force along the lower rod"},
             {"R1x", "mass*length/time^2",
              "reaction of the rods on the upper point by the second fundamental form (5.29), without multipliers, "
              "horizontal"},
-            {"R1y", "mass*length/time^2", "likewise, downwards"},
+            {"R1y", "mass*length/time^2", "as for R1x, downwards"},
             {"R2x", "mass*length/time^2", "reaction on the lower point, horizontal"},
-            {"R2y", "mass*length/time^2", "likewise, downwards"}};
+            {"R2y", "mass*length/time^2", "as for R2x, downwards"}};
   }
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }

@@ -103,7 +103,7 @@ struct GeodesicScene {
         {"speed", embedded ? Unit("length/time") : Unit("1/time"), "length of the velocity, constant on geodesics"});
     columns.push_back({"clairaut", embedded ? Unit("length^2/time") : Unit("1/time"),
                        "scalar product of the velocity with the rotation about the axis (hyperbolic plane: with the "
-                       "translation along x), constant where that is a symmetry"});
+                       "translation along x), constant if that is a symmetry"});
     return columns;
   }
 

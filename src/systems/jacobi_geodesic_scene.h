@@ -107,9 +107,9 @@ class MotionFollower {
 struct JacobiGeodesicScene {
   static constexpr std::string_view name = "jacobi geodesic", file = "jacobi_geodesic", section = "Jacobi geodesic";
   static constexpr std::string_view documentation =
-      "A geodesic of the Jacobi metric 2(h - U) g of a particle of unit mass in the plane or on a torus, or of a "
-      "double "
-      "pendulum. Time/End and the column time are its arc, of the unit length^2/time; the time of the motion along it "
+      "The motion is a geodesic of the Jacobi metric 2(h - U) g of a particle of unit mass in the plane or on a torus, "
+      "or of a double pendulum. Time/End and the column time are its arc, of the unit length^2/time; the time of the "
+      "motion along it "
       "is "
       "the column t. On the torus and of the pendulum q1, q2 and their rates take the place of x, y, vx, vy, and there "
       "is no angular momentum.";
@@ -140,7 +140,8 @@ struct JacobiGeodesicScene {
           About{"Jacobi geodesic/Gravity", "length/time^2", "Acceleration of gravity of torus and double pendulum."});
     visit(s.R, scene::positive,
           About{"Jacobi geodesic/Radius", "length",
-                "Of the torus, from its axis to the middle of the tube; of the double pendulum, of the first rod."});
+                "The distance from the axis of the torus to the middle of its tube, or the length of the first rod of "
+                "the double pendulum."});
     visit(s.r, scene::positive,
           About{"Jacobi geodesic/Tube radius", "length", "Radius of the tube of the torus, less than Radius."});
     visit(s.second_mass, scene::positive,
@@ -150,12 +151,10 @@ struct JacobiGeodesicScene {
     visit(s.energy, scene::Number{},
           About{"Jacobi geodesic/Energy", "length^2/time^2",
                 "Energy h of the motions per unit mass; the metric exists only where U < h."});
-    visit(
-        s.position, scene::Numbers{2},
-        About{
-            "Jacobi geodesic/Position", "length",
-            "Where the geodesic starts; on the torus the angles w and u, of the double pendulum those of the rods from "
-            "the downward vertical, in radians."});
+    visit(s.position, scene::Numbers{2},
+          About{"Jacobi geodesic/Position", "length",
+                "Start of the geodesic. On the torus these are the angles w and u; for the double pendulum they are "
+                "the angles of the rods from the downward vertical, in radians."});
     visit(
         s.direction, scene::Numbers{2},
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
@@ -197,7 +196,7 @@ struct JacobiGeodesicScene {
       columns.insert(columns.end(), {{"q1", "", "first angle, w or that of the upper rod"},
                                      {"q2", "", "second angle, u or that of the lower rod"},
                                      {"q1_dot", "1/time", "its rate along the motion"},
-                                     {"q2_dot", "1/time", "likewise"}});
+                                     {"q2_dot", "1/time", "as for q1_dot"}});
     columns.push_back({"energy", "length^2/time^2", "K + U along the geodesic, which is to be h"});
     if (in_plane()) columns.push_back({"angular_momentum", "length^2/time", "x vy - y vx"});
     columns.insert(columns.end(),

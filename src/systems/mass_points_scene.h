@@ -112,7 +112,7 @@ struct MassPointsScene {
                                    {"potential", energy, "potential energy of all forces that have one"},
                                    {"energy", energy, "their sum"},
                                    {"dissipated_power", "mass*length^2/time^3",
-                                    "what dashpots and drag take away: the rate at which the energy falls"}});
+                                    "power lost to dashpots and drag: the rate at which the energy falls"}});
     add_components(columns, "P", momentum, "momentum, the sum of m v");
     add_components(columns, "L", "mass*length^2/time", "angular momentum about Center, the sum of m (q - c) x v");
     add_components(columns, "center_", "length", "centre of mass");

@@ -61,7 +61,7 @@ struct MovingFrameScene {
           About{"Moving frame/Frame stiffness", "1/time^2",
                 "Stiffnesses of springs along the axes of the frame, per unit mass."});
     visit(s.frame_center, vector,
-          About{"Moving frame/Frame centre", "length", "Point of the frame where its springs have no force."});
+          About{"Moving frame/Frame centre", "length", "Point of the frame at which its springs have no force."});
   }
 
   Scales scales() const {

@@ -53,7 +53,7 @@ class BodyObserver {
         columns.end(),
         {{"phi", "", "Euler angle of R = Rz(phi) Rx(theta) Rz(psi): precession, radians, -pi to pi"},
          {"theta", "", "Euler angle: nutation, 0 to pi"},
-         {"psi", "", "Euler angle: spin, -pi to pi; 0 where theta is 0 or pi, and phi then has all of the turn"},
+         {"psi", "", "Euler angle: spin, -pi to pi; 0 if theta is 0 or pi, and phi then has all of the turn"},
          {"kinetic", energy, "kinetic energy"},
          {"potential", energy, "potential energy of weight and springs"},
          {"energy", energy, "their sum"}});
@@ -124,9 +124,11 @@ struct RigidBodyScene {
   static void visit(Self& s, Visit&& visit) {
     visit(s.form, form_kind,
           About{"Rigid body/Form", "",
-                "constrained: 3x3 matrices with the six constraints of a rotation. euler: Euler's equation with "
-                "quaternions. lagrange: Lagrange's equations in Euler angles, which are singular where the third axis "
-                "of the body is vertical. The last two also take flat bodies, but springs only with a fixed point."});
+                "The equations of motion. With constrained, they are those of 3x3 matrices with the six constraints of "
+                "a rotation. With euler, they "
+                "are Euler's equation with quaternions. With lagrange, they are Lagrange's equations in Euler angles, "
+                "which are singular if the third axis of the body is vertical. The last two also take flat bodies, but "
+                "springs only with a fixed point."});
     visit(s.fixed_point, scene::Boolean{},
           About{"Rigid body/Fixed point", "",
                 "true: the origin of the body stays at the origin of space. false: free; the origin of the body is its "

@@ -129,7 +129,7 @@ struct SphericalPendulumScene {
             {"potential", "mass*length^2/time^2", "potential energy, 0 at the height of the suspension"},
             {"energy", "mass*length^2/time^2", "their sum"},
             {"momentum", "mass*length^2/time", "angular momentum about the vertical"},
-            {"tension", "mass*length/time^2", "force along the rod by the multiplier, positive where it pulls"},
+            {"tension", "mass*length/time^2", "force along the rod by the multiplier, positive if it pulls"},
             {"tension_by_curvature", "mass*length/time^2",
              "the same by the second fundamental form of the sphere (5.29), without multiplier"}};
   }

@@ -23,8 +23,8 @@ namespace pseudorigid::systems {
 struct TorusScene {
   static constexpr std::string_view name = "torus", file = "torus", section = "Torus";
   static constexpr std::string_view documentation =
-      "A heavy particle of unit mass on a rough torus about the horizontal x axis, with friction in proportion to its "
-      "velocity: a strongly dissipative system with one sink, two saddles and one source.";
+      "A heavy particle of unit mass moves on a rough torus about the horizontal x axis, with friction in proportion "
+      "to its velocity. It is a strongly dissipative system with one sink, two saddles and one source.";
   static constexpr bool has_equilibria = true, complete = true;
 
   double R = 3, r = 1, gravity = 1, damping = 1, grain = 0, grain_angle = 0, tilt = 0;

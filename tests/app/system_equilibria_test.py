@@ -41,7 +41,7 @@ class SystemEquilibria(SystemTest):
                          [[1, 1], [1, -1], [-1, 1], [-1, -1]])
 
     def test_documented_columns(self):
-        documented = [name for name, _ in self.documented_columns("equilibria", of=" of systems beside the ball")][1:]  # there is no time
+        documented = [name for name, _ in self.documented_columns("equilibria", of=" of systems other than the ball")][1:]  # there is no time
         for scene in ("double_pendulum", "torus", "heavy_top"):
             header = self.equilibria(scene).header
             known = [name for name in documented if name in header]

@@ -134,7 +134,7 @@ class SystemMethods(SystemTest):
                 error = max(table.column("deviation")) / pericentre
                 print(f"pericentre {pericentre}: error {error:.1e}")
                 if error > 1e-7:
-                    self.assertIn("below what double precision gives", self.log(table))
+                    self.assertIn("below the accuracy of double precision", self.log(table))
                     self.assertLess(pericentre, 0.01)
 
     def test_tolerance_of_a_geodesic(self):

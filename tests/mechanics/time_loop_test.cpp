@@ -58,7 +58,7 @@ TEST(TimeLoop, StepsBelowTheResolutionOfTimeAreRefused) {
   const auto result =
       mechanics::run_time_loop<mechanics::Rattle>(SphericalPendulum{}, {10, 10}, state, cursor, workspace, hooks);
   EXPECT_EQ(result.outcome, Outcome::failed);
-  EXPECT_EQ(result.reason, "the step is shorter than what double precision can tell apart of times");
+  EXPECT_EQ(result.reason, "the step is shorter than the least difference of times in double precision");
 }
 
 TEST(TimeLoop, SamplesAreAtTheirTimesExactly) {

@@ -154,7 +154,7 @@ TEST(StepSize, SaysWhenDoublePrecisionDoesNotReachTheTolerance) {
   const auto initial = benchmark_state<Sl3>();
   for (const double tolerance : {1e-14, 1e-30}) {
     const auto choice = choose(initial, request_for(initial, tolerance));
-    EXPECT_NE(choice.why.find("below what double precision gives"), std::string::npos) << choice.why;
+    EXPECT_NE(choice.why.find("below the accuracy of double precision"), std::string::npos) << choice.why;
     EXPECT_GT(choice.error, tolerance);
     EXPECT_LT(choice.error, 1e-10);
     EXPECT_GT(choice.step, 1e-3) << "no step is wasted on round-off";

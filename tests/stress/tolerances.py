@@ -11,7 +11,7 @@ from random_scenes import determinant, diagonal, irregular, product, rotation, s
 
 LONGEST = 60  # seconds of a run
 # What the program says of runs whose tolerance it does not promise to meet.
-TAKEN_BACK = ("cannot be fitted to the tolerance", "below what double precision gives", "the motion is unstable")
+TAKEN_BACK = ("cannot be fitted to the tolerance", "below the accuracy of double precision", "the motion is unstable")
 CONFIGURATION = [f"Q{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
 
 

@@ -64,7 +64,7 @@ void require_known_command(const CLI::App& app, int argc, const char* const* arg
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (word.ends_with(".prm"))
     throw UserError(fmt::format("expected a command before {}: pseudorigid run {}", scene::quote(word), word));
-  throw UserError(fmt::format("unknown command {}{}; the commands are {}; see pseudorigid --help", scene::quote(word),
+  throw UserError(fmt::format("unknown command {}{}. The commands are {}; see pseudorigid --help", scene::quote(word),
                               scene::did_you_mean(word, {names.begin(), names.end()}), fmt::join(names, ", ")));
 }
 

@@ -160,11 +160,11 @@ void require_room_for_trajectories(const scene::Scene& scene, const scene::Origi
                needed = n_rows * n_columns * most_bytes_per_value;
   const auto room = room_in(directory);
   if (room && needed > *room)
-    throw UserError(fmt::format(
-        "{}: Sweep/Trajectories: {:.3g} rows of {} columns would take up to {}, and {} are free on the disk of {}; set "
-        "false, or fewer runs, Output/Samples or columns",
-        origins.of("Sweep/Trajectories"), n_rows, n_columns, in_bytes(needed), in_bytes(*room),
-        directory.path().string()));
+    throw UserError(
+        fmt::format("{}: Sweep/Trajectories: {:.3g} rows of {} columns would take up to {}, and {} are free on the "
+                    "disk of {}. Set false, or fewer runs, Output/Samples or columns",
+                    origins.of("Sweep/Trajectories"), n_rows, n_columns, in_bytes(needed), in_bytes(*room),
+                    directory.path().string()));
 }
 
 }  // namespace pseudorigid::app

@@ -154,7 +154,7 @@ void require_same_scene(const io::RunDirectory& directory, const scene::Scene& s
     if (!apart.empty())
       throw UserError(fmt::format(
           "the checkpoint in {} is of another scene: {}; only Time/Step, Time/Method, Time/Tolerance, Time/Constraint "
-          "tolerance, a later Time/End and what concerns pictures may change",
+          "tolerance, a later Time/End and the entries of pictures may change",
           directory.path().string(), apart));
   }
 }

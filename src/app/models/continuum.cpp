@@ -127,9 +127,8 @@ BallModel continuum_model() {
   using Observables = mechanics::ContinuumObservables;
   return {{.name = "continuum",
            .adjective = "elastic",
-           .documentation =
-               "Finite elements, with a pressure that preserves volume where the body is incompressible: the ball "
-               "itself, to the error of its mesh.",
+           .documentation = "Finite elements, with a pressure that preserves volume if the body is incompressible: the "
+                            "ball itself, to the error of its mesh.",
            .by_default = true,
            .discretized = true,
            .has_nonaffine = true,

@@ -108,8 +108,8 @@ BallModel polynomial_model() {
        .has_modes = true,
        .has_equilibria = true,
        .equilibria = {"equilibria-polynomial",
-                      "Of polynomial bodies: a family of figures that turn as a whole (Equilibrium/Family), for each "
-                      "degree of the scene, a row each.",
+                      "This is a family of figures of polynomial bodies that turn as a whole (Equilibrium/Family), for "
+                      "each degree of the scene, a row each.",
                       polynomial_equilibria_columns()},
        .columns = io::documented_columns<Observables>(),
        .rungs = rungs(),

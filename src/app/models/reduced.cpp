@@ -45,24 +45,24 @@ std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene) {
 
 BallModel reduced_model() {
   using Observables = mechanics::ReducedObservables;
-  return {
-      {.name = "reduced",
-       .adjective = "pseudo-rigid",
-       .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 where it is incompressible.",
-       .by_default = true,
-       .discretized = false,
-       .has_nonaffine = false,
-       .has_equilibria = true,
-       .equilibria = {"equilibria", "Of the ball: a family of relative equilibria (Equilibrium/Family), a row each.",
-                      ball_equilibria_columns()},
-       .static_equilibria = static_equilibria_columns,
-       .columns = io::documented_columns<Observables>(),
-       .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
-       .needed = reduced_needed,
-       .skipped = reduced_skipped,
-       .refuses = refuses_motion},
-      run_reduced,
-      run_reduced_in_lanes};
+  return {{.name = "reduced",
+           .adjective = "pseudo-rigid",
+           .documentation = "The pseudo-rigid body x = QX, nine unknowns; det Q = 1 if it is incompressible.",
+           .by_default = true,
+           .discretized = false,
+           .has_nonaffine = false,
+           .has_equilibria = true,
+           .equilibria = {"equilibria",
+                          "This is a family of relative equilibria of the ball (Equilibrium/Family), a row each.",
+                          ball_equilibria_columns()},
+           .static_equilibria = static_equilibria_columns,
+           .columns = io::documented_columns<Observables>(),
+           .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
+           .needed = reduced_needed,
+           .skipped = reduced_skipped,
+           .refuses = refuses_motion},
+          run_reduced,
+          run_reduced_in_lanes};
 }
 
 }  // namespace pseudorigid::app

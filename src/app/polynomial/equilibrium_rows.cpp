@@ -65,16 +65,16 @@ std::vector<scene::Column> polynomial_equilibria_columns() {
       {"index", "", "number of the row: degree by degree, by rising parameter"},
       {"degree", "", "N of the polynomial body"},
       {"kind", "",
-       "0: a member of the family; special points of it, between two members: 1 fold (its spin has an extremum), 3 "
-       "index (n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth rate begins "
-       "or ends)"},
+       "0: a member of the family. Special points between two members: 1 fold (its spin has an extremum), 3 index "
+       "(n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth rate begins or "
+       "ends)"},
       {"parameter", "",
        "the family's: eccentricity (maclaurin) and a3 in radii at volume 1 (spheroids), from the ratio of the axes a1 "
-       "and a3; spin [1/time] (spinning); a2/a1 (jacobi)"},
+       "and a3; spin [1/time] (spinning) or a2/a1 (jacobi)"},
       {"omega3", "1/time", "rate at which the figure turns about its axis 3"}};
   const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
     for (int i = 1; i <= 3; ++i)
-      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "likewise"});
+      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "as for axis 1"});
   };
   vector("a", "length", "semi-axis along axis 1 of the ellipsoid x = Q X nearest in the mean");
   vector("surface", "length", "where the surface cuts axis 1");
@@ -95,21 +95,20 @@ std::vector<scene::Column> polynomial_equilibria_columns() {
         "dissipation"},
        {"odd_in_z", "",
         "of the motions in which a special point happens, or that grow fastest: 1 if odd under the reflection of axis "
-        "3, otherwise 0; -1 where none grows"},
+        "3, otherwise 0; -1 if none grows"},
        {"m", "",
-        "of the same motions: azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn about axis "
-        "3, otherwise 1; -1 where none grows"}});
+        "of the same motions: azimuthal number on a spheroid, and on an ellipsoid 0 if even under the half turn about "
+        "axis 3, otherwise 1; -1 if none grows"}});
   for (std::size_t k = 1; k <= slowest; ++k) {
-    columns.push_back({fmt::format("rate_{}_re", k), "1/time",
-                       k > 1
-                           ? "as for rate_1_re"
-                           : "real part of a rate s of small motions exp(s t) in the turning frame, those of turns "
-                             "and of exchanges of matter within a fluid left out; the slowest, by rising frequency, 0 "
-                             "beyond the last"});
+    columns.push_back(
+        {fmt::format("rate_{}_re", k), "1/time",
+         k > 1 ? "as for rate_1_re"
+               : "real part of a rate s of small motions exp(s t) in the turning frame: the slowest, by rising "
+                 "frequency, 0 beyond the last. Turns and exchanges of matter within a fluid are left out"});
     columns.push_back({fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "its imaginary part"});
   }
   columns.push_back({"residual", "",
-                     "what is left of the equations of the figure, in their largest term; of a fluid the error of the "
+                     "residual of the equations of the figure, in their largest term; for a fluid the error of the "
                      "quadrature of gravity"});
   return columns;
 }

@@ -128,7 +128,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
   std::vector<scene::Column> columns{
       {"index", "", "number of the row, by rising parameter"},
       {"kind", "",
-       "0: a member of the family; special points of it, between two members: 1 fold (its spin or circulation has an "
+       "0: a member of the family. Special points between two members: 1 fold (its spin or circulation has an "
        "extremum), 3 index (n_negative changes: a branch may leave, and dissipation decides), 4 instability (a growth "
        "rate begins or ends)"},
       {"parameter", "",
@@ -136,7 +136,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
        "others"}};
   const auto vector = [&](const char* name, scene::Unit unit, const char* documentation) {
     for (int i = 1; i <= 3; ++i)
-      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "likewise"});
+      columns.push_back({fmt::format("{}{}", name, i), unit, i == 1 ? documentation : "as for axis 1"});
   };
   vector("omega", "1/time", "rate at which the figure turns in space, along its axis 1");
   vector("Lambda", "1/time", "rate of the motion within, Q(t) = exp(t omega^) diag(a) exp(-t Lambda^), along axis 1");
@@ -150,7 +150,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
   vector("zeta", "1/time", "vorticity of the motion within, seen from the figure");
   columns.insert(
       columns.end(),
-      {{"f", "", "zeta3/omega3, Riemann's ratio; 0 where the figure does not turn about axis 3"},
+      {{"f", "", "zeta3/omega3, Riemann's ratio; 0 if the figure does not turn about axis 3"},
        {"growth_rate", "1/time", "largest real part of the rates; 0 if stable"},
        {"stable", "", "1: no disturbance grows; to first order, among affine ones"},
        {"n_negative", "", "negative directions of the energy at fixed J and Z; 0: stable even with dissipation"}});
@@ -162,7 +162,7 @@ std::vector<scene::Column> ball_equilibria_columns() {
                  "out; by rising frequency, 0 beyond the last"});
     columns.push_back({fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "its imaginary part"});
   }
-  columns.push_back({"residual", "", "what is left of the equations of the steady motion, in their largest term"});
+  columns.push_back({"residual", "", "residual of the equations of the steady motion, in their largest term"});
   return columns;
 }
 

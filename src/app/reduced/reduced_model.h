@@ -83,7 +83,7 @@ class ReducedModel {
     if (least > tolerance) return {};
     return mechanics::Status::failure(
         fmt::format("the body collapses: its least stretch, {:.2g}, is within the error of Q that Time/Tolerance "
-                    "allows, {:.2g}, so what follows is unknown; a smaller tolerance follows the motion further",
+                    "allows, {:.2g}, so the motion after it is unknown; a smaller tolerance follows the motion further",
                     least, tolerance));
   }
 

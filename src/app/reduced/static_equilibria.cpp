@@ -67,16 +67,16 @@ std::vector<scene::Column> static_equilibria_columns(int n_modes) {
     for (int j = 1; j <= 3; ++j)
       columns.push_back(
           {fmt::format("Q{}{}", i, j), "",
-           i + j == 2 ? "entry of Q; one of many where the body can be turned without a change" : "likewise"});
+           i + j == 2 ? "entry of Q; one of many if the body can be turned without a change" : "as for Q11"});
   for (int i = 1; i <= 3; ++i)
-    columns.push_back({fmt::format("a{}", i), "length", i == 1 ? "semi-axis, longest first" : "likewise"});
+    columns.push_back({fmt::format("a{}", i), "length", i == 1 ? "semi-axis, longest first" : "as for a1"});
   columns.insert(columns.end(), {{"multiplier", "1/time^2", "multiplier per m_bar"},
                                  {"elastic", "mass*length^2/time^2", "stored energy"},
                                  {"gravitational", "mass*length^2/time^2", "energy of self-gravity"},
                                  {"external", "mass*length^2/time^2", "energy of the loads"},
                                  {"potential", "mass*length^2/time^2", "their sum"}});
   for (const scene::Column& column : critical_point_columns(n_modes)) columns.push_back(column);
-  columns.push_back({"residual", "", "what is left of the equations of rest, over the force"});
+  columns.push_back({"residual", "", "residual of the equations of rest, over the force"});
   return columns;
 }
 

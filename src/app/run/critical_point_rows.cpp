@@ -7,11 +7,11 @@ namespace pseudorigid::app {
 std::vector<scene::Column> critical_point_columns(int n_modes) {
   std::vector<scene::Column> columns{
       {"morse_index", "", "number of directions in which the potential falls"},
-      {"nullity", "", "number of directions in which it is level to second order, those of symmetries among them"},
+      {"nullity", "", "number of directions in which it is constant to second order, including those of symmetries"},
       {"n_unstable", "",
        "dimension of the unstable manifold under the system's own dissipation or, where it has none, under the force "
        "-(momentum)/(the scene's unit of time)"},
-      {"n_stable", "", "dimension of the stable manifold, likewise"}};
+      {"n_stable", "", "dimension of the stable manifold under the same dissipation or force"}};
   for (int k = 1; k <= n_modes; ++k)
     columns.push_back({fmt::format("hessian_{}", k), "1/time^2",
                        k > 1 ? "as for hessian_1"
@@ -20,8 +20,8 @@ std::vector<scene::Column> critical_point_columns(int n_modes) {
   for (int k = 1; k <= 2 * n_modes; ++k) {
     columns.push_back({fmt::format("rate_{}_re", k), "1/time",
                        k > 1 ? "as for rate_1_re"
-                             : "real part of a rate z: small motions of the system itself go like exp(z t), where it "
-                               "has no dissipation with z^2 = -hessian_k; every degree of freedom has two rates"});
+                             : "real part of a rate z of small motions exp(z t) of the system itself. Without "
+                               "dissipation z^2 = -hessian_k; every degree of freedom has two rates"});
     columns.push_back(
         {fmt::format("rate_{}_im", k), "1/time", k > 1 ? "as for rate_1_im" : "imaginary part of that rate"});
   }

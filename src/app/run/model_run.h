@@ -72,7 +72,7 @@ class ModelRun {
     auto& system_workspace = workspace_of_system(workspace);
     if (Status status = model_.row(time, state, system_workspace, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
-      return Status::failure("the motion has grown beyond what numbers can hold");
+      return Status::failure("the motion has grown beyond the range of numbers");
     measure_constraint(state);
     sink_->append(row_);
     if constexpr (requires { model_.write_frame(std::filesystem::path(), time, state, system_workspace); })

@@ -41,8 +41,9 @@ inline void warn_of_round_off(const mechanics::StepChoice& choice, std::string_v
         "end, so that the end depends on the last digits of the arithmetic",
         model, *choice.round_off_rules_from * context.units.time, choice.error);
   else if (choice.at_round_off)
-    context.log->warn("{}: the tolerance is below what double precision gives over this run; the estimate is {:.1e}",
-                      model, choice.error);
+    context.log->warn(
+        "{}: the tolerance is below the accuracy of double precision over this run; the estimate is {:.1e}", model,
+        choice.error);
 }
 
 template <class Model>

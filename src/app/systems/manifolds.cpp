@@ -185,7 +185,7 @@ class ManifoldRun {
   Status append(const Curve& curve, const State& state, systems::AnyModel& at_rest, Workspace& workspace) {
     row_.assign({double(curve.number), double(curve.from), double(curve.stable), state.t});
     if (Status status = at_rest.row({state.t, state.q, state.v}, workspace, row_); !status) return status;
-    if (!rows_.append_if_finite(row_)) return Status::failure("a motion has grown beyond what numbers can hold");
+    if (!rows_.append_if_finite(row_)) return Status::failure("a motion has grown beyond the range of numbers");
     return {};
   }
 

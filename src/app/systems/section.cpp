@@ -129,7 +129,7 @@ class SectionRun {
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
-      return Status::failure("the motion has grown beyond what numbers can hold");
+      return Status::failure("the motion has grown beyond the range of numbers");
     const auto& section = context_.scene.section;
     distance = row_[watched_] - section.value;
     if (section.period > 0) distance = std::remainder(distance, section.period);

@@ -281,7 +281,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
     const double curvature = p.dot(A_p);
     if (iteration == n_iterations_with_gravity || !(curvature > 0) || !std::isfinite(rz))
       return mechanics::Status::failure(
-          "the stiffness with self-gravity cannot be inverted: the quadrature of gravity is too coarse beside this "
+          "the stiffness with self-gravity cannot be inverted: the quadrature of gravity is too coarse for this "
           "elasticity, or the ball at rest is unstable");
     const double step = rz / curvature;
     u += step * p;

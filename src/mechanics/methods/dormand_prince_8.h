@@ -108,7 +108,7 @@ struct DormandPrince8 {
     if (t_limit == state.t) return {};
     if (Status status = start(field, t_limit, state, w); !status) return status;
     if (w.h_max < shortest_step(state.t, t_limit))
-      return Status::failure("the bound of the step is shorter than what double precision can tell apart of times");
+      return Status::failure("the bound of the step is shorter than the least difference of times in double precision");
     const double distance = t_limit - state.t;
     w.h = std::copysign(std::min(std::abs(w.h), w.h_max), distance);
     for (bool rejected = false;; rejected = true) {

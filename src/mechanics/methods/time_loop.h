@@ -65,7 +65,7 @@ requires(!Method::adaptive) RunResult
     const long n = hooks.steps_per_interval(cursor.sample, state, w);
     const double h = (t_end - t_start) / static_cast<double>(n);
     if (!(t_end - h < t_end))
-      return fail(Status::failure("the step is shorter than what double precision can tell apart of times"));
+      return fail(Status::failure("the step is shorter than the least difference of times in double precision"));
     for (; cursor.step < n;) {
       state.t = t_start + static_cast<double>(cursor.step) * h;
       if (Status status = Method::advance(system, h, state, w); !status) return fail(std::move(status));
