@@ -31,9 +31,9 @@ struct LooksAtFrequency {
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;             ///< upper bound of the outer step, internal time
-  double local_tolerance = 0;  ///< of an adaptive method
-  long steps_in_interval = 0;  ///< of the interval that the cursor is in; 0 at a sample
+  double step = 0;                      ///< upper bound of the outer step, internal time
+  double local_tolerance = 0;           ///< of an adaptive method
+  mechanics::Stretch stretch{0, 1, 0};  ///< that the cursor is in; no steps: it stands at a sample
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
   /// Estimated for the configuration, of all the parts of the run whose step was looked for; absent if one was not.
@@ -98,7 +98,9 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot<S>& sna
   c.set("choice", identity.choice);
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
-  c.set("steps in interval", position.steps_in_interval);
+  c.set("steps in interval", position.stretch.n_steps);
+  c.set("first sample of the steps", position.stretch.first);
+  c.set("last sample of the steps", position.stretch.last);
   c.set("next look", position.looks.next);
   c.set("last look", position.looks.last);
   c.set("method", std::string(mechanics::method_name(position.method)));
@@ -130,7 +132,8 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot<S>& snapshot) {
                        *method,
                        numbers[0],
                        numbers[1],
-                       c.get_integer("steps in interval"),
+                       {c.get_integer("first sample of the steps"), c.get_integer("last sample of the steps"),
+                        c.get_integer("steps in interval")},
                        {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3],

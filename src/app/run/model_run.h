@@ -54,7 +54,7 @@ class ModelRun {
       return outcome(Outcome::failed, stopped(state_.t, status.reason()), start);
     }
     mechanics::RunResult result;
-    if (next_stepping_) result = run_until(position_.cursor.sample + 1);
+    if (next_stepping_) result = run_until(is_adaptive() ? position_.cursor.sample + 1 : position_.stretch.last);
     if (result.outcome == Outcome::finished) {
       if (next_stepping_) step_anew();
       result = run_until(times_.n_samples);
@@ -80,18 +80,31 @@ class ModelRun {
         sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, time, state, system_workspace); });
     if constexpr (has_shapes)
       if (sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
-    position_.cursor = {k, 0};
-    position_.steps_in_interval = 0;
-    if (k == 0 || !stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
+    const bool within_steps = position_.stretch.n_steps > 0 && k < position_.stretch.last;
+    position_.cursor = {k, within_steps ? position_.cursor.step : 0};
+    if (!within_steps) position_.stretch = {k, k + 1, 0};
+    if (k == 0 || !(within_steps || is_adaptive())) good_.take(position_, state, workspace);
     if (k == 0) save(good_);
     return {};
   }
 
   template <class Workspace>
   long steps_per_interval(long k, const State& state, Workspace&) {
-    if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (stepping_.adapts(position_) && k >= position_.looks.next) stepping_.reconsider(state, position_);
-    return position_.steps_in_interval = times_.steps_per_interval(position_.step);
+    return times_.steps_per_interval(position_.step);
+  }
+
+  template <class Workspace>
+  mechanics::Stretch stretch(long k, const State& state, Workspace& workspace) {
+    if (position_.stretch.n_steps > 0) return position_.stretch;
+    position_.stretch = {k, k + 1, steps_per_interval(k, state, workspace)};
+    if constexpr (requires { workspace.interpolation_tolerance; })
+      if (workspace.interpolation_tolerance > 0) {
+        const long last = end_of_long_stretch(k);
+        const mechanics::SampleTimes whole{times_[last] - times_[k]};
+        position_.stretch = {k, last, whole.steps_per_interval(position_.step)};
+      }
+    return position_.stretch;
   }
 
   template <class Workspace>
@@ -103,7 +116,7 @@ class ModelRun {
         return false;
       }
     // Steps of an adaptive method do not end at samples.
-    if (stepping_.is_adaptive(position_.method)) good_.take(position_, state, workspace);
+    if (is_adaptive()) good_.take(position_, state, workspace);
     if (++steps_since_look_ < Model::steps_between_looks) return true;
     steps_since_look_ = 0;
     sink_->progress(state.t / times_.end);
@@ -118,6 +131,16 @@ class ModelRun {
   }
 
  private:
+  /// Last sample of a stretch from sample k on, if steps are longer than the intervals. It has a sixteenth of the run
+  /// or less, and eight steps at least. A run that fails goes back to the begin of its stretch.
+  long end_of_long_stretch(long k) const {
+    const double n = static_cast<double>(times_.n_samples),
+                 n_stretches = std::clamp(std::floor(times_.end / position_.step / 8), 1.0, 16.0);
+    double i = std::floor(static_cast<double>(k) / n * n_stretches);
+    while (std::lround(n * i / n_stretches) <= k) ++i;
+    return std::lround(n * i / n_stretches);
+  }
+  bool is_adaptive() const { return stepping_.is_adaptive(position_.method); }
   static constexpr bool has_constraints = [] {
     if constexpr (mechanics::ConstrainedSystem<System>) return !mechanics::unconstrained<System>;
     return false;
@@ -158,6 +181,8 @@ class ModelRun {
         const double tolerance = context_.scene.time.tolerance;
         workspace.tolerance = std::min(workspace.tolerance, tolerance);
         workspace.iteration_tolerance = Method::iteration_tolerance(Model::pilot_reserve * tolerance, times_.end);
+        if (position_.step > times_.interval() * (1 + 1e-12))
+          workspace.interpolation_tolerance = Model::pilot_reserve * tolerance;
       }
     if constexpr (has_constraints && mechanics::has_costly_force<System> &&
                   requires { workspace.constraint_tolerance; })
@@ -192,7 +217,7 @@ class ModelRun {
     state_ = good_.state;
     position_ = good_.position;
     position_.step /= 2;
-    position_.steps_in_interval = 0;
+    position_.stretch.n_steps = 0;
     good_.position = position_;
     context_.log->info("{}: step reduced to {:.4g} at t = {}, since it fails at t = {}: {}", model_.name,
                        position_.step * context_.units.time, physical_time(state_.t), physical_time(failure.t),
@@ -286,7 +311,7 @@ class ModelRun {
       stepping_.shorten(position_);
     else if (Status status = stepping_.choose(state_, position_, statistics_); !status)
       return status;
-    if (old.steps_in_interval == 0 && state_.t == times_[old.cursor.sample]) {
+    if (old.stretch.n_steps == 0 && state_.t == times_[old.cursor.sample]) {
       // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
       if (position_.method != old.method) good_.memory.clear();
       return {};
