@@ -10,21 +10,17 @@
 namespace pseudorigid::app {
 namespace {
 
-class CopyModel : public ReducedModel<GeneralBody<true>> {
- public:
-  static constexpr const char* name = "copy";
-  using ReducedModel::ReducedModel;
-};
+constexpr const char* name = "copy";
 
 ModelOutcome run_copy(const RunContext& context) {
   const ReducedScene scene = reduced_scene(context.scene);
-  CopyModel model(general_body<true>(scene), scene, context);
+  ReducedModel model(general_body<true>(scene), scene, context, name);
   return ModelRun(model, context).run();
 }
 
 BallModel copy_model() {
   scene::ModelDescription copy = reduced_model().description;
-  copy.name = CopyModel::name;
+  copy.name = name;
   copy.adjective = "copied";
   copy.documentation = "The pseudo-rigid body once more.";
   copy.by_default = false;

@@ -17,19 +17,19 @@ using continuum::MaterialFaces;
 class MaterialFacesOfTheBall : public ::testing::TestWithParam<int> {};
 
 TEST_P(MaterialFacesOfTheBall, LieOnTheSphereAndThePlanesAndMoveWithTheBody) {
-  constexpr std::size_t n_columns = MaterialFaces::columns.size();
   for (const Sector& sector : {whole, quarter, octant}) {
     const ElasticBall ball(sector, GetParam(), 0, neo_hookean);
     std::mt19937 generator(3);
     const Matrix3d Q = admissible(sector, Matrix3d::Identity() + 0.3 * random_matrix(generator));
     const MaterialFaces faces(ball.space());
-    const std::vector<double> rows = faces.rows(ball.affine_field(Q));
-    ASSERT_EQ(rows.size(), n_columns * faces.n_points());
+    const std::vector<std::vector<double>> rows = faces.rows(ball.affine_field(Q));
+    ASSERT_EQ(rows.size(), faces.n_points());
     std::map<double, int> points_of_face;
     std::set<double> planes;
-    for (std::size_t k = 0; k < rows.size(); k += n_columns) {
-      const double face = rows[k], plane = rows[k + 1];
-      const Vector3d X(&rows[k + 2]), x(&rows[k + 5]);
+    for (const std::vector<double>& row : rows) {
+      ASSERT_EQ(row.size(), MaterialFaces::columns.size());
+      const double face = row[0], plane = row[1];
+      const Vector3d X(&row[2]), x(&row[5]);
       ++points_of_face[face];
       planes.insert(plane);
       // On the sphere to the error of the geometry, which is that of interpolation between its nodes.

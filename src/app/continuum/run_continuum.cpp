@@ -1,5 +1,4 @@
 #include "app/continuum/continuum_model.h"
-#include "app/continuum/run_compressible.h"
 #include "app/continuum/run_modes.h"
 #include "app/run/run_models.h"
 #include "app/search/discretization_search.h"
@@ -8,10 +7,15 @@
 namespace pseudorigid::app {
 namespace {
 
-ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
-  if (!context.scene.body.incompressible) return run_compressible(context, task);
-  ContinuumModel<continuum::ElasticBall> model(context, task);
+template <class Ball>
+ModelOutcome run_model(const RunContext& context, const ContinuumTask& task) {
+  ContinuumModel<Ball> model(context, task);
   return ModelRun(model, context, task.stepping).run();
+}
+
+ModelOutcome run_ball(const RunContext& context, const ContinuumTask& task) {
+  return context.scene.body.incompressible ? run_model<continuum::ElasticBall>(context, task)
+                                           : run_model<continuum::CompressibleBall>(context, task);
 }
 
 }  // namespace

@@ -39,7 +39,4 @@ inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::ar
           .n_points = quadrature_points(scene, degree)};
 }
 
-ModelOutcome run_incompressible_polynomial(const RunContext& context, const PolynomialTask& task);
-ModelOutcome run_compressible_polynomial(const RunContext& context, const PolynomialTask& task);
-
 }  // namespace pseudorigid::app

@@ -1,14 +1,22 @@
 #include "app/polynomial/degree_search.h"
+#include "app/polynomial/polynomial_model.h"
 #include "app/polynomial/run_equilibria.h"
 #include "app/polynomial/run_modes.h"
+#include "app/run/model_run.h"
 #include "app/run/run_models.h"
 
 namespace pseudorigid::app {
 namespace {
 
+template <class Body>
+ModelOutcome run_model(const RunContext& context, const PolynomialTask& task) {
+  PolynomialModel<Body> model(context, task);
+  return ModelRun(model, context, task.stepping).run();
+}
+
 ModelOutcome run_body(const RunContext& context, const PolynomialTask& task) {
-  return context.scene.body.incompressible ? run_incompressible_polynomial(context, task)
-                                           : run_compressible_polynomial(context, task);
+  return context.scene.body.incompressible ? run_model<polynomial::IncompressibleBody>(context, task)
+                                           : run_model<polynomial::CompressibleBody>(context, task);
 }
 
 }  // namespace

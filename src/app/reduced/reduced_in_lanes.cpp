@@ -181,7 +181,7 @@ class RunInLanes {
   bool deliver(int i, const reduced::MotionsInLanes& motions, io::Manifest::Model& statistics) const {
     const RunContext& context = contexts_[i];
     ReducedModel<Body> model(bodies_[i], scenes_[i], context);
-    const auto sink = context.sink_of(context, model.name);
+    const auto sink = context.sink_of(context, model.name.c_str());
     sink->create(model.columns());
     auto workspace = bodies_[i].make_workspace();
     std::vector<double> row;
@@ -191,7 +191,7 @@ class RunInLanes {
       if (!std::ranges::all_of(row, [](double x) { return std::isfinite(x); })) return false;
       sink->append(row);
     }
-    model.report(workspace, statistics);
+    model.report(motions.counters, nullptr, statistics);
     return true;
   }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The pseudo-rigid body of a scene, in one of its forms, as ModelRun wants it.
+/// The pseudo-rigid body of a scene, in one of its forms, as a model.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include "app/reduced/reduced_scene.h"
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
+#include "app/run/runnable_model.h"
 #include "app/run/tension_watch.h"
 #include "io/ball_blocks.h"
 #include "io/trajectory.h"
@@ -20,18 +21,18 @@
 namespace pseudorigid::app {
 
 template <class BodySystem>
-class ReducedModel {
+class ReducedModel final : public RunnableModelOf<BodySystem> {
+  using Base = RunnableModelOf<BodySystem>;
+  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
+  static constexpr int between_looks = 256;
+
  public:
   using System = BodySystem;
-  using State = mechanics::State<System>;
-  using Workspace = typename System::Workspace;
-  static constexpr const char* name = "reduced";
-  /// Steps take less than 1 µs, so the clock and the interrupt flag are polled only once in this many steps.
-  static constexpr int steps_between_looks = 256;
-  static constexpr double pilot_reserve = 1;
+  using typename Base::State, typename Base::Workspace;
 
-  ReducedModel(System system, const ReducedScene& scene, const RunContext& context)
-      : system_(std::move(system)),
+  ReducedModel(System system, const ReducedScene& scene, const RunContext& context, std::string name = "reduced")
+      : Base(std::move(name), between_looks, 1),
+        system_(std::move(system)),
         center_(scene.center),
         drag_on_center_(scene.dissipation.drag != 0),
         center_is_driven_(loads::depend_on_time(scene.loads)),
@@ -40,24 +41,23 @@ class ReducedModel {
         context_(context),
         trajectory_(context.needs.quantities, context.units),
         request_(trajectory_.request()),
-        tension_(context, name) {
+        tension_(context, this->name) {
     request_.multiplier = request_.multiplier || (tension_.watches() && !mechanics::unconstrained<System>);
   }
 
-  const System& system() const { return system_; }
-  State initial_state() const { return start_; }
-  double constraint_scale() const { return 1; }
-  Eigen::Matrix3d configuration(const State& state) const { return system_.motion(state).q; }
-  double rate(const State& state) const {
+  const System& system() const override { return system_; }
+  State initial_state() const override { return start_; }
+  Eigen::MatrixXd configuration(const State& state) const override { return Q_of(state); }
+  double rate(const State& state) const override {
     const auto motion = system_.motion(state);
     return mechanics::affine_rate(motion.q, motion.v);
   }
   /// About ten pulsations: from there on the time error of regular motions grows linearly.
-  double pilot_window(double end) const { return std::min(end, 20.0); }
+  double pilot_window(double end) const override { return std::min(end, 20.0); }
 
-  const std::vector<std::string>& columns() const { return trajectory_.names(); }
+  std::vector<std::string> columns() const override { return trajectory_.names(); }
 
-  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) {
+  mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = check_size(state); !status) return status;
     if (auto status = system_.body().admissible(system_.motion(state).q); !status) return status;
     if (auto status = reduced::observe(system_, state, workspace, request_, observables_); !status) return status;
@@ -66,7 +66,7 @@ class ReducedModel {
         return status;
     if (auto status = add_center_of_mass(state.t); !status) return status;
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
-    note_motion(configuration(state));
+    note_motion(Q_of(state));
     trajectory_.row(time, observables_, row);
     return {};
   }
@@ -74,8 +74,9 @@ class ReducedModel {
   /// Looked at after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
   /// and Young): if the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
   /// A body that keeps its volume has no collapse.
-  mechanics::Status judge(const State& state) const requires mechanics::unconstrained<System> {
-    const Eigen::Matrix3d Q = configuration(state);
+  mechanics::Status judge(const State& state) const override {
+    if constexpr (!mechanics::unconstrained<System>) return {};
+    const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
     // det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 spare most steps the singular values.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
@@ -87,8 +88,7 @@ class ReducedModel {
                     least, tolerance));
   }
 
-  /// Restores the history from the rows of an interrupted run.
-  void take_up(const io::Table& rows) {
+  void take_up(const io::Table& rows) override {
     const auto row = rows.row(rows.n_rows() - 1);
     if (request_.bipolar) {
       bipolar_.emplace();
@@ -103,12 +103,11 @@ class ReducedModel {
     if (knows_motion_)
       for (std::size_t n = 0; n < rows.n_rows(); ++n)
         note_motion(Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(rows.row(n).data() + rows.column_index("Q11")));
-    if (tension_.watches() && rows.has_column("multiplier"))
-      tension_.take_up(rows.column("time"), rows.column("multiplier"));
+    tension_.take_up(rows);
   }
 
   mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
-                                Workspace& workspace) {
+                                Workspace& workspace) override {
     double Lambda = 0;
     if constexpr (!mechanics::unconstrained<System>)
       if (auto status = mechanics::multiplier_of_motion(system_, state, workspace, Lambda); !status) return status;
@@ -117,13 +116,14 @@ class ReducedModel {
     return {};
   }
 
-  template <class MethodWorkspace>
-  void report(const MethodWorkspace&, io::Manifest::Model& statistics) const {
+  void report(const mechanics::Counters&, const Workspace*, io::Manifest::Model& statistics) const override {
     tension_.report(statistics);
     warn_of_resolution(statistics);
   }
 
  private:
+  Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
+
   /// Homogeneous but for positions and velocities.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
@@ -144,7 +144,7 @@ class ReducedModel {
 
   void note_motion(const Eigen::Matrix3d& Q) {
     ++n_noted_;
-    motion_ = std::max(motion_, (Q - configuration(start_)).cwiseAbs().maxCoeff());
+    motion_ = std::max(motion_, (Q - Q_of(start_)).cwiseAbs().maxCoeff());
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
@@ -159,9 +159,9 @@ class ReducedModel {
     const bool rests = start_.v.isZero(0) && motion_ <= round_off;
     if (rests || motion_ > well_above * error) return;
     context_.log->warn(
-        "reduced: Q moves by no more than {:.2g}, and its error is about {:.2g}: velocities and energies of this "
+        "{}: Q moves by no more than {:.2g}, and its error is about {:.2g}: velocities and energies of this "
         "motion are not resolved; {}",
-        motion_, error,
+        this->name, motion_, error,
         motion_ > well_above * round_off ? "give a smaller Time/Tolerance" : "they are lost in round-off");
   }
 

@@ -31,25 +31,25 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
 /// For a model whose vectors are complete on one process.
 template <class Model>
 class CheckpointVectors {
-  using Snapshot = app::Snapshot<typename Model::System>;
+  using State = typename Model::State;
 
  public:
   explicit CheckpointVectors(const Model&) {}
 
-  void take(const io::Checkpoint& file, Snapshot& snapshot) {
+  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto copy = [&](const char* name, std::span<double> own) {
       std::ranges::copy(file.get_doubles(name, own.size()), own.begin());
     };
-    copy("q", mechanics::local_values(snapshot.state.q));
-    copy("v", mechanics::local_values(snapshot.state.v));
+    copy("q", mechanics::local_values(state.q));
+    copy("v", mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles("memory");
   }
   template <class Workspace>
   void restore_memory(Workspace& workspace, Snapshot& snapshot) {
     give_memory(workspace, snapshot.memory);
   }
-  SavedVectors collect(Snapshot& snapshot) const {
-    const auto q = mechanics::local_values(snapshot.state.q), v = mechanics::local_values(snapshot.state.v);
+  SavedVectors collect(State& state, const Snapshot& snapshot) const {
+    const auto q = mechanics::local_values(state.q), v = mechanics::local_values(state.v);
     return {{q.begin(), q.end()}, {v.begin(), v.end()}, snapshot.memory};
   }
 };
@@ -58,18 +58,18 @@ class CheckpointVectors {
 template <class Model>
 requires is_distributed<Model>
 class CheckpointVectors<Model> {
-  using Snapshot = app::Snapshot<typename Model::System>;
+  using State = typename Model::State;
 
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
   /// The memory stays whole until the method has its workspace, which alone says what is whose.
-  void take(const io::Checkpoint& file, Snapshot& snapshot) {
+  void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(name, order_.field_size()), own);
     };
-    take_own("q", mechanics::local_values(snapshot.state.q));
-    take_own("v", mechanics::local_values(snapshot.state.v));
+    take_own("q", mechanics::local_values(state.q));
+    take_own("v", mechanics::local_values(state.v));
     snapshot.memory = file.get_doubles("memory");
     memory_is_whole_ = true;
   }
@@ -82,9 +82,9 @@ class CheckpointVectors<Model> {
     give_memory(workspace, snapshot.memory);
   }
   /// Collective; whole on the rank that writes.
-  SavedVectors collect(Snapshot& snapshot) const {
-    return {order_.collect_field(mechanics::local_values(snapshot.state.q)),
-            order_.collect_field(mechanics::local_values(snapshot.state.v)),
+  SavedVectors collect(State& state, const Snapshot& snapshot) const {
+    return {order_.collect_field(mechanics::local_values(state.q)),
+            order_.collect_field(mechanics::local_values(state.v)),
             snapshot.memory.empty() ? std::vector<double>() : layout_->collect(snapshot.memory)};
   }
 

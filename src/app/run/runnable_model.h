@@ -1,47 +1,83 @@
 #pragma once
-/// Interface of a model to ModelRun: the start of its motion, its largest frequency, and its output. A model may
-/// offer more, which ModelRun asks for if it is there:
-///
-///   void take_up(rows)                        what the rows of an interrupted run know of the past
-///   std::vector<double> remarks() const, take_remarks(numbers)                what it has warned of, for checkpoints
-///   void choose_quadrature(state), estimate_quadrature(state, stable step of RATTLE, or 0)
-///                                             its rule, and what that errs, before and after the search for the step
-///   Eigen::Vector2d energies(state) const     kinetic and potential, for methods that need not keep their sum
-///   Status judge(state) const                 states with which a run ends, asked after every step
-///   double constraint_scale() const           with constraints
-///   Status write_frame(path, time, state, system workspace)                   pictures, picture.h
-///   shape_file(), shape_columns(), shape(time, state)                         shapes for the report
-///   std::string place_of_least_jacobian(state) const                          for a run that cannot go on
-///   const Order& rank_order() const, using MemoryLayout                       distributed vectors, rank_order.h
-///
-/// All ranks run it together; one of them writes.
+/// Interface of a model to ModelRun: the start of its motion, its largest frequency, and its output. Functions with a
+/// default are optional. All ranks run the model together; one of them writes.
 
-#include <concepts>
+#include <Eigen/Core>
+#include <filesystem>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "io/csv.h"
 #include "io/manifest.h"
-#include "mechanics/core/second_order_field.h"
+#include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::app {
 
-// clang-format off
-template <class M>
-concept RunnableModel = requires(M& model, const M& known, const mechanics::State<typename M::System>& state,
-                                 decltype(known.system().make_workspace())& workspace, double t,
-                                 std::vector<double>& row, io::Manifest::Model& statistics) {
-  { known.name } -> std::convertible_to<const char*>;                 // of its files
-  { M::steps_between_looks } -> std::convertible_to<int>;             // at the clock and the interrupt flag
-  { M::pilot_reserve } -> std::convertible_to<double>;                // the part of the tolerance that a pilot gets
-  { known.system() } -> std::same_as<const typename M::System&>;
-  { known.initial_state() } -> std::same_as<mechanics::State<typename M::System>>;
-  known.configuration(state);                                         // configuration to which Time/Tolerance applies, of Eigen
-  { known.rate(state) } -> std::convertible_to<double>;               // of the motion, in addition to its largest frequency
-  { known.pilot_window(t) } -> std::convertible_to<double>;           // how long a pilot looks at a motion until t
-  { known.columns() } -> std::convertible_to<std::vector<std::string>>;
-  { model.row(t, state, workspace, row) } -> std::same_as<mechanics::Status>;
-  known.report(workspace, statistics);                                // the workspace of the method, in fact
+/// The part of the interface that does not depend on the system.
+class RunnableModel {
+ public:
+  virtual ~RunnableModel() = default;
+  RunnableModel(const RunnableModel&) = delete;
+
+  const std::string name;         ///< of its files
+  const int steps_between_looks;  ///< at the clock and the interrupt flag
+  const double pilot_reserve;     ///< the part of the tolerance that a pilot gets
+
+  virtual double pilot_window(double end) const = 0;  ///< length of the pilots of a motion until `end`
+  virtual std::vector<std::string> columns() const = 0;
+
+  /// Restores the history from the rows of an interrupted run.
+  virtual void take_up(const io::Table& /*rows*/) {}
+  /// The warnings given so far as a fixed count of numbers, for checkpoints.
+  virtual std::vector<double> remarks() const { return {}; }
+  virtual void take_remarks(std::span<const double>) {}
+
+  /// Shapes for the report: the name of their table, empty if there are none, and its columns.
+  virtual std::string shape_file() const { return {}; }
+  virtual std::vector<std::string> shape_columns() const { return {}; }
+
+ protected:
+  RunnableModel(std::string name_of_files, int between_looks, double reserve)
+      : name(std::move(name_of_files)), steps_between_looks(between_looks), pilot_reserve(reserve) {}
 };
-// clang-format on
+
+/// The model of a system. Models with distributed vectors also have rank_order() and MemoryLayout
+/// (checkpoint_vectors.h).
+template <class S>
+class RunnableModelOf : public RunnableModel {
+ public:
+  using System = S;
+  using State = mechanics::State<S>;
+  using Workspace = typename S::Workspace;
+
+  virtual const S& system() const = 0;
+  virtual State initial_state() const = 0;
+  /// The numbers to which Time/Tolerance applies.
+  virtual Eigen::MatrixXd configuration(const State&) const = 0;
+  virtual double rate(const State&) const = 0;  ///< of the motion, in addition to its largest frequency
+  virtual double constraint_scale() const { return 1; }
+  /// Kinetic and potential energy, for methods that need not keep their sum; of systems with a costly force.
+  virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
+  /// A failure ends the run. Asked after every step.
+  virtual mechanics::Status judge(const State&) const { return {}; }
+  /// Its rule of quadrature, before the search for the step, and the error of the rule, after it. `stable_step` is
+  /// RATTLE's, 0 if it is not known.
+  virtual void choose_quadrature(const State&) {}
+  virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
+  virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for a run that cannot go on
+
+  virtual mechanics::Status row(double time, const State&, Workspace&, std::vector<double>& row) = 0;
+  virtual mechanics::Status write_frame(const std::filesystem::path&, double /*time*/, const State&, Workspace&) {
+    return {};
+  }
+  virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
+  /// `workspace`: the system's part of the method's; null if the method has none.
+  virtual void report(const mechanics::Counters&, const Workspace* /*workspace*/, io::Manifest::Model&) const {}
+
+ protected:
+  using RunnableModel::RunnableModel;
+};
 
 }  // namespace pseudorigid::app

@@ -22,8 +22,10 @@ class TensionWatch {
 
   bool watches() const { return is_fluid_; }
 
-  /// Restores the state after a resume without repeating the message.
-  void take_up(const std::vector<double>& times, const std::vector<double>& lambdas) {
+  /// Restores the state from the rows of an interrupted run, without repeating the message.
+  void take_up(const io::Table& rows) {
+    if (!is_fluid_ || !rows.has_column("multiplier")) return;
+    const std::vector<double> times = rows.column("time"), lambdas = rows.column("multiplier");
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }
 

@@ -41,10 +41,11 @@ class SectionRun {
         context_(context),
         field_(mechanics::field_of(form)),
         workspace_(form.make_workspace()),
-        watched_(static_cast<std::size_t>(std::ranges::find(motion.columns(), context.scene.section.column) -
-                                          motion.columns().begin())),
+        columns_(motion.columns()),
+        watched_(
+            static_cast<std::size_t>(std::ranges::find(columns_, context.scene.section.column) - columns_.begin())),
         end_(context.internal_time(std::abs(context.scene.time.end))),
-        csv_(io::CsvWriter::create(context.directory.csv("section"), motion.columns())) {}
+        csv_(io::CsvWriter::create(context.directory.csv("section"), columns_)) {}
 
   ModelOutcome run() {
     const auto start = std::chrono::steady_clock::now();
@@ -80,7 +81,7 @@ class SectionRun {
                                          .method = mechanics::id_of<Method>,
                                          .give_up = [this] { return context_.interrupted(); }};
     const auto choice = mechanics::choose_step(form_, motion_.initial_state(), request,
-                                               [](const State& s) -> Eigen::VectorXd { return s.q; });
+                                               [](const State& s) -> Eigen::MatrixXd { return s.q; });
     counters["pilot_forces"] = static_cast<double>(choice.n_force);
     if (!choice.status) {
       const double least = std::max(1e-3 * tolerance, 1e-14);
@@ -170,6 +171,7 @@ class SectionRun {
   const RunContext& context_;
   decltype(mechanics::field_of(std::declval<const Form&>())) field_;
   typename Form::Workspace workspace_;
+  const std::vector<std::string> columns_;
   std::size_t watched_;
   double end_;
   io::CsvWriter csv_;

@@ -75,22 +75,14 @@ std::vector<double> MaterialFaces::own_rows(const Vector& position) const {
   return rows;
 }
 
-std::vector<double> MaterialFaces::rows(const Vector& position) const {
-  using Row = std::array<double, n_columns>;
-  std::vector<Row> all;
+std::vector<std::vector<double>> MaterialFaces::rows(const Vector& position) const {
+  std::vector<std::vector<double>> all;
   for (const std::vector<double>& rows : gather(space_.communicator(), own_rows(position)))
-    for (std::size_t i = 0; i < rows.size(); i += n_columns) {
-      Row& row = all.emplace_back();
-      std::copy_n(&rows[i], n_columns, row.begin());
-    }
-  std::stable_sort(all.begin(), all.end(), [](const Row& a, const Row& b) { return a[0] < b[0]; });
+    for (auto row = rows.begin(); row != rows.end(); row += n_columns) all.emplace_back(row, row + n_columns);
+  std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a[0] < b[0]; });
   const std::size_t n_on_face = (m_ + 1) * (m_ + 1);
-  std::vector<double> rows;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    all[k][0] = static_cast<double>(k / n_on_face + 1);
-    rows.insert(rows.end(), all[k].begin(), all[k].end());
-  }
-  return rows;
+  for (std::size_t k = 0; k < all.size(); ++k) all[k][0] = static_cast<double>(k / n_on_face + 1);
+  return all;
 }
 
 }  // namespace pseudorigid::continuum

@@ -26,7 +26,7 @@ class MaterialFaces {
 
   std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< of all ranks
   /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on the others. Collective.
-  std::vector<double> rows(const Vector& position) const;
+  std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:
   struct Face {

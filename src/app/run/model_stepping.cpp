@@ -1,0 +1,213 @@
+#include "app/run/model_stepping.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace pseudorigid::app {
+namespace {
+
+/// Messages of a search for method and step that takes longer than a second: its task, then after ten seconds, a
+/// hundred …, that it continues.
+class SearchNotice {
+ public:
+  /// `what`: a sentence about the search, after the name of the model.
+  SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
+      : context_(context),
+        model_(std::move(model)),
+        what_(std::move(what)),
+        steps_between_looks_(steps_between_looks) {}
+
+  /// After every step of a pilot.
+  void step() {
+    if (++n_steps_ < steps_between_looks_) return;
+    n_steps_ = 0;
+    const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (seconds < next_) return;
+    if (next_ == first_)
+      context_.log->info("{}: {}", model_, what_);
+    else
+      context_.log->info("{}: still looking for the step, after {:.0f} s", model_, seconds);
+    while (next_ <= seconds) next_ *= 10;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double first_ = 1;
+
+  const RunContext& context_;
+  std::string model_, what_;
+  int steps_between_looks_;
+  Clock::time_point start_ = Clock::now();
+  int n_steps_ = 0;
+  double next_ = first_;
+};
+
+/// A step is at most this part of the stability limit at the state for which it was chosen.
+constexpr double reserve = 0.8;
+
+/// RATTLE's limit, for a method of fixed steps.
+double limit_of(mechanics::MethodId id, double rattle_limit) {
+  return mechanics::with_method(id, [&]<class Method>(Method) {
+    if constexpr (Method::adaptive)
+      return HUGE_VAL;
+    else
+      return rattle_limit * (Method::stability_limit / mechanics::Rattle::stability_limit);
+  });
+}
+
+/// Log suffix that names a property the method lacks.
+std::string_view promise(mechanics::MethodId id) {
+  return mechanics::with_method(id, []<class Method>(Method) {
+    return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");
+  });
+}
+
+}  // namespace
+
+void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context) {
+  if (choice.round_off_rules_from)
+    context.log->warn(
+        "{}: the motion is unstable: within a time of {:.6g} round-off grows beyond the tolerance, and to {:.1e} by "
+        "the "
+        "end, so that the end depends on the last digits of the arithmetic",
+        model, *choice.round_off_rules_from * context.units.time, choice.error);
+  else if (choice.at_round_off)
+    context.log->warn(
+        "{}: the tolerance is below the accuracy of double precision over this run; the estimate is {:.1e}", model,
+        choice.error);
+}
+
+mechanics::Status ModelStepping::choose() {
+  const std::optional<double> error_so_far = std::exchange(position_.time_error, std::nullopt);
+  if (known_) return take_over(*known_);
+  const double bound = step_bound();
+  if (const auto method = asked_method(); method && std::isfinite(bound) && !is_adaptive(*method)) {
+    position_.method = *method;
+    position_.step = bound;
+    return {};
+  }
+  return search(error_so_far);
+}
+
+void ModelStepping::reconsider() {
+  if (!traits_.constrained_form) return;
+  position_.looks.next = position_.cursor.sample + samples_between_looks();
+  double limit = 0;
+  // Between `reserve`, with which steps are chosen, and 1, where they are unstable: a step is not halved for the
+  // few per cent by which the frequency of a motion comes and goes, and not kept until it is at its limit.
+  constexpr double less_reserve = 0.9;
+  if (!rattle_limit(less_reserve, limit)) return;  // the step itself will meet the failure and report it
+  const double before = position_.step;
+  while (position_.step > limit_of(position_.method, limit)) position_.step /= 2;
+  plan_look(limit / less_reserve);
+  if (position_.step != before)
+    context_.log->info("{}: step reduced to {:.4g} at t = {:.6g}, because the stiffness has grown", any_model_.name,
+                       position_.step * context_.units.time, time() * context_.units.time);
+}
+
+mechanics::Status ModelStepping::search(const std::optional<double>& error_so_far) {
+  const double end = times_.end - time();
+  mechanics::StepRequest request{.end = end,
+                                 .window = any_model_.pilot_window(end),
+                                 .tolerance = any_model_.pilot_reserve * context_.scene.time.tolerance,
+                                 .step_bound = std::min(step_bound(), end),
+                                 .interval = times_.interval(),
+                                 .spare_pilots = traits_.has_costly_force,
+                                 .method = asked_method()};
+  if (traits_.constrained_form) {
+    double limit = 0;
+    if (Status status = rattle_limit(reserve, limit); !status) return status;
+    request.rattle_limit = std::min(limit, request.end);
+    if (Status status = judge_stiffness(request); !status) return status;
+  } else {
+    request.rattle_limit = HUGE_VAL;  // accuracy and the iteration of the stages bound the step
+  }
+  SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
+  request.give_up = [&] {
+    notice.step();
+    return context_.interrupted();
+  };
+  const mechanics::StepChoice choice = choose_step(request);
+  // If the search for the step was interrupted, the run does not start.
+  if (context_.interrupted()) return Status::failure("interrupted while looking for the step");
+  if (!choice.status)
+    fall_back(choice, request);
+  else
+    take(choice, error_so_far);
+  plan_look(request.rattle_limit / reserve);
+  return {};
+}
+
+std::string ModelStepping::about_search(const mechanics::StepRequest& request) const {
+  const double time = context_.units.time;
+  std::string text = fmt::format("looks for method and step by pilot runs, until {:.4g} of {:.4g}",
+                                 mechanics::detail::pilot_window(request) * time, request.end * time);
+  if (request.rattle_limit > 0)
+    text += fmt::format("; rattle is stable up to a step of {:.2g}, which the run takes {:.2g} times",
+                        request.rattle_limit * time, std::ceil(request.end / request.rattle_limit));
+  return text;
+}
+
+/// The largest frequency changes with the deformation. The next look comes before it can have grown beyond what the
+/// step stands, if it grows no faster than twice as fast as it has changed from look to look so far; of the first
+/// look nothing is known but that it is a sixteenth of the run away, or later for a step with much room.
+void ModelStepping::plan_look(double stable_rattle_step) {
+  if (!traits_.constrained_form) return;
+  LooksAtFrequency& looks = position_.looks;
+  const long now = position_.cursor.sample, between = samples_between_looks();
+  if (looks.stable_step > 0 && now > looks.last)
+    looks.fastest_change = std::max(looks.fastest_change, std::abs(std::log(stable_rattle_step / looks.stable_step)) /
+                                                              static_cast<double>(now - looks.last));
+  const double room = std::log(limit_of(position_.method, stable_rattle_step) / position_.step);
+  const double usual = std::log(1 / reserve) / static_cast<double>(between);
+  const double growth = looks.stable_step > 0 ? std::max(2 * looks.fastest_change, usual / 3) : usual;
+  const long n_samples = static_cast<long>(std::clamp(room / growth, 1.0, 16.0 * static_cast<double>(between)));
+  looks = {now + std::max(between, n_samples), now, stable_rattle_step, looks.fastest_change};
+}
+
+/// Method and step found by another run, with a step no longer than the stability limit of this one.
+mechanics::Status ModelStepping::take_over(const Stepping& known) {
+  position_.method = known.method;
+  position_.step = known.step;
+  if (traits_.constrained_form) {
+    double limit = 0;
+    if (Status status = rattle_limit(reserve, limit); !status) return status;
+    position_.step = std::min(known.step, limit_of(known.method, limit));
+    plan_look(limit / reserve);
+  }
+  return {};
+}
+
+/// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
+void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
+  using Explicit = mechanics::DormandPrince8;
+  position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>
+                                                                    : mechanics::id_of<mechanics::Rattle>);
+  position_.local_tolerance = std::max(1e-3 * request.tolerance, 1e-14);
+  position_.step =
+      std::min({request.step_bound, request.interval, 0.5 * limit_of(position_.method, request.rattle_limit)});
+  context_.log->warn("{}: the step cannot be fitted to the tolerance ({}); {} with {} {:.4g}", any_model_.name,
+                     choice.status.reason(), mechanics::method_name(position_.method),
+                     is_adaptive(position_.method) ? "the local tolerance" : "half the stable step",
+                     is_adaptive(position_.method) ? position_.local_tolerance : position_.step * context_.units.time);
+}
+
+void ModelStepping::take(const mechanics::StepChoice& choice, const std::optional<double>& error_so_far) {
+  position_.method = choice.method;
+  position_.step = choice.step;
+  position_.local_tolerance = choice.local_tolerance;
+  statistics_.counters["pilot_forces"] += static_cast<double>(choice.n_force);
+  if (error_so_far) position_.time_error = *error_so_far + choice.error;
+  if (is_adaptive(choice.method))
+    context_.log->info("{}: {}, local tolerance {:.1e} (estimated time error {:.1e})", any_model_.name,
+                       mechanics::method_name(choice.method), choice.local_tolerance, choice.error);
+  else
+    context_.log->info("{}: {}{}, step {:.4g} (estimated time error {:.1e})", any_model_.name,
+                       mechanics::method_name(choice.method), promise(choice.method), choice.step * context_.units.time,
+                       choice.error);
+  warn_of_round_off(choice, any_model_.name, context_);
+  context_.log->debug("{}: {}", any_model_.name, choice.why);
+}
+
+}  // namespace pseudorigid::app
