@@ -218,6 +218,7 @@ class Messages(RefusedInputTest):
                 self.assertIn("= 0.125", (self.scratch / folder / "used.prm").read_text())
 
     def test_addresses_that_the_finite_elements_do_not_get(self):
+        self.skip_if_sanitized()
         limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20))
         self.scene({"Models": "continuum", "Time/End": 1})
         result = self.run_program("run", "scene.prm", preexec_fn=limit)

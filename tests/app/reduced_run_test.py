@@ -184,12 +184,8 @@ class ReducedRun(ProgramTest):
         steps = manifest["models"]["reduced"]["counters"]["steps"]
         print(f"{steps} steps: at most {megabytes:.1f} MB, {1e3 * manifest['wall_seconds']:.1f} ms")
         self.assertGreaterEqual(steps, 1000)
-        if self.sanitized():
-            self.skipTest("sanitizers need memory of their own")
+        self.skip_if_sanitized()
         self.assertLess(megabytes, 15)
-
-    def sanitized(self):
-        return b"__asan_init" in self.program.read_bytes()
 
     # The other commands.
 

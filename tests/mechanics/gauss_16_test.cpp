@@ -128,7 +128,8 @@ TEST(Gauss16, ReturnsWhereItCameFromWhenTimeIsReversed) {
   EXPECT_LT(distance(back, SphericalPendulum::swinging()), 1e-12);
 }
 
-/// Sums in double precision would make both drift, here by 6e-18 a step, and so would coefficients rounded to it.
+/// Sums in double precision would make both drift, here by 6e-18 a step and 1.2e-12 in all, and so would coefficients
+/// rounded to it. The round-off that is left depends on the compiler's choices: 3e-14 to 1.1e-13 was seen.
 TEST(Gauss16, EnergyAndMomentumDoNotDrift) {
   const auto energy = [](const auto& s) { return 0.5 * s.v.squaredNorm() - 1 / s.q.norm(); };
   const auto momentum = [](const auto& s) { return s.q[0] * s.v[1] - s.q[1] * s.v[0]; };
@@ -136,8 +137,8 @@ TEST(Gauss16, EnergyAndMomentumDoNotDrift) {
   const auto r = run<Gauss16>(Kepler{}, start, 80000, 200, 1000);
   ASSERT_TRUE(r.finished());
   for (const auto& s : r.states) {
-    EXPECT_NEAR(energy(s), energy(start), 1e-13);
-    EXPECT_NEAR(momentum(s), momentum(start), 1e-13);
+    EXPECT_NEAR(energy(s), energy(start), 3e-13);
+    EXPECT_NEAR(momentum(s), momentum(start), 3e-13);
   }
 }
 

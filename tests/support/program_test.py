@@ -153,6 +153,10 @@ class ProgramTest(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, f"waited in vain until {what}")
             time.sleep(0.002)
 
+    def skip_if_sanitized(self):
+        if b"__asan_init" in self.program.read_bytes():
+            self.skipTest("sanitizers need memory and addresses of their own")
+
     # Looking at results.
 
     def table(self, *path):
