@@ -81,8 +81,10 @@ class StepSearch {
   /// The target of the estimate e.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
+    // A run has sixteen stretches of whole steps, and pilots with fewer samples compare too little.
+    const double of_samples = method.order_of_interpolation > 0 ? request_.end / 16 : 0;
     return std::min({request_.rattle_limit * (method.step_limit / Rattle::stability_limit), request_.step_bound,
-                     method.order_of_interpolation > 0 ? HUGE_VAL : request_.interval});
+                     std::max(request_.interval, of_samples)});
   }
   double run_forces(const FixedStepMethod& method, double h) const {
     return std::ceil(request_.end / h) * method.n_stages;
