@@ -8,7 +8,7 @@
 
 #include "app/run/run_context.h"
 #include "app/run/scene_to_model.h"
-#include "app/search/deformation_trace.h"
+#include "app/run/deformation_trace.h"
 #include "polynomial/polynomial_body.h"
 #include "scene/stabilization.h"
 

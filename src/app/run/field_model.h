@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/deformation_trace.h"
 #include "app/run/nonaffine_watch.h"
 #include "app/run/runnable_model.h"
 #include "app/run/scene_to_model.h"
 #include "app/run/tension_watch.h"
-#include "app/search/deformation_trace.h"
 #include "io/trajectory.h"
 #include "mechanics/core/shape_columns.h"
 #include "mechanics/steps/step_size.h"

@@ -39,9 +39,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapsh
   c.set("choice", identity.choice);
   c.set("sample", position.cursor.sample);
   c.set("step in interval", position.cursor.step);
-  c.set("steps in interval", position.stretch.n_steps);
-  c.set("first sample of the steps", position.stretch.first);
-  c.set("last sample of the steps", position.stretch.last);
+  c.set("steps in interval", position.steps_in_interval);
   c.set("next look", position.looks.next);
   c.set("last look", position.looks.last);
   c.set("method", std::string(mechanics::method_name(position.method)));
@@ -65,8 +63,7 @@ void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot) {
                        *method,
                        numbers[0],
                        numbers[1],
-                       {c.get_integer("first sample of the steps"), c.get_integer("last sample of the steps"),
-                        c.get_integer("steps in interval")},
+                       c.get_integer("steps in interval"),
                        {c.get_integer("next look"), c.get_integer("last look"), numbers[5], numbers[6]},
                        numbers[2],
                        numbers[3],

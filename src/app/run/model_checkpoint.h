@@ -25,9 +25,9 @@ struct LooksAtFrequency {
 struct RunPosition {
   mechanics::Cursor cursor;
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
-  double step = 0;                      ///< upper bound of the outer step, internal time
-  double local_tolerance = 0;           ///< of an adaptive method
-  mechanics::Stretch stretch{0, 1, 0};  ///< that the cursor is in; no steps: it stands at a sample
+  double step = 0;             ///< upper bound of the outer step, internal time
+  double local_tolerance = 0;  ///< of an adaptive method
+  long steps_in_interval = 0;  ///< of the interval that the cursor is in; 0 at a sample
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
   /// Estimated for the configuration, of all the parts of the run whose step was looked for; absent if one was not.

@@ -25,7 +25,7 @@ ModelOutcome ModelRunBase::run() {
     return outcome(Outcome::failed, "stopped at t = " + physical_time(time()) + ": " + status.reason(), start);
   }
   mechanics::RunResult result;
-  if (next_stepping_) result = run_until(is_adaptive() ? position_.cursor.sample + 1 : position_.stretch.last);
+  if (next_stepping_) result = run_until(position_.cursor.sample + 1);
   if (result.outcome == Outcome::finished) {
     if (next_stepping_) step_anew();
     result = run_until(times_.n_samples);
@@ -38,16 +38,6 @@ ModelOutcome ModelRunBase::run() {
 mechanics::Status ModelRunBase::check_row() const {
   if (std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); })) return {};
   return Status::failure("the motion has grown beyond the range of numbers");
-}
-
-/// Last sample of a stretch from sample k on, if steps are longer than the intervals. It has a sixteenth of the run or
-/// less, and eight steps at least. A run that fails goes back to the begin of its stretch.
-long ModelRunBase::end_of_long_stretch(long k) const {
-  const double n = static_cast<double>(times_.n_samples),
-               n_stretches = std::clamp(std::floor(times_.end / position_.step / 8), 1.0, 16.0);
-  double i = std::floor(static_cast<double>(k) / n * n_stretches);
-  while (std::lround(n * i / n_stretches) <= k) ++i;
-  return std::lround(n * i / n_stretches);
 }
 
 bool ModelRunBase::is_time_to_save() const {
@@ -63,7 +53,7 @@ bool ModelRunBase::step_back(const mechanics::RunResult& failure) {
   return_to_kept_state();
   position_ = good_.position;
   position_.step /= 2;
-  position_.stretch.n_steps = 0;
+  position_.steps_in_interval = 0;
   good_.position = position_;
   context_.log->info("{}: step reduced to {:.4g} at t = {}, since it fails at t = {}: {}", any_model_.name,
                      position_.step * context_.units.time, physical_time(time()), physical_time(failure.t),
@@ -136,7 +126,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
     shorten();
   else if (Status status = choose(); !status)
     return status;
-  if (old.stretch.n_steps == 0 && time() == times_[old.cursor.sample]) {
+  if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
     // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
     if (position_.method != old.method) good_.memory.clear();
     return {};

@@ -49,7 +49,6 @@ class ModelRunBase : protected ModelStepping {
   virtual void estimate_quadrature() = 0;
 
   Status check_row() const;
-  long end_of_long_stretch(long k) const;
   bool is_time_to_save() const;
   void save() {
     if (sink_->keeps_states()) write(good_, kept_vectors());
@@ -118,31 +117,18 @@ class ModelRun final : public ModelRunBase {
     if (sink_->wants_frame(k))
       sink_->draw_frame(k, [&](const auto& path) { return model_.write_frame(path, time, state, system_workspace); });
     if (has_shapes_ && sink_->wants_shape(k)) sink_->append_shape(model_.shape(time, state));
-    const bool within_steps = position_.stretch.n_steps > 0 && k < position_.stretch.last;
-    position_.cursor = {k, within_steps ? position_.cursor.step : 0};
-    if (!within_steps) position_.stretch = {k, k + 1, 0};
-    if (k == 0 || !(within_steps || is_adaptive())) keep(state, workspace);
+    position_.cursor = {k, 0};
+    position_.steps_in_interval = 0;
+    if (k == 0 || !is_adaptive()) keep(state, workspace);
     if (k == 0) save();
     return {};
   }
 
   template <class Workspace>
   long steps_per_interval(long k, const State&, Workspace&) {
+    if (position_.steps_in_interval > 0) return position_.steps_in_interval;
     if (adapts() && k >= position_.looks.next) reconsider();
-    return times_.steps_per_interval(position_.step);
-  }
-
-  template <class Workspace>
-  mechanics::Stretch stretch(long k, const State& state, Workspace& workspace) {
-    if (position_.stretch.n_steps > 0) return position_.stretch;
-    position_.stretch = {k, k + 1, steps_per_interval(k, state, workspace)};
-    if constexpr (requires { workspace.interpolation_tolerance; })
-      if (workspace.interpolation_tolerance > 0) {
-        const long last = end_of_long_stretch(k);
-        const mechanics::SampleTimes whole{times_[last] - times_[k]};
-        position_.stretch = {k, last, whole.steps_per_interval(position_.step)};
-      }
-    return position_.stretch;
+    return position_.steps_in_interval = times_.steps_per_interval(position_.step);
   }
 
   template <class Workspace>
@@ -264,8 +250,6 @@ class ModelRun final : public ModelRunBase {
         const double tolerance = context_.scene.time.tolerance;
         workspace.tolerance = std::min(workspace.tolerance, tolerance);
         workspace.iteration_tolerance = Method::iteration_tolerance(model_.pilot_reserve * tolerance, times_.end);
-        if (position_.step > times_.interval() * (1 + 1e-12))
-          workspace.interpolation_tolerance = model_.pilot_reserve * tolerance;
       }
     if constexpr (has_constraints && traits.has_costly_force && requires { workspace.constraint_tolerance; })
       workspace.constraint_tolerance =

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "app/run/deformation_trace.h"
 #include "app/run/run_context.h"
-#include "app/search/deformation_trace.h"
 #include "app/search/silent_run.h"
 #include "scene/discretization.h"
 

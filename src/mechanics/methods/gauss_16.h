@@ -21,8 +21,6 @@
 /// the polynomial does not resolve the motion. These coefficients do not depend on the direction of time, so the halved
 /// steps do not either.
 ///
-/// Samples within a step are those of the polynomial through its stages (gauss_pieces.h), projected.
-///
 /// Coefficients and sums of q and v have more than double precision. If the stages are iterated to round-off and the
 /// step resolves the motion, the errors of a step are random and below the round-off of the state. Then momenta and
 /// energy do not drift. If the step does not resolve the motion, the energy has the error of the step. If the stages
@@ -38,7 +36,6 @@
 
 #include "mechanics/core/field_of.h"
 #include "mechanics/core/stage_by_stage.h"
-#include "mechanics/methods/gauss_pieces.h"
 #include "mechanics/methods/rattle.h"
 
 namespace pseudorigid::mechanics {
@@ -65,18 +62,12 @@ struct Gauss16Workspace {
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
   int most_halvings = 40;  ///< of a step. If 0, a step that does not converge fails.
-  /// If samples lie within steps: bound of the error that is estimated for them (gauss_pieces.h); a step with a larger
-  /// one is halved. If 0, all samples are at ends of steps.
-  double interpolation_tolerance = 0;
   /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // rounding errors of q and v
   Vector change;
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // last: of the last step
-  std::vector<GaussPiece<Vector>> pieces;             // of the last outer step, if samples lie within steps
-  std::size_t n_pieces = 0;
-  double greatest_interpolation_error = 0;  // of all steps
   GaussTables tables;
   double h_last = 0;      // of the last step; 0: there was none
   double scale = 0;       // largest acceleration in it
@@ -104,11 +95,9 @@ struct Gauss16 {
   static constexpr const char* name = "gauss-16";
   static constexpr const char* documentation =
       "Gauss collocation of order 16, eight stages side by side in vector lanes, symmetric; for any forces of small "
-      "systems. A given Step that resolves the motion keeps energy and momenta to round-off; a step from Tolerance, to "
-      "a part of it";
+      "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  static constexpr double order_of_interpolation = 9;  // of samples within steps
   /// Forces that a step counts for in the search for the step.
   template <class S>
   static double forces_of_step(const S& system) {
@@ -152,7 +141,6 @@ struct Gauss16 {
     constexpr int most_expected = 2;  // all parts of the next step are so short
     const int n_expected = std::clamp(w.n_halvings - 1, 0, most_expected);
     w.n_halvings = 0;
-    w.n_pieces = 0;
     if (Status status = advance_in_parts(system, {h, h, 0}, n_expected, state, w); !status) return status;
     constexpr int steps_between_projections = 32;
     if (++w.n_unprojected < steps_between_projections) return {};
@@ -174,26 +162,6 @@ struct Gauss16 {
     return {};
   }
 
-  /// The state at a time within the last outer step. Nothing of the next step depends on it.
-  template <class S>
-  static Status interpolate(const S& system, double t, State<S>& between, Workspace<S>& w) {
-    const auto holds = [t](const GaussPiece<typename S::Vector>& piece) { return (t - piece.t) / piece.h <= 1; };
-    const auto end = w.pieces.begin() + static_cast<std::ptrdiff_t>(w.n_pieces);
-    auto piece = std::find_if(w.pieces.begin(), end, holds);
-    if (piece == end) --piece;  // by the round-off of the times
-    between.t = t;
-    piece->at(t, between.q, between.v);
-    const auto q_rounding = w.q_rounding, v_rounding = w.v_rounding;
-    const int n_unprojected = w.n_unprojected;
-    scale(0.0, w.q_rounding);
-    scale(0.0, w.v_rounding);
-    Status status = project_velocity(system, between, w);
-    w.q_rounding = q_rounding;
-    w.v_rounding = v_rounding;
-    w.n_unprojected = n_unprojected;
-    return status;
-  }
-
  private:
   /// A step, or a part of one that has been halved `depth` times.
   struct Part {
@@ -210,7 +178,7 @@ struct Gauss16 {
       Status status = step(system, outer_h, h, state, w, found);
       if (found) return {};
       const bool too_short = !(state.t + h / 2 != state.t);
-      if (depth >= w.most_halvings || too_short) return why_not_found(system, std::move(status), part, state, w);
+      if (depth >= w.most_halvings || too_short) return why_not_found(system, std::move(status), state, w);
       if (!std::isfinite(h)) return Status::failure("the step is not finite");
     }
     for (int half = 0; half < 2; ++half)
@@ -222,22 +190,6 @@ struct Gauss16 {
   /// Steps that differ by the round-off of the sample times are the same.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
-  template <class S>
-  static GaussStages stages_of(double outer_h, const State<S>& state, Workspace<S>& w) {
-    return {.n = static_cast<int>(w.n_entries),
-            .t = state.t,
-            .h = w.tables.h,
-            .q = state.q.data(),
-            .v = state.v.data(),
-            .tables = &w.tables,
-            .tolerance = w.iteration_tolerance,
-            .outer_h = outer_h,
-            .a = w.stages.data(),
-            .sums = w.sums.data(),
-            .scratch = w.scratch.data(),
-            .scale = w.scale};
-  }
-
   /// Makes the step if its stages are found; returns a failure of the force.
   template <class S>
   static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
@@ -247,16 +199,23 @@ struct Gauss16 {
       w.tables.set_step(h);
     else if (w.tables.c[0] == 0)  // of memory that has been restored
       w.tables.set_step(w.tables.h);
-    GaussStages s = stages_of(outer_h, state, w);
+    GaussStages s{.n = static_cast<int>(w.n_entries),
+                  .t = state.t,
+                  .h = w.tables.h,
+                  .q = state.q.data(),
+                  .v = state.v.data(),
+                  .tables = &w.tables,
+                  .tolerance = w.iteration_tolerance,
+                  .outer_h = outer_h,
+                  .a = w.stages.data(),
+                  .sums = w.sums.data(),
+                  .scratch = w.scratch.data(),
+                  .scale = w.scale};
     if (Status status = begin(field, state, w, s); !status) return status;
     if (Status status = solve_stages(field, s, w.system); !status) return status;
     w.counters.n_force += gauss::n_stages * s.n_iterations;
-    const double between = s.converged ? interpolation_error(s) : 0;
-    found = s.converged && error_of(s) <= w.tolerance &&
-            (w.interpolation_tolerance == 0 || between <= w.interpolation_tolerance);
+    found = s.converged && error_of(s) <= w.tolerance;
     if (!found) return {};
-    w.greatest_interpolation_error = std::max(w.greatest_interpolation_error, between);
-    if (w.interpolation_tolerance > 0) keep_piece(s, state, w);
     add_sums(s, state, w);
     state.t += h;
     w.stages.swap(w.last);
@@ -293,29 +252,14 @@ struct Gauss16 {
   /// The factor 1e3 was fitted on SL(3).
   static double error_of(const GaussStages& s) { return 1e3 * s.tail * s.tail * std::sqrt(s.tail); }
 
-  template <class S>
-  static void keep_piece(const GaussStages& s, const State<S>& state, Workspace<S>& w) {
-    if (w.n_pieces == w.pieces.size()) w.pieces.push_back({0, 0, state.q, state.v, w.stages});
-    GaussPiece<typename S::Vector>& piece = w.pieces[w.n_pieces++];
-    piece.t = state.t;
-    piece.h = s.h;
-    piece.q = state.q;
-    piece.v = state.v;
-    piece.stages = w.stages;
-  }
-
   /// A failure of the force at a stage or at the state, or that the iteration has not converged.
   template <class S>
-  [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const Part& part,
-                                                           const State<S>& state, Workspace<S>& w) {
+  [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const State<S>& state,
+                                                           Workspace<S>& w) {
     if (!of_stages) return of_stages;
     const auto& field = field_of(system);
     if (Status status = field.acceleration(state.t, state.q, state.v, w.system, w.change); !status) return status;
     if (!std::isfinite(w.change.squaredNorm())) return Status::failure("the force is not finite");
-    // Lanes do not say why they fail. One after the other, the stages do.
-    for (std::size_t k = 0; k < w.n_entries; ++k) w.stages[k].fill(w.change.data()[k]);
-    GaussStages again = stages_of(part.outer_h, state, w);
-    if (Status status = solve_one_by_one(field, again, w.system); !status) return status;
     return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
   }
 

@@ -1,13 +1,11 @@
 #pragma once
 /// The time loop. Samples t_k = k T/N, k = 0 … N; each interval holds a whole number n of steps, so that samples do not
-/// disturb the steps and the last sample is T exactly:  h = (t_{k+1} − t_k)/n,  t = t_k + j h.  If the method
-/// interpolates, a whole number of steps may hold any number of samples (Stretch).
+/// disturb the steps and the last sample is T exactly:  h = (t_{k+1} − t_k)/n,  t = t_k + j h.
 
 #include <algorithm>
 #include <cmath>
 #include <concepts>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "mechanics/core/constrained_system.h"
@@ -29,13 +27,7 @@ struct SampleTimes {
   }
 };
 
-/// Samples `first` to `last`, with a whole number of steps of equal length between them. It is one interval, unless the
-/// method interpolates: then further samples lie within the steps, which do not depend on them.
-struct Stretch {
-  long first = 0, last = 1, n_steps = 1;
-};
-
-/// Where a run stands: `step` steps of the stretch that it is in are done, and the samples up to `sample` are taken.
+/// Where a run stands: `step` steps of the interval after sample `sample` are done.
 struct Cursor {
   long sample = 0, step = 0;
 };
@@ -49,8 +41,6 @@ struct RunResult {
 /// Actions of the caller during the loop.
 ///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1 (not asked by adaptive methods);
-///   stretch(k, state, workspace) → Stretch: optional, in place of steps_per_interval; the one that begins at sample k,
-///     or that the run is in;
 ///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run. All samples up to the
 ///   state's time have been taken then.
 template <class H, class S, class W>
@@ -59,30 +49,6 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.steps_per_interval(k, state, w) } -> std::convertible_to<long>;
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
-
-namespace detail {
-
-template <class Hooks>
-Stretch stretch_of(Hooks& hooks, long k, const auto& state, auto& w) {
-  if constexpr (requires { hooks.stretch(k, state, w); })
-    return hooks.stretch(k, state, w);
-  else
-    return {k, k + 1, hooks.steps_per_interval(k, state, w)};
-}
-
-/// Takes the samples of a stretch but its last one, as far as the time t.
-template <class Method, class S, class W, class Hooks>
-Status sample_within(const S& system, const SampleTimes& times, const Stretch& stretch, double t, Cursor& cursor,
-                     State<S>& between, W& w, Hooks& hooks) {
-  while (cursor.sample + 1 < stretch.last && times[cursor.sample + 1] <= t) {
-    ++cursor.sample;
-    if (Status status = Method::interpolate(system, times[cursor.sample], between, w); !status) return status;
-    if (Status status = hooks.sample(cursor.sample, between, w); !status) return status;
-  }
-  return {};
-}
-
-}  // namespace detail
 
 /// Runs from `cursor` (the start, or where a checkpoint was written) to the last sample. `cursor` and `state` are left
 /// where the run ended; after a failure the state is that of the failing step and not to be used.
@@ -94,12 +60,9 @@ requires(!Method::adaptive) RunResult
   if (cursor.sample == 0 && cursor.step == 0)
     if (Status status = hooks.sample(0, state, w); !status) return fail(std::move(status));
 
-  constexpr bool interpolates = requires(State<S> & between) { Method::interpolate(system, 0.0, between, w); };
-  std::conditional_t<interpolates, State<S>, const State<S>&> between = state;
   while (cursor.sample < times.n_samples) {
-    const Stretch stretch = detail::stretch_of(hooks, cursor.sample, state, w);
-    const double t_start = times[stretch.first], t_end = times[stretch.last];
-    const long n = stretch.n_steps;
+    const double t_start = times[cursor.sample], t_end = times[cursor.sample + 1];
+    const long n = hooks.steps_per_interval(cursor.sample, state, w);
     const double h = (t_end - t_start) / static_cast<double>(n);
     if (!(t_end - h < t_end))
       return fail(Status::failure("the step is shorter than the least difference of times in double precision"));
@@ -108,17 +71,11 @@ requires(!Method::adaptive) RunResult
       if (Status status = Method::advance(system, h, state, w); !status) return fail(std::move(status));
       ++w.counters.n_steps;
       ++cursor.step;
-      if constexpr (interpolates) {
-        const double reached = cursor.step < n ? t_start + static_cast<double>(cursor.step) * h : t_end;
-        if (Status status = detail::sample_within<Method>(system, times, stretch, reached, cursor, between, w, hooks);
-            !status)
-          return fail(std::move(status));
-      }
       if (!hooks.step_done(cursor, state, w)) return {Outcome::interrupted, "interrupted", state.t};
     }
     state.t = t_end;
     if (Status status = Method::project_velocity(system, state, w); !status) return fail(std::move(status));
-    cursor = {stretch.last, 0};
+    cursor = {cursor.sample + 1, 0};
     if (Status status = hooks.sample(cursor.sample, state, w); !status) return fail(std::move(status));
   }
   return {Outcome::finished, "", state.t};

@@ -25,7 +25,7 @@ struct StepRequest {
   double tolerance = 0;              ///< of the configuration over [0, T]
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
-  double interval = HUGE_VAL;        ///< between samples: fixed steps are not longer, unless a method interpolates
+  double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
   bool stiff = false;                ///< damping leaves nothing to methods whose step it limits
   bool spare_pilots = false;         ///< forces cost much: a glance may do, and small gains are not looked for
   std::optional<MethodId> method{};  ///< empty: the cheapest
@@ -52,7 +52,6 @@ struct PilotRun {
   std::vector<Eigen::VectorXd> q;
   double speed = 0;
   long n_force = 0;
-  double interpolation_error = 0;  ///< of samples within the steps, of methods that interpolate
 };
 
 /// In place of a function of the state that gives its kinetic and its potential energy.
@@ -66,7 +65,6 @@ struct FixedStepMethod {
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
   /// The same with the kinetic and the potential energy in place of the configuration; empty if they are not known.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
-  double order_of_interpolation = 0;  ///< of samples within steps; 0: they are at the ends of steps
 };
 struct AdaptiveMethod {
   MethodId id;
@@ -120,8 +118,6 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   RunResult result = run_time_loop<Method>(form, {window, n_samples}, state, cursor, workspace, hooks);
   hooks.run.n_force = workspace.counters.n_force;
   hooks.run.t = result.t;
-  if constexpr (requires { workspace.greatest_interpolation_error; })
-    hooks.run.interpolation_error = workspace.greatest_interpolation_error;
   if (result.outcome != Outcome::finished) hooks.run.status = failure_of(std::move(result));
   return std::move(hooks.run);
 }
@@ -163,8 +159,6 @@ FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& 
                            return run_pilot<Method>(system, initial, request, Q_of, window, n_samples, n_steps,
                                                     prepare);
                          }};
-  if constexpr (requires { Method::order_of_interpolation; })
-    method.order_of_interpolation = Method::order_of_interpolation;
   if constexpr (!Method::symplectic && !std::is_same_v<EnergiesOf, NoEnergies>)
     method.energies = [&, prepare](double window, long n_samples, long n_steps) {
       return run_pilot<Method>(system, initial, request, energies_of, window, n_samples, n_steps, prepare);

@@ -77,8 +77,6 @@ Trial StepSearch::meet_tolerance(const FixedStepMethod& method, double n_forces_
   for (int halving = 0; halving <= max_step_halvings; ++halving, n *= 2) {
     PilotRun fine = pilot(method, window_, grid.n_samples, 2 * n);
     const double h = window_ / static_cast<double>(grid.n_samples * n);
-    interpolation_step_ = h;
-    interpolation_error_ = coarse.interpolation_error;
     const bool both = coarse.status.ok() && fine.status.ok();
     const double d = both ? largest_difference(coarse, fine) : 0;
     if (both && settle(method, trial, h, d, d_before, fine.speed)) return trial;
@@ -183,23 +181,11 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
 bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step, double truncation,
                         double walk) const {
   trial.verdict = Trial::Verdict::accepted;
-  const double for_samples = step_for_samples(method, step);
-  truncation *= std::pow(for_samples / step, method.order);
-  step = for_samples;
   trial.step = step;
   trial.error = truncation + walk;
   trial.at_round_off = walk > allowed_error();
   trial.n_forces_of_run = run_forces(method, step);
   return true;
-}
-
-/// Where steps are longer than the intervals, the interpolated samples must have their accuracy too.
-double StepSearch::step_for_samples(const FixedStepMethod& method, double step) const {
-  const double p = method.order_of_interpolation;
-  if (p == 0 || step <= request_.interval) return step;
-  const double error = interpolation_error_ * std::pow(step / interpolation_step_, p);
-  if (error <= allowed_error()) return step;
-  return std::max(request_.interval, step * std::pow(allowed_error() / error, 1 / p));
 }
 
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {

@@ -81,10 +81,8 @@ class StepSearch {
   /// The target of the estimate e.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
-    // A run has sixteen stretches of whole steps, and pilots with fewer samples compare too little.
-    const double of_samples = method.order_of_interpolation > 0 ? request_.end / 16 : 0;
-    return std::min({request_.rattle_limit * (method.step_limit / Rattle::stability_limit), request_.step_bound,
-                     std::max(request_.interval, of_samples)});
+    return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),
+                    std::min(request_.step_bound, request_.interval));
   }
   double run_forces(const FixedStepMethod& method, double h) const {
     return std::ceil(request_.end / h) * method.n_stages;
@@ -97,13 +95,11 @@ class StepSearch {
   PilotRun pilot(const FixedStepMethod& method, double window, long n_samples, long n_steps);
   bool settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before, double speed) const;
   bool accept(const FixedStepMethod& method, Trial& trial, double step, double truncation, double walk) const;
-  double step_for_samples(const FixedStepMethod& method, double step) const;
   double round_off(const FixedStepMethod& method, double speed, double h) const;
 
   const StepRequest& request_;
   bool compensated_;
-  double window_;                                            ///< of the method that is tried
-  double interpolation_step_ = 0, interpolation_error_ = 0;  ///< of the last pilot run
+  double window_;  ///< of the method that is tried
   long n_force_ = 0;
 };
 

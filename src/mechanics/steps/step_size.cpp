@@ -41,7 +41,7 @@ std::string describe(const Trial& chosen, const StepRequest& request, const std:
                                                                                   : "set by stability")
       << ")";
   s << ": estimated time error " << chosen.error << ", tolerance " << request.tolerance;
-  if (chosen.at_round_off) s << ", which is below what double precision gives over this run";
+  if (chosen.at_round_off) s << ", which is below the accuracy of double precision over this run";
   s << "; " << chosen.n_forces_of_run << " forces";
   for (const Trial& other : others)
     if (other.method != chosen.method && other.verdict == Trial::Verdict::accepted)
