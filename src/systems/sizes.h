@@ -40,35 +40,44 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
                              [&](const Column& column) { return std::isnormal(scales(column.unit)); });
 }
 
+/// The entry whose number is farthest from 1, among all, or among those of unsound size if there are any; "" if all are
+/// zero.
+struct Farthest {
+  std::string path;
+  double number = 1;
+  bool sound = true;
+};
+
 template <class SystemScene>
-bool has_sound_numbers(SystemScene in_own_scales) {
-  bool all = true;
-  visit_numbers(in_own_scales, [&](std::string_view, double x) { all = all && sound(x); });
-  return all;
+Farthest farthest_number(SystemScene system) {
+  Farthest farthest;
+  const auto distance = [](double x) { return std::abs(std::log10(std::abs(x))); };
+  visit_numbers(system, [&](std::string_view path, double x) {
+    if (x == 0 || (!farthest.sound && sound(x))) return;
+    if (farthest.path.empty() || farthest.sound != sound(x) || distance(x) > distance(farthest.number))
+      farthest = {std::string(path), x, sound(x)};
+  });
+  return farthest;
 }
 
 }  // namespace detail
 
-/// The entry that is to blame is the one with the number farthest from 1. `starts_finite(system in its own scales)`
-/// says whether its initial state is one.
+/// The entry that is to blame is the one with the number farthest from 1: in the scene's own scales if these are sound.
+/// `starts_finite(system in its own scales)` says whether its initial state is one.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();
-  if (detail::has_sound_units(system, scales))
-    if (const auto in_own_scales = in_scales(system, scales);
-        detail::has_sound_numbers(in_own_scales) && starts_finite(in_own_scales))
-      return {};
-  std::string path;
-  double farthest = 1;
-  const auto distance = [](double x) { return std::abs(std::log10(std::abs(x))); };
-  detail::visit_numbers(system, [&](std::string_view at, double x) {
-    if (x == 0 || (!path.empty() && distance(x) <= distance(farthest))) return;
-    path = at;
-    farthest = x;
-  });
-  return Refusal{path, fmt::format("expected numbers whose sizes, in units of the scene itself, are between {:g} and "
-                                   "{:g}, got {}",
-                                   1 / detail::largest_size, detail::largest_size, scene::print_number(farthest))};
+  detail::Farthest farthest = detail::farthest_number(system);
+  if (detail::has_sound_units(system, scales)) {
+    const auto in_own_scales = in_scales(system, scales);
+    const detail::Farthest own = detail::farthest_number(in_own_scales);
+    if (own.sound && starts_finite(in_own_scales)) return {};
+    if (!own.sound) farthest = own;
+  }
+  return Refusal{farthest.path,
+                 fmt::format("expected numbers whose sizes, in units of the scene itself, are between {:g} and "
+                             "{:g}, got {}",
+                             1 / detail::largest_size, detail::largest_size, scene::print_number(farthest.number))};
 }
 
 }  // namespace pseudorigid::systems

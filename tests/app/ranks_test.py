@@ -57,6 +57,10 @@ class Ranks(RanksTest):
             "Loads/Acceleration": "0, 0, 0.1", "Initial state/Velocity": "0.1, 0.2, 0; -0.2, 0, 0; 0, 0, -0.1",
             "Time/End": 0.5, "Time/Step": 0.01, "Time/Method": "rattle", "Output/Samples": 10})
 
+    def test_stiff_dissipation(self):
+        """The multiplier has the damping times the velocity's round-off, which no bound of ours can name beforehand."""
+        self.check_same_on_all({**SCENE, "Material/Viscosity": 30, "Time/Method": "rattle", "Output/Quantities": "state, energies"})
+
     def test_self_gravity(self):
         self.check_same_on_all({
             **SCENE, "Continuum/Symmetry": "auto", "Continuum/Refinements": 0, "Gravity/Constant": 2,

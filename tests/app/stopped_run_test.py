@@ -273,6 +273,10 @@ class StoppedRun(StoppedRunTest):
         self.check_kills({**LONG_REDUCED, "Models": "polynomial", "Polynomial/Degree": 3, "Time/End": 10,
                           "Time/Step": 1e-2, "Output/Samples": 200, **PICTURES}, "polynomial", 0.0, 5)
 
+    def test_kills_of_a_stiff_body(self):
+        """The guess of the solution for the damping is part of the state."""
+        self.check_kills({**LONG_CONTINUUM, "Material/Viscosity": 3, "Time/End": 2, "Output/Samples": 100}, "continuum", 1e-11, 3)
+
     def test_kills_full_ball_with_a_chosen_step(self):
         self.check_kills({"Models": "continuum", "Continuum/Degree": 2, "Time/End": 3, "Time/Tolerance": 1e-4,
                           "Initial state/Velocity": "0, -0.5, 0.25; 0.5, 0.05, -0.275; -0.2, 0.28, -0.05",

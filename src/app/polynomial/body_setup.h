@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "app/run/deformation_trace.h"
 #include "app/run/run_context.h"
 #include "app/run/scene_to_model.h"
-#include "app/run/deformation_trace.h"
 #include "polynomial/polynomial_body.h"
 #include "scene/stabilization.h"
 

@@ -49,8 +49,11 @@ class FieldModel : public RunnableModelOf<S> {
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
-  /// About half a pulsation: by then the shear front from the surface has crossed the ball.
-  double pilot_window(double end) const final { return std::min(end, 1.0); }
+  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A force that depends on time
+  /// can act later; it is followed for about three pulsations.
+  double pilot_window(double end) const final {
+    return std::min(end, mechanics::time_dependent(this->system()) ? 10.0 : 1.0);
+  }
   std::vector<std::string> columns() const final { return trajectory_.names(); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {

@@ -214,6 +214,7 @@ class ModelRun final : public ModelRunBase {
   /// An explicit method makes some γh steps, γ the largest rate of damping, where RATTLE makes one of length h.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::LinearlyDamped<System>) {
+      if (!mechanics::dissipative(model_.system())) return {};
       constexpr double most_steps = traits.has_costly_force ? 30 : 100;
       auto workspace = model_.system().make_workspace();
       const double h = request.rattle_limit, omega = mechanics::Rattle::stability_limit / h;

@@ -66,12 +66,12 @@ double viscosity(const scene::Scene& scene) { return loads::constant_forcing(int
 
 /// γh on the builtin mesh, γ the largest rate of damping at rest.
 double damping_of_step(const scene::Scene& scene, const scene::Discretization& d, double step) {
-  return 2.2 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
+  return 4 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
 }
 
 /// Forces and products with the viscosity that a step of RATTLE takes, γh = damping_of_step (mechanics/core/
 /// linear_damping.h).
-double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 6 * std::sqrt(1 + gamma_h / 2) : 1; }
+double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 
 double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs, double n_steps, double step) {
   const double n_unknowns = effort_of(scene, *scene::fixed_discretization(scene), 0).n_unknowns;

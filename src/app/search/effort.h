@@ -9,7 +9,7 @@
 /// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. A viscosity η makes steps dearer, by the
 /// largest rate of damping
 ///
-///   γ = 2.2 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (within 10 % for k = 2 … 8, r = 0, 1).
+///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (at rest, viscous force and stiffness are proportional).
 
 #include <cstddef>
 #include <optional>
