@@ -7,6 +7,8 @@
 #   --output DIR                  where the results go
 #   --resume, --quiet, --verbose  continue an interrupted run; say less or more
 # A second call starts at once. Stops at the first scene that fails, with its exit code.
+# Each run ends with the path of its report, a page for a browser. It is written unless the scene or an option sets
+# Output/Report; it costs some hundredths of a second.
 #
 # Examples:
 #   scripts/run.sh
@@ -34,6 +36,9 @@ may_need_continuum() {
   done
   return 1
 }
+
+# sets_report SCENE: whether the scene or an option decides about the report.
+sets_report() { [[ ${options[*]} == *Report* ]] || grep -qE '^[[:space:]]*set[[:space:]]+Report[[:space:]]*=' "$1"; }
 
 scenes=()
 options=()
@@ -80,5 +85,7 @@ fi
 build "$preset" "${targets[@]}"
 
 for scene in "${scenes[@]}"; do
-  "$root/build/$preset/bin/pseudorigid" run "$scene" "${options[@]}"
+  report=(--set Output/Report=true)
+  if sets_report "$scene" || [[ ${options[*]} == *--resume* ]]; then report=(); fi
+  "$root/build/$preset/bin/pseudorigid" run "$scene" "${options[@]}" "${report[@]}"
 done

@@ -288,23 +288,24 @@ def centre_of(positions: np.ndarray) -> np.ndarray:
     return (points.max(axis=0) + points.min(axis=0)) / 2
 
 
-def draw(picture: Scene, limits: tuple[float, float, float], output: str | os.PathLike[str]) -> None:
+def draw(picture: Scene, limits: tuple[float, float, float], output: str | os.PathLike[str], with_bar: bool = True) -> None:
     time, radius, bodies = picture
     end_of_bar, largest, extent = limits
     table = colours(end_of_bar)
-    n = len(bodies)
-    window = new_window(WIDTH * max(n, 2) // 2, HEIGHT)
+    n, strip_height = len(bodies), STRIP if with_bar else 0
+    window = new_window(WIDTH * max(n, 2) // 2, HEIGHT if with_bar else round(HEIGHT * (1 - STRIP)))
     for i, (title, (x, stress)) in enumerate(bodies.items()):
-        view = renderer(window, i / n, STRIP, (i + 1) / n, 1)
+        view = renderer(window, i / n, strip_height, (i + 1) / n, 1)
         x = x - centre_of(x)
         view.AddActor(body(surface(x, stress), table))
         view.AddActor(lines(edges(x), (1, 1, 1), 1.5, 0.5))
         view.AddActor(lines(dashed_circle(radius, 2 * extent), (0.1, 0.1, 0.1), 2.5))
         view.AddActor2D(text(f"{title}, t = {time:g}", 34, 0.5, 0.91, bold=True))
         aim(view, extent)
-    strip = renderer(window, 0, 0, 1, STRIP)
-    strip.AddActor2D(colour_bar(table))
-    strip.AddActor2D(text(caption(largest, table), 30, 0.5, 0.13))
+    if with_bar:
+        strip = renderer(window, 0, 0, 1, STRIP)
+        strip.AddActor2D(colour_bar(table))
+        strip.AddActor2D(text(caption(largest, table), 30, 0.5, 0.13))
     write_png(window, output)
 
 

@@ -1,6 +1,8 @@
 #include "io/block_cells.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -45,7 +47,53 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
   return points;
 }
 
+/// How many cells in a row share a face, which is the degree of their blocks; 1 if the number of cells does not fit.
+std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
+  const auto share_a_face = [&](std::size_t cell) {
+    const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;
+    return here[1] == next[0] && here[2] == next[3] && here[5] == next[4] && here[6] == next[7];
+  };
+  std::size_t p = 1;
+  while (p < grid.n_cells() && share_a_face(p - 1)) ++p;
+  return grid.n_cells() % (p * p * p) == 0 ? p : 1;
+}
+
+/// Undoes linear_cells: the point (i, j, k) is a corner of the cell (i, j, k), at the end of the cell before.
+std::int64_t point_of_linear_block(const std::int64_t* cells, std::size_t p, std::array<std::size_t, 3> place) {
+  constexpr std::array<std::size_t, 8> corner{0, 1, 3, 2, 4, 5, 7, 6};  // of VTK, by i + 2j + 4k
+  std::size_t cell = 0, which = 0;
+  for (std::size_t d = 3; d-- > 0;) {
+    const std::size_t at = std::min(place[d], p - 1);
+    cell = cell * p + at;
+    which = 2 * which + (place[d] - at);
+  }
+  return cells[8 * cell + corner[which]];
+}
+
 }  // namespace
+
+std::optional<mechanics::PointBlocks> blocks_of(const UnstructuredGrid& grid) {
+  const bool is_lagrange = grid.cell_type == CellType::lagrange_hexahedron;
+  if (!is_lagrange && (grid.cell_type != CellType::hexahedron || grid.nodes_per_cell != 8)) return {};
+  const std::size_t p =
+      is_lagrange ? static_cast<std::size_t>(std::lround(std::cbrt(grid.nodes_per_cell))) - 1 : cells_in_a_row(grid);
+  const std::size_t n = p + 1, n_nodes = is_lagrange ? n * n * n : 8 * p * p * p;
+  if (p < 1 || grid.connectivity.size() % n_nodes != 0) return {};
+  if (is_lagrange && static_cast<std::size_t>(grid.nodes_per_cell) != n_nodes) return {};
+  const std::vector<std::size_t> place_of = is_lagrange ? lagrange_cell(p) : std::vector<std::size_t>();
+  mechanics::PointBlocks blocks{.degree = static_cast<int>(p), .points = {}};
+  blocks.points.resize(grid.connectivity.size() / n_nodes * n * n * n);
+  for (std::size_t block = 0; block < blocks.n_blocks(); ++block) {
+    const std::int64_t* cells = &grid.connectivity[block * n_nodes];
+    std::int64_t* points = &blocks.points[block * n * n * n];
+    for (std::size_t c = 0; c < n * n * n; ++c)
+      if (is_lagrange)
+        points[place_of[c]] = cells[c];
+      else
+        points[c] = point_of_linear_block(cells, p, {c % n, c / n % n, c / (n * n)});
+  }
+  return blocks;
+}
 
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells) {
   const auto p = static_cast<std::size_t>(blocks.degree);

@@ -78,8 +78,12 @@ Json to_json(const Manifest& content) {
     if (run.finds_degree) json["ball"].back()["finds_degree"] = true;
   }
   json["models"] = Json::object();
-  for (const auto& [name, model] : content.models)
-    json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};
+  for (const auto& [name, model] : content.models) {
+    Json& entry = json["models"][name] = {{"counters", numbers(model.counters)}, {"timers", numbers(model.timers)}};
+    if (model.method.empty()) continue;
+    entry["method"] = model.method;
+    entry["symplectic"] = model.symplectic;
+  }
   return json;
 }
 
@@ -141,6 +145,19 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
         fmt::format("'{}' is of an earlier version, which did not record the values of the entries; run the scene "
                     "again, as used.prm in its folder has it",
                     manifest.native()));
+  return movers;
+}
+
+std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest) {
+  constexpr bool throws = false;
+  if (!is_there(manifest)) return {};
+  const Json json = Json::parse(read_file(manifest), nullptr, throws);
+  std::vector<std::string> movers;
+  if (!json.is_object() || !json.contains("ball")) return {};
+  for (const Json& model : json["ball"])
+    if (model.is_object() && model.contains("name") && model["name"].is_string() && model.contains("affine") &&
+        model["affine"] == true)
+      movers.push_back(model["name"]);
   return movers;
 }
 

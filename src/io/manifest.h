@@ -26,7 +26,9 @@ struct BallRun {
 
 struct Manifest {
   struct Model {
-    std::map<std::string, double> counters, timers;  ///< counts; seconds
+    std::map<std::string, double> counters{}, timers{};  ///< counts; seconds
+    std::string method{};                                ///< of integration in time; empty if there is none
+    bool symplectic = false;                             ///< whether the method is
   };
   BuildInfo build;                                            ///< build_info(), from the executable
   std::vector<std::string> command;                           ///< argv
@@ -79,6 +81,8 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 /// UserError if the file is not a manifest of this program, or if its version did not record the data that a report
 /// needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
+/// Of these, the models that move as x = QX. Empty if the file is not a manifest.
+std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.
 std::string cpu_model();

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "io/files.h"
+#include "io/manifest.h"
+#include "io/report_frames.h"
 
 namespace pseudorigid::io {
 namespace {
@@ -49,10 +51,22 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
   return text;
 }
 
+/// The text of an element: a file of the run, or a table that is made from its pictures.
+std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
+  constexpr std::string_view frames = "frames-", csv = ".csv";
+  if (name.starts_with(frames)) {
+    const std::string mover(name.substr(frames.size(), name.size() - frames.size() - csv.size()));
+    return table_of_frames(directory.pvd(mover), std::ranges::find(affine, mover) != affine.end());
+  }
+  const fs::path path = directory.path() / name;
+  return is_there(path) ? read_file(path) : std::string();
+}
+
 }  // namespace
 
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers, std::string_view empty) {
   const std::string page = page_of(empty, movers);
+  const std::vector<std::string> affine = affine_movers_in(directory.manifest());
   std::string report;
   std::string_view rest = page;
   for (std::size_t at = rest.find(before_name); at != rest.npos; at = rest.find(before_name)) {
@@ -60,7 +74,7 @@ std::string report_of(const RunDirectory& directory, std::span<const std::string
     const std::size_t end = rest.find(after_name, at);
     const std::string_view name = rest.substr(at, end - at);
     report.append(rest.substr(0, end + after_name.size()));
-    if (const fs::path path = directory.path() / name; is_there(path)) report += escaped(read_file(path));
+    report += escaped(text_of(directory, name, affine));
     rest.remove_prefix(end + after_name.size());
   }
   return report.append(rest);

@@ -3,7 +3,8 @@
 /// from elsewhere, and the files can be saved from it.
 ///
 /// The page has an element `<script type="…" data-file="NAME"></script>` for every file that it can show; in a report
-/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there.
+/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there. The elements
+/// frames-<mover>.csv are not files of the run: they hold faces of its pictures (report_frames.h).
 
 #include <span>
 #include <string>

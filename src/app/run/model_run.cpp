@@ -176,7 +176,11 @@ ModelOutcome ModelRunBase::outcome(Outcome end, const std::string& message, Cloc
   c["substeps"] = static_cast<double>(n.n_substeps);
   c["forces"] = static_cast<double>(n.n_force);
   c["step"] = position_.step * context_.units.time;
-  c["order"] = mechanics::with_method(position_.method, []<class Method>(Method) { return Method::order; });
+  mechanics::with_method(position_.method, [&]<class Method>(Method) {
+    c["order"] = Method::order;
+    statistics_.method = Method::name;
+    statistics_.symplectic = Method::symplectic;
+  });
   if (traits_.has_constraints) {
     c["position_iterations"] = static_cast<double>(n.n_position_iterations);
     c["velocity_projections"] = static_cast<double>(n.n_projections);

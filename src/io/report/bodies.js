@@ -88,7 +88,7 @@ function bodiesOfRun() {
   return {moments, bodies};
 }
 
-// null where the model has no sample at this time, as one that stopped before the others.
+// null where the model has no sample or no picture at this time, as one that stopped before the others.
 function positionsAt(model, patches, rowsPerTime, moments, j) {
   const {table, shapes} = model, i = table.n > 1 ? nearest(table.columns.time, moments[j]) : 0;
   if (!(Math.abs(table.at("time", i) - moments[j]) <= 1e-9 * (1 + Math.abs(moments[j])))) return null;
@@ -96,12 +96,19 @@ function positionsAt(model, patches, rowsPerTime, moments, j) {
     const Q = deformationAt(table, i);
     return patches.map(p => p.X.map(X => times(Q, X)));
   }
-  if ((j + 1) * rowsPerTime > shapes.n) return null;
+  const first = firstRowAt(shapes, rowsPerTime, moments[j]);
+  if (first < 0) return null;
   const c = shapes.columns, center = ["x1", "x2", "x3"].map(name => table.has(name) ? table.at(name, i) : 0);
   return patches.map(p => p.rows.map(row => {
-    const k = row + j * rowsPerTime;
+    const k = row + first;
     return [c.x1[k], c.x2[k], c.x3[k]].map((v, d) => p.signs[d] * v - center[d]);
   }));
+}
+
+function firstRowAt(shapes, rowsPerTime, time) {
+  for (let first = 0; first + rowsPerTime <= shapes.n; first += rowsPerTime)
+    if (Math.abs(shapes.at("time", first) - time) <= 1e-9 * (1 + Math.abs(time))) return first;
+  return -1;
 }
 
 // Where one looks from: angles of the camera about the axis x3 and above the plane x3 = 0.
@@ -263,7 +270,7 @@ function bodiesFigure() {
   });
   const redraw = () => outside.forEach(f => f());
   redraw();
-  const figure = make("figure", {}, make("div", {class: "times"}, cards), make("figcaption", {}, captionOf(bodies, plane)));
+  const figure = figureOf("The bodies at these times", null, [make("div", {class: "times"}, cards)], captionOf(bodies, plane), bodies);
   turnByDragging(figure, redraw);
   return make("div", {}, legend(bodies), figure);
 }
@@ -277,7 +284,7 @@ function captionOf(bodies, plane) {
   const lines = withElements ? `edges of the finite elements${bodies.some(b => !b.shapes) ? ", the same material lines in the pseudo-rigid ball" : ""}` : "material lines";
   const rows = bodies.length < 3 ? bodies.map((b, k) => `${["Above", "In the middle"][k]}: the ${b.name} from outside, x3 up`).join(". ")
     : `From above: the ${bodies.map(b => b.name).join(", the ")}, from outside, x3 up`;
-  return `${rows}. ${below} Thin lines: ${lines}. Dashed: the undeformed body. Drag a body to look at it from elsewhere.`;
+  return `${rows}. ${below} Thin lines: ${lines}. Dashed: the undeformed body. Drag a body to rotate the view.`;
 }
 
 function turnByDragging(figure, redraw) {

@@ -93,31 +93,74 @@ function placeText(text, at, width, rightFirst) {
   text.setAttribute("x", places.length ? places[0] : Math.max(0, width - length));
 }
 
+// A figure with a button that saves it. `title`: a text or an element.
+function figureOf(title, readout, content, note, models) {
+  const figure = make("figure"), name = typeof title === "string" ? make("div", {class: "title"}, title) : title;
+  const button = make("button", {type: "button", class: "save", title: "Save this figure as an SVG file"}, "SVG");
+  button.addEventListener("click", () => saveSvg(figure, name.textContent, models));
+  figure.append(make("div", {class: "heading"}, name, button, readout || ""), ...content, note ? make("figcaption", {}, note) : "");
+  return figure;
+}
+
+// A curve that turns at every other sample is noise of a scale that the samples do not resolve.
+function isNoise(y) {
+  if (y.length < 60) return false;
+  let turns = 0, bends = 0;
+  for (let k = 1; k + 1 < y.length; ++k) {
+    const before = y[k] - y[k - 1], after = y[k + 1] - y[k];
+    if (before * after < 0) ++turns;
+    bends += Math.abs(after - before);
+  }
+  const [least, most] = extent(y);
+  return turns > 0.35 * (y.length - 2) && bends / (y.length - 2) > 0.02 * (most - least);
+}
+
+// Of noise: {x, least, mean, most} in groups of samples.
+function envelopeOf(x, y) {
+  const n = Math.max(6, Math.ceil(y.length / 40)), groups = {x: [], least: [], mean: [], most: []};
+  for (let first = 0; first < y.length; first += n) {
+    const part = y.subarray ? y.subarray(first, first + n) : y.slice(first, first + n), [least, most] = extent(part);
+    groups.x.push((x[first] + x[Math.min(y.length, first + n) - 1]) / 2);
+    groups.least.push(least); groups.most.push(most); groups.mean.push(part.reduce((a, b) => a + b, 0) / part.length);
+  }
+  return groups;
+}
+
+function drawEnvelope(svg, s, X, Y) {
+  const {x, least, mean, most} = envelopeOf(s.x, s.y), at = (k, y) => `${X(x[k]).toFixed(1)} ${Y(y[k]).toFixed(1)}`, places = x.map((_, k) => k);
+  draw(svg, "path", {class: `band ${s.style}`, d: `M${[...places.map(k => at(k, most)), ...places.slice().reverse().map(k => at(k, least))].join("L")}z`});
+  draw(svg, "path", {class: `curve ${s.style}`, d: `M${places.map(k => at(k, mean)).join("L")}`});
+}
+
 // series: [{x, y, name, style, points: bool, jump}], the curve is broken where y changes by more than `jump`; marks:
-// [{x, text, style}] are upright lines. NaN breaks a curve too. `reads`: values are shown at the pointer.
-function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xRange = null, wholeX = false, note = "", reads = true}) {
-  const host = make("div"), readout = make("div", {class: "readout"});
-  const figure = make("figure", {}, make("div", {class: "heading"}, make("div", {class: "title"}, title), readout), host,
-    note ? make("figcaption", {}, note) : null);
+// [{x, text, style}] are upright lines, `lines` [{x, text}] thinner ones with the text along them. NaN breaks a curve too.
+// `reads`: values are shown at the pointer. `logarithmic`: the axis upwards, over so many decades.
+function chart({title, series, xLabel, yLabel = "", marks = [], lines = [], height = 210, xRange = null, wholeX = false, note = "", reads = true, logarithmic = 0}) {
+  const host = make("div"), readout = make("div", {class: "readout"}), noisy = logarithmic ? [] : series.filter(s => !s.points && isNoise(s.y));
+  const words = [note, noisy.length ? `Noise is drawn as a band between its least and its greatest values${noisy.length < series.length ? ` (${noisy.map(s => s.name).join(", ")})` : ""}; the line is its mean.` : ""].filter(Boolean).join(" ");
+  const figure = figureOf(title, readout, [host], words, series.filter(s => s.name));
   const redraw = () => {
     const width = Math.max(260, host.clientWidth || 350);
     host.replaceChildren();
     const svg = draw(host, "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `${title}: ${yLabel} over ${xLabel}`});
     const xs = xRange || extent(series.flatMap(s => extent(s.x)));
-    const ys = padded(extent(series.flatMap(s => extent(s.y))));
-    const yTicks = ticks(ys, height > 250 ? 6 : 5), yTexts = tickLabels(yTicks);
+    const range = extent(series.flatMap(s => extent(s.y))), top10 = Math.ceil(Math.log10(range[1] || 1));
+    const ys = logarithmic ? [top10 - logarithmic, top10] : padded(range);
+    const scaled = v => logarithmic ? Math.max(ys[0], Math.log10(Math.max(v, 1e-300))) : v;
+    const yTicks = ticks(ys, height > 250 ? 6 : 5).filter(v => !logarithmic || Math.abs(v - Math.round(v)) < 1e-9);
+    const yTexts = logarithmic ? yTicks.map(v => `1e${Math.round(v)}`.replace("-", "−")) : tickLabels(yTicks);
     const left = 14 + 7 * Math.max(...yTexts.map(t => t.length)) + (yLabel ? 16 : 0), right = width - 12;
     const top = 8 + (marks.length ? 16 * Math.min(2, marks.length) + 4 : 0), bottom = height - 38;
     const X = v => left + (right - left) * (v - xs[0]) / (xs[1] - xs[0] || 1);
-    const Y = v => bottom - (bottom - top) * (v - ys[0]) / (ys[1] - ys[0]);
+    const Y = v => bottom - (bottom - top) * (scaled(v) - ys[0]) / (ys[1] - ys[0]), yOfTick = v => bottom - (bottom - top) * (v - ys[0]) / (ys[1] - ys[0]);
     const xTicks = ticks(xs, Math.max(3, (right - left) / 52)).filter(v => !wholeX || Math.abs(v - Math.round(v)) < 1e-9), xTexts = tickLabels(xTicks);
     xTicks.forEach((v, i) => {
       draw(svg, "line", {class: "grid", x1: X(v), x2: X(v), y1: top, y2: bottom});
       draw(svg, "text", {x: X(v), y: bottom + 15, "text-anchor": "middle"}, xTexts[i]);
     });
     yTicks.forEach((v, i) => {
-      draw(svg, "line", {class: Math.abs(v) < 1e-9 * (ys[1] - ys[0]) ? "zero" : "grid", x1: left, x2: right, y1: Y(v), y2: Y(v)});
-      draw(svg, "text", {x: left - 6, y: Y(v) + 4, "text-anchor": "end"}, yTexts[i]);
+      draw(svg, "line", {class: !logarithmic && Math.abs(v) < 1e-9 * (ys[1] - ys[0]) ? "zero" : "grid", x1: left, x2: right, y1: yOfTick(v), y2: yOfTick(v)});
+      draw(svg, "text", {x: left - 6, y: yOfTick(v) + 4, "text-anchor": "end"}, yTexts[i]);
     });
     draw(svg, "text", {x: (left + right) / 2, y: height - 5, "text-anchor": "middle"}, xLabel);
     if (yLabel) draw(svg, "text", {x: 0, y: 0, "text-anchor": "middle", transform: `translate(11 ${(top + bottom) / 2}) rotate(-90)`}, yLabel);
@@ -126,7 +169,12 @@ function chart({title, series, xLabel, yLabel = "", marks = [], height = 210, xR
       draw(svg, "line", {class: `curve thin ${mark.style}`, x1: X(mark.x), x2: X(mark.x), y1: top - 4, y2: bottom});
       placeText(draw(svg, "text", {class: "strong", y: top - 6 - 16 * (Math.min(2, marks.length) - 1 - i % 2)}, mark.text), X(mark.x), width, X(mark.x) < (left + right) / 2);
     });
+    for (const line of lines.filter(l => l.x >= xs[0] && l.x <= xs[1])) {
+      draw(svg, "line", {class: "exact", x1: X(line.x), x2: X(line.x), y1: top, y2: bottom});
+      draw(svg, "text", {transform: `translate(${X(line.x) - 4} ${top + 6}) rotate(-90)`, "text-anchor": "end"}, line.text);
+    }
     for (const s of series) {
+      if (noisy.includes(s)) { drawEnvelope(svg, s, X, Y); continue; }
       if (s.points) { for (let i = 0; i < s.x.length; ++i) marker(svg, s.style, X(s.x[i]), Y(s.y[i])); continue; }
       const places = s.x.length > 2 * width ? thinned(s.x, s.y, X) : s.x.keys();
       let path = "", before = NaN;

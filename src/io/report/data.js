@@ -28,7 +28,7 @@ const scene = manifest.entries || {};  // {"Section/Entry": "value"}
 const comparison = parseJson("comparison.json");
 const systemFile = manifest.system;
 const tables = Object.fromEntries(["comparison", "shapes", "modes", "equilibria", "sweep", "manifolds", "connections", "section"]
-  .concat(systemFile || [], (manifest.ball || []).flatMap(({name}) => [name, `shapes-${name}`, `comparison-${name}`, `modes-${name}`, `equilibria-${name}`])).map(name => [name, parseCsv(`${name}.csv`)]));
+  .concat(systemFile || [], (manifest.ball || []).flatMap(({name}) => [name, `shapes-${name}`, `frames-${name}`, `comparison-${name}`, `modes-${name}`, `equilibria-${name}`])).map(name => [name, parseCsv(`${name}.csv`)]));
 
 // As a ball is called; the run may have found its degree.
 function adjectiveOf(model) {
@@ -37,13 +37,14 @@ function adjectiveOf(model) {
 }
 
 // The models of the run, the richest in motions first. What moves in other ways than x = QX is drawn through its own
-// points: with elements shapes.csv, else shapes-<model>.csv.
+// points: those of the pictures of the run, else with elements shapes.csv, else shapes-<model>.csv.
 // The pseudo-rigid ball and that with elements have styles of their own, the others one after the other.
 const STYLES = ["third-model", "fourth-model", "fifth-model", "sixth-model"];
 const isAffine = model => model.affine ?? !model.discretized;
 const styleOf = (model, i, all) => model.discretized ? "elastic" : isAffine(model) ? "pseudo-rigid" : STYLES[all.slice(0, i).filter(m => !isAffine(m)).length % STYLES.length];
 const MODELS = (manifest.ball || []).map((model, i, all) => ({key: model.name, name: `${adjectiveOf(model)} ball`, hasElements: model.discretized,
-  isAffine: isAffine(model), shapes: tables[model.discretized ? "shapes" : `shapes-${model.name}`],
+  isAffine: isAffine(model), frames: tables[`frames-${model.name}`],
+  shapes: !isAffine(model) && tables[`frames-${model.name}`] || tables[model.discretized ? "shapes" : `shapes-${model.name}`],
   style: styleOf(model, i, all), table: tables[model.name]}))
   .filter(model => model.table && model.table.has("time")).reverse();
 if (MODELS.length === 1) MODELS[0].style += " solid";  // dashes are for telling it from the other
@@ -107,7 +108,7 @@ function showAlike(values, digits) {
 // What hardly changes is drawn as its departure from its first value: its changes would be a straight line.
 function fromFirst(name, y) {
   const [least, most] = extent(y);
-  return most - least < 1e-4 * Math.max(Math.abs(least), Math.abs(most)) ? {name: `${name}, less its first value ${show(y[0], 6)}`, y: y.map(v => v - y[0])} : {name, y};
+  return most - least < 1e-4 * Math.max(Math.abs(least), Math.abs(most)) ? {name: `${name}, minus its first value ${show(y[0], 6)}`, y: y.map(v => v - y[0])} : {name, y};
 }
 
 function extent(values) {

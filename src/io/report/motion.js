@@ -38,7 +38,7 @@ function sideBySide([charts, note], [more, other]) {
 function lessFirst(name, series) {
   const first = series[0].y[0], most = Math.max(...series.map(s => largest(s.y)));
   const departs = Math.max(...series.map(s => largest(s.y.map(v => v - first))));
-  return departs < 1e-4 * most ? {name: `${name}, less its first value ${show(first, 6)}`, series: series.map(s => ({...s, y: s.y.map(v => v - first)}))} : {name, series};
+  return departs < 1e-4 * most ? {name: `${name}, minus its first value ${show(first, 6)}`, series: series.map(s => ({...s, y: s.y.map(v => v - first)}))} : {name, series};
 }
 
 // The semi-axes, which the file has by size at each time, each followed through the times at which two are equal: the
@@ -77,7 +77,7 @@ function deformationSections() {
   const meaning = others.length ? ` Of the ${others.map(m => m.name).join(" and the ")} Q is the mass moment, the affine motion nearest to its own in the sense of the mass.` : "";
   return [
     ...section("Deformation Q(t)", `x = QX carries the ball at rest to the moving one.${meaning}`, legend(MODELS), chartsOf(plain(pairs.map(p => `Q${p}`)), "")),
-    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, numbered by size at the start and followed through the times at which two of them are equal. The files have them by size at each time: a1 ≥ a2 ≥ a3.", legend(MODELS),
+    ...(MODELS.some(m => m.table.has("a1")) ? section("Semi-axes and volume", "Semi-axes of the ellipsoid that Q makes of the ball, numbered by their size at the start. An axis keeps its number when two axes become equal; the files sort the axes at each time, a1 ≥ a2 ≥ a3.", legend(MODELS),
       sideBySide(chartsOf(indices.map(i => ({name: `semi-axis ${i}`, values: axisOf(i)})), "length"), chartsOf([{name: "volume / undeformed volume", values: model => column(model, "volume_ratio")}], ""))) : []),
   ];
 }
@@ -96,20 +96,40 @@ function reference(name, otherwise) {
   return known ? known.reference : otherwise();
 }
 
+// What the comparison took for the unit of energy, or what this page would.
+function energyUnit() {
+  const models = MODELS.filter(m => m.table.has("energy"));
+  return models.length ? reference("energy_difference", () => energyReference(models)) || 1 : 0;
+}
+
+// The four charts below the first screen: difference, energy, non-affine motion, spectrum.
+function keySections() {
+  const charts = [], E = energyUnit(), table = tables.comparison;
+  if (table && table.has("q_difference")) charts.push(chart({title: "Difference of Q, over |Q|", xLabel: timeLabel, series: [{x: table.columns.time, y: table.columns.q_difference, name: "", style: "other"}]}));
+  if (E) {
+    const names = MODELS.filter(m => m.table.has("energy") && (manifest.models[m.key] || {}).symplectic === false).map(m => m.name);
+    charts.push(chart({title: "Change of the energy, over E_ref", xLabel: timeLabel, series: energyChanges(E),
+      note: `E_ref = ${show(E)}.${names.length ? ` The method of the ${names.join(" and of the ")} is not symplectic, so its energy can drift.` : ""}`}));
+  }
+  const bodies = MODELS.filter(m => m.table.has("nonaffine_kinetic_fraction") && m.table.has("kinetic"));
+  if (E && bodies.length) charts.push(chart({title: "Non-affine kinetic energy, over E_ref", xLabel: timeLabel, note: "The part of the motion that x = QX cannot have.",
+    series: bodies.map(m => ({x: column(m, "time"), y: column(m, "kinetic").map((k, i) => k * column(m, "nonaffine_kinetic_fraction")[i] / E), name: bodies.length > 1 ? m.name : "", style: m.style}))}));
+  const [spectrum, ...words] = spectrumOf();
+  if (!charts.length && !spectrum && !words.length) return [];
+  return [make("h2", {}, "Differences, conservation, frequencies"), legend(MODELS), make("div", {class: "charts"}, charts), spectrum ? make("div", {class: "charts wide"}, spectrum) : null, ...words].filter(Boolean);
+}
+const energyChanges = E => seriesOf(m => m.table.has("energy") ? column(m, "energy").map(e => (e - column(m, "energy")[0]) / E) : null);
+
 function energySections() {
   const withEnergies = MODELS.filter(m => m.table.has("energy")), withMomenta = MODELS.filter(m => m.table.has("J1"));
   const content = [];
   if (withEnergies.length) {
-    const E0 = reference("energy_difference", () => energyReference(withEnergies)) || 1;
     content.push(...chartsOf(plain(["kinetic", "elastic", "gravitational", "external", "dissipated"]).map(q => ({...q, name: `${q.name} energy`})), SQUARED));
-    content.push(make("h3", {}, "What is conserved"), make("p", {class: "note"},
-      `The sum of all energies, less what it was at the start, over E₀ = ${show(E0)}; J and Z likewise, by their size.`));
-    content.push(make("div", {class: "charts"}, [
-      chart({title: "(energy − initial energy) / E₀", xLabel: timeLabel, series: seriesOf(m => m.table.has("energy") ? column(m, "energy").map(e => (e - column(m, "energy")[0]) / E0) : null)}),
+    content.push(make("h3", {}, "Momenta"), make("div", {class: "charts"}, [
       ...(withMomenta.length ? [["J", "angular momentum", "angular_momentum_difference"], ["Z", "circulation", "circulation_difference"]].map(([name, words, difference]) => {
         const J0 = reference(difference, () => Math.max(...withMomenta.map(m => largest(column(m, `${name}1`).map((_, i) => Math.hypot(...indices.map(k => column(m, name + k)[i]))))))) || 1;
         const series = seriesOf(departure(name, J0));
-        return series.every(s => largest(s.y) === 0) ? make("p", {class: "note"}, `The ${words} ${name} does not change at all: this motion keeps it 0 by symmetry.`)
+        return series.every(s => largest(s.y) === 0) ? make("p", {class: "note"}, `The ${words} ${name} remains 0 by the symmetry of this motion.`)
           : chart({title: `|${name} − ${name}(0)| / ${name}₀, ${words}`, xLabel: timeLabel, series, note: `${name}₀ = ${show(J0)}`});
       }) : [])]));
   }
@@ -126,10 +146,10 @@ function energyReference(models) {
 const DIFFERENCES = {
   q_difference: "Q, over |Q|", q_difference_of_departure: "Q, over the largest departure of Q", strain_difference: "C = QᵀQ, over its amplitude",
   a1_difference: "largest semi-axis, relative", a2_difference: "middle semi-axis, relative", a3_difference: "smallest semi-axis, relative",
-  volume_ratio_difference: "volume over reference volume", kinetic_difference: "kinetic energy, over E₀", elastic_difference: "elastic energy, over E₀",
-  energy_difference: "energy, over E₀", angular_momentum_difference: "angular momentum, over J₀", circulation_difference: "circulation, over J₀",
-  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy, of the richer model",
-  nonaffine_displacement: "non-affine part of the position, of the richer model",
+  volume_ratio_difference: "volume over reference volume", kinetic_difference: "kinetic energy, over E_ref", elastic_difference: "elastic energy, over E_ref",
+  energy_difference: "energy, over E_ref", angular_momentum_difference: "angular momentum, over J₀", circulation_difference: "circulation, over J₀",
+  multiplier_difference: "multiplier, over its largest value", nonaffine_kinetic_fraction: "non-affine part of the kinetic energy, of the reference model",
+  nonaffine_displacement: "non-affine part of the position, of the reference model",
 };
 
 // Of several models with the richest of them, a line each.
@@ -152,7 +172,7 @@ function differenceSections() {
   const table = tables.comparison;
   if (!table) return [];
   const x = table.columns.time;
-  const names = table.names.filter(n => !/^time$|^nonaffine|^a\d_difference$|^q_difference_of_departure$/.test(n) && largest(table.columns[n]) > 1e-9);
+  const names = table.names.filter(n => !/^time$|^nonaffine|^a\d_difference$|^q_difference/.test(n) && largest(table.columns[n]) > 1e-9);
   const d = comparison && comparison.model_difference;
   const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${showWithErrors(d.value, d, "", 3)}.`
     : `${showWithErrors(d.value, d, "", 4)}, the discretisation error as estimated (${partsInWords(d)})${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
@@ -181,10 +201,10 @@ function nonaffineSections() {
   const models = MODELS.filter(m => m.table.has("nonaffine_kinetic_fraction"));
   if (!models.length) return [];
   const of = (name, title, note) => chart({title, note, xLabel: timeLabel, series: models.map(m => ({x: column(m, "time"), y: column(m, name), name: models.length > 1 ? m.name : "", style: m.style}))});
-  return section(`How far the ${models.length > 1 ? "models are" : `${models[0].name} is`} from an affine motion`, "0: the motion is one that the pseudo-rigid ball can have.", models.length > 1 ? legend(models) : null, make("div", {class: "charts"},
-    of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "1 where the affine motion stands still for a moment."),
+  return section(`How far the ${models.length > 1 ? "models are" : `${models[0].name} is`} from an affine motion`, "0: the pseudo-rigid ball can have the same motion.", models.length > 1 ? legend(models) : null, make("div", {class: "charts"},
+    of("nonaffine_kinetic_fraction", "non-affine part of the kinetic energy", "It is near 1 when the affine motion pauses."),
     of("nonaffine_displacement", "non-affine part of the position", "Root mean square over the ball, relative."),
-    of("min_jacobian", "least det F at the points of integration", "1: volume is preserved there.")));
+    of("min_jacobian", "least det F at the points of integration", "1: the volume is preserved there. The constraint holds in the mean over each element, so det F departs from 1 between the points; the departure falls with the degree.")));
 }
 
 // Spectra.
@@ -211,37 +231,45 @@ function strainOfLargestVariance(model) {
   return pairs.filter(p => p[0] <= p[1]).map(p => [...p].map(Number)).reduce((a, b) => variance(b) > variance(a) ? b : a);
 }
 
-function spectrumSections() {
+const MOST_DECADES = 5, LEAST_PERIODS = 10;
+// Frequencies of an elastic sphere and of the pseudo-rigid ball at small amplitude (Lamb 1882), in units of c/r.
+const EXACT_LINES = [["S2", 2.665622189236], ["S4", 5.160819], ["S2, overtone", 5.473039811966], ["pseudo-rigid S2", Math.sqrt(10)]];
+
+// Whether the exact lines are those of this ball: free, incompressible, with elements (the comparison says so).
+const hasExactLines = () => Boolean(comparison && comparison.frequency && comparison.frequency.exact_small_amplitude_ratio);
+const rateOfScene = () => Math.sqrt(Number(scene["Material/Shear modulus"]) / Number(scene["Body/Density"])) / radius;
+
+// [the chart or null, paragraphs].
+function spectrumOf() {
   const models = MODELS.filter(m => m.table.has("Q11") && m.table.n >= 16);
-  if (!models.length) return [];
+  if (!models.length) return [null];
   const known = comparison && comparison.frequency;
   const entry = known ? [...known.signal.slice(1)].map(Number) : strainOfLargestVariance(models[models.length - 1]);
   const signals = models.map(model => ({model, samples: [column(model, "time"), strain(model, ...entry)].map(v => Array.from(v.subarray(0, MOST_SAMPLES)))}));
   const motion = Math.max(...signals.map(s => { const [a, b] = extent(s.samples[1]); return b - a; }));
-  if (!(motion > 1e-9)) return [];
+  if (!(motion > 1e-9)) return [null];
   const [x] = signals[0].samples, last = x[x.length - 1] - x[0], nyquist = Math.PI * (x.length - 1) / last;
+  const fitted = key => known && known[key] && known[key].found ? known[key] : null;
   const coarse = Array.from({length: 2 * x.length}, (_, k) => nyquist * (k + 1) / (2 * x.length));
   const peaks = signals.map(s => amplitudes(...s.samples, coarse)), top = Math.max(...peaks.flat());
-  const reach = Math.max(...peaks.map(p => coarse[p.reduce((most, a, k) => a > 0.04 * top ? k : most, 0)]));
-  const fitted = key => known && known[key] && known[key].found ? known[key] : null;
-  const end = Math.min(nyquist, 1.3 * Math.max(reach, ...signals.map(s => fitted(s.model.key) ? fitted(s.model.key).omega : 0)));
+  const main = signals.map((s, k) => fitted(s.model.key) ? fitted(s.model.key).omega : peakOf(coarse, peaks[k])).filter(Boolean);
+  const words = make("p", {class: "note"}, `${known ? `${known.reason.replace("component of C = Q^T Q", `C${entry.join("")} of C = QᵀQ`)}. ` : ""}`
+    + signals.map(s => fitted(s.model.key) ? `${s.model.name}: ω = ${showWithErrors(fitted(s.model.key).omega, fitted(s.model.key), "", 5)}${isUnitBall ? " c/r" : ""}. ` : "").join("")
+    + (known && [known[models[0].key], known[models.at(-1).key]].some(m => m && m.load) ? "A line belongs to a load, not to the body. " : "")
+    + (known && known.ratio ? `Ratio of the frequencies: ${showWithErrors(known.ratio, known, "ratio_", 6)}, errors: ${partsInWords(known, "ratio_")}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}. ` : ""));
+  const n_periods = main.length ? Math.min(...main) * last / (2 * Math.PI) : 0;
+  if (n_periods < LEAST_PERIODS) {
+    words.append(`A spectrum is not drawn: the record has ${show(n_periods, 2)} periods, and lines are apart only after about ${LEAST_PERIODS}.`);
+    return [null, words];
+  }
+  const reach = Math.max(...peaks.map(p => coarse[p.reduce((most, a, k) => a > 10 ** (1 - MOST_DECADES) * top ? k : most, 0)]));
+  const end = Math.min(nyquist, Math.max(1.3 * Math.max(...main), Math.min(1.1 * reach, 4 * Math.max(...main))));
   const n_omegas = Math.round(Math.min(4000, Math.max(400, end * last / 2)));  // a peak is 4π/last wide
   const omegas = Array.from({length: n_omegas}, (_, k) => end * k / (n_omegas - 1));
   const series = signals.map(s => ({x: omegas, y: amplitudes(...s.samples, omegas), name: s.model.name, style: s.model.style}));
-  const marks = signals.map((s, k) => {
-    const fit = fitted(s.model.key), at = fit ? fit.omega : peakOf(omegas, series[k].y);
-    return {x: at, style: s.model.style, text: `${s.model.name}: ω ${fit ? `= ${showWithErrors(at, fit, "", 5)}` : `≈ ${show(at, 3)}`}`};
-  }).filter(mark => mark.x !== null);
-  const name = `C${entry.join("")}`;
-  const n_fitted = signals.filter(s => fitted(s.model.key)).length;
-  const lines = n_fitted === signals.length ? "the frequencies that the comparison fitted to the samples"
-    : n_fitted ? "the frequency that the comparison fitted to the samples (=), and the highest peak where it found none (≈)" : "the highest peaks";
-  const why = known ? known.reason.replace("component of C = Q^T Q", "the entry") : "the entry that varies most";
-  return section("Spectrum", `Amplitude of ${name} of C = QᵀQ, ${why}, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}. Rotations of the body do not count. `
-    + `Upright lines: ${lines}. `
-    + (known && [known[models[0].key], known[models[models.length - 1].key]].some(m => m && m.load) ? "A line is that of a load, and says nothing of the body. " : "")
-    + (known && known.ratio ? `Their ratio: ${showWithErrors(known.ratio, known, "ratio_", 6)}, errors: ${partsInWords(known, "ratio_")}${known.exact_small_amplitude_ratio ? `; exact for small amplitudes: ${show(known.exact_small_amplitude_ratio, 6)}` : ""}.` : ""),
-    legend(models), make("div", {class: "charts wide"}, chart({title: `Amplitude spectrum of ${name}`, series, marks, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end]})));
+  const lines = hasExactLines() ? EXACT_LINES.map(([text, omega]) => ({x: omega * rateOfScene(), text})) : [];
+  return [chart({title: `Amplitude spectrum of C${entry.join("")}`, series, lines, xLabel: withUnit("angular frequency ω", "1/time"), yLabel: "amplitude", height: 300, xRange: [0, end], logarithmic: MOST_DECADES,
+    note: `C = QᵀQ, through Hann's window${models[0].table.n > MOST_SAMPLES ? `, of the first ${MOST_SAMPLES} samples` : ""}.${lines.length ? " Dotted: exact frequencies at small amplitude (S: spheroidal modes with their degree)." : ""}`}), words];
 }
 
 // The place of the highest peak; null where there is none but at an end.

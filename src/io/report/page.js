@@ -35,7 +35,7 @@ function head() {
   const [style, words] = STATES[manifest.state] || STATES.unknown;
   const sentence = manifest.scene ? manifest.scene[0].toUpperCase() + manifest.scene.slice(1) + "." : "";
   return [make("h1", {}, title), make("p", {}, make("span", {class: `state ${style}`}, words), ` ${sentence}`),
-    manifest.message ? make("p", {class: "warning"}, `The run ended before its time: ${manifest.message}. What follows is what it had reached.`) : null,
+    manifest.message ? make("p", {class: "warning"}, `The run ended early: ${manifest.message}. The page shows the results until then.`) : null,
     ...(manifest.warnings || []).map(w => make("p", {class: "warning"}, `${w}.`)), make("p", {class: "lead"}, inWords())];
 }
 
@@ -214,7 +214,7 @@ function costSections() {
 function needsSections() {
   const list = (title, lines) => lines && lines.length ? make("div", {}, make("h3", {}, title), make("ul", {}, lines.map(line => make("li", {}, line)))) : null;
   const lists = [list("Needed", manifest.needed), list("Skipped", manifest.skipped)].filter(Boolean);
-  return lists.length ? section("What was needed, and what was skipped", "", make("div", {class: "columns"}, lists)) : [];
+  return lists.length ? section("Parts computed and parts skipped", "", make("div", {class: "columns"}, lists)) : [];
 }
 
 function originSections() {
@@ -231,7 +231,7 @@ function originSections() {
     });
     return button;
   });
-  return section("Where it comes from", "", tableOf(null, rows), make("p", {class: "files"}, "This page holds the run's files: ", buttons.flatMap(b => [b, " "])));
+  return section("Provenance", "", tableOf(null, rows), make("p", {class: "files"}, "This page contains the files of the run: ", buttons.flatMap(b => [b, " "])));
 }
 
 function bodiesSections() {
@@ -239,10 +239,27 @@ function bodiesSections() {
   return figure ? section("The bodies", "", figure) : [];
 }
 
+const MOST_CHARTS = 8;
 function systemSections() {
-  return systemFile && tables[systemFile] ? section("Motion", "", genericCharts(systemFile, "time", timeLabel, "elastic")) : [];
+  if (!systemFile || !tables[systemFile]) return [];
+  const content = genericCharts(systemFile, "time", timeLabel, "elastic"), charts = content.find(node => node && node.className === "charts");
+  const others = [...charts.children].slice(MOST_CHARTS);
+  return [...section("Motion", "", content), others.length ? more(`More charts (${others.length})`, [make("div", {class: "charts"}, others)]) : null];
 }
 
-document.getElementById("report").append(...[head(), bodiesSections(), systemSections(), deformationSections(), differenceSections(), spectrumSections(), nonaffineSections(), energySections(), modesSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
-  sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat().filter(Boolean));
+// Sections that are drawn when somebody opens them.
+function more(title, nodes) {
+  const content = nodes.flat().filter(Boolean);
+  if (!content.length) return null;
+  const details = make("details", {}, make("summary", {}, title), ...content);
+  details.addEventListener("toggle", () => redraws.forEach(redraw => redraw()));
+  window.addEventListener("beforeprint", () => { details.open = true; });
+  return details;
+}
+
+const behindMore = [differenceSections(), bodiesSections(), deformationSections(), nonaffineSections(), energySections()];
+const isFieldModel = MODELS.some(m => m.shapes);
+document.getElementById("report").append(...[head(), setupSections(), overviewOfRun(), isFieldModel ? [] : behindMore.splice(1, 1), systemSections(), keySections(),
+  more("More charts: differences, bodies, deformation, energies, momenta", behindMore), modesSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
+  sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat(Infinity).filter(Boolean));
 redraws.forEach(redraw => redraw());

@@ -63,7 +63,7 @@ function sweepSections() {
   const isLevel = q => { const [a, b] = finiteExtent(q.y); return !(b - a > 1e-7 * scaleOf(q)); };
   const level = quantities.filter(isLevel), jumping = quantities.filter(q => !isLevel(q) && isOfSampling(q.y, all, scaleOf(q)));
   const drawn = quantities.filter(q => !level.includes(q) && !jumping.includes(q));
-  const draws = q => chart({title: q.title, xLabel: `parameter ${x}`, series: lines.map(l => {
+  const draws = q => chart({title: q.title, xLabel: x, series: lines.map(l => {
     const rows = l.rows.filter(i => Number.isFinite(q.y[i]));
     return {x: rows.map(i => t.at(x, i)), y: rows.map(i => q.y[i]), name: l.name, style: l.style, points: rows.length === 1};
   }).filter(s => s.x.length)});
@@ -101,15 +101,12 @@ function mapSections(t, swept, x, quantities, drawn) {
     maps.push({title: "drift of the energy, over its largest value", y: t.columns.energy_drift.map(v => v / size)});
   }
   maps = maps.concat(drawn.filter(q => !maps.includes(q))).slice(0, MOST_MAPS);
-  return section("Map", `Over ${x} and ${y}: a cell for each run. Grey: the run has no such value.`, make("div", {class: "charts"}, maps.map(m => mapChart({title: m.title, x: t.columns[x], y: t.columns[y], values: m.y, xLabel: `parameter ${x}`, yLabel: `parameter ${y}`}))));
+  return section("Map", `Over ${x} and ${y}: a cell for each run. Grey: the run has no such value.`, make("div", {class: "charts"}, maps.map(m => mapChart({title: m.title, x: t.columns[x], y: t.columns[y], values: m.y, xLabel: x, yLabel: y}))));
 }
 
 // Rising in brightness, so that they keep their order in grey (matplotlib's viridis at nine places).
 const RAMP = [[68, 1, 84], [71, 44, 122], [59, 81, 139], [44, 113, 142], [33, 144, 141], [39, 173, 129], [92, 200, 99], [170, 220, 50], [253, 231, 37]];
-function rampColor(part) {
-  const place = Math.max(0, Math.min(1, part)) * (RAMP.length - 1), k = Math.min(RAMP.length - 2, Math.floor(place));
-  return `rgb(${RAMP[k].map((c, i) => Math.round(c + (place - k) * (RAMP[k + 1][i] - c))).join(",")})`;
-}
+const rampColor = part => colorOf(RAMP, part);
 
 // Borders of the cells about values: halfway between neighbours, the first and the last as wide as their halves.
 function borders(values) {
@@ -162,7 +159,7 @@ function mapChart({title, x, y, values, xLabel, yLabel, height = 260}) {
     svg.addEventListener("pointerleave", () => { readout.textContent = ""; });
   };
   redraws.push(redraw);
-  return make("figure", {}, make("div", {class: "heading"}, make("div", {class: "title"}, title), readout), host, isLogarithmic ? make("figcaption", {}, "The colour scale is logarithmic.") : null);
+  return figureOf(title, readout, [host], isLogarithmic ? "The colour scale is logarithmic." : "", []);
 }
 
 // A range that is not empty.
