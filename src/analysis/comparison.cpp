@@ -18,7 +18,7 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The two tables and the comparison that grows.
+/// The two tables, and the comparison to which series are added.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -26,7 +26,7 @@ struct Workshop {
   const ComparisonOptions& options;
   Comparison out;
 
-  /// Whether both tables have the columns; if not, `what` goes to the list of what could not be compared.
+  /// Whether both tables have the columns. If not, `what` joins the list of quantities that are not compared.
   bool available(std::string_view what, const Columns& columns) {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
@@ -87,7 +87,7 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // The largest of (a ± δa)/(b ± δb) is at b − δb; a larger δb than b/2 leaves nothing of the ratio in any case.
+  // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb exceeds b/2, the ratio is not determined.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
@@ -150,7 +150,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // Where nothing moves, what is left to divide by is the resolution itself.
+  // If nothing moves, the resolution itself is the divisor.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});

@@ -43,7 +43,8 @@ inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.66562
 struct ComparisonOptions {
   SceneFacts facts{};
   std::optional<double> exact_frequency_ratio{};  ///< small-amplitude value if the scene has one
-  std::optional<double> surface_limit_time{};     ///< when the reference's surface reached Biot's limit, if it did
+  std::optional<double>
+      surface_limit_time{};  ///< time at which the reference's surface reached Biot's limit, if it did
 };
 
 struct Series {
@@ -57,7 +58,7 @@ struct Series {
 
 struct FrequencyRatio {
   double value = 0;  ///< ω_r / ω_c
-  ErrorBar error;    ///< by those of both frequencies, at worst
+  ErrorBar error;    ///< error of the ratio, from the largest errors of both frequencies
 };
 
 struct Comparison {
@@ -71,10 +72,10 @@ struct Comparison {
   /// the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together, `quadrature`
   /// the same with those of their rules.
   ErrorBar error;
-  std::optional<FrequencyRatio> ratio;  ///< none if one of the lines is that of a load
+  std::optional<FrequencyRatio> ratio;  ///< empty if one of the lines belongs to a load
   std::optional<double> exact_ratio;    ///< only if it applies: the body does not spin
   std::optional<double>
-      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples: instants of rest do not count
+      mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, so that instants of rest do not count
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< from then on the reference's results depend on its mesh
   std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"

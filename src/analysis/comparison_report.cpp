@@ -272,7 +272,7 @@ void write_comparison(const std::filesystem::path& folder, const std::string& na
 std::string summary_sentence(const Comparison& c) {
   std::string sentence = motion_clause(c);
   if (c.has_state) sentence += "; " + difference_clause(c);
-  // A part of the kinetic energy of a ball that does not move is a quotient of round-off.
+  // If the ball does not move, a share of its kinetic energy is a quotient of round-off.
   const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
   for (const ModelSummary* m : {&c.model, &c.reference})

@@ -75,7 +75,7 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   return {};
 }
 
-/// What the residual says about a model.
+/// The information about a model that the residual has.
 struct Assessment {
   std::vector<double> peaks;  ///< of the residual
   double deviation;           ///< √variance of the frequencies = deviation · √(S⁻¹), see FrequencyFit
@@ -97,7 +97,8 @@ struct Round {
   Neighbours neighbours;
 };
 
-/// Takes the peaks of the residual as lines if that makes the first frequency better known; else nothing changes.
+/// Takes the peaks of the residual as lines if this reduces the error of the first frequency; otherwise changes
+/// nothing.
 bool add_lines(LineModel& model, Assessment& state, const Round& round, double size, int max_lines) {
   LineModel trial = model;
   std::size_t n_added = 0;
@@ -111,7 +112,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // Neighbours that mimic a modulated amplitude leave something to explain at every order; two true lines do not.
+  // A modulated amplitude that neighbouring lines imitate leaves a residual at every order; two true lines do not.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -120,7 +121,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off, holds no further line, or says nothing more about the first frequency.
+/// Adds lines until the residual is round-off, has no further line, or does not improve the first frequency.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);
@@ -132,7 +133,7 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
     const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
     gained = std::ranges::any_of(rounds, gains);
   }
-  // Where lines merge, the last digits of the residual are bought with the frequency: keep the better known one.
+  // If lines merge, a smaller residual makes the frequency less certain: keep the frequency with the smaller error.
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);

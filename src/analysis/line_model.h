@@ -30,8 +30,8 @@ class LineModel {
   void project();
 
   enum class Accuracy { rough, full };
-  /// Gauss–Newton steps, halved until the residual falls. Rough: until it falls by less than a tenth, enough to see
-  /// what is left.
+  /// Gauss–Newton steps, halved until the residual falls. Rough: ends when a step reduces the residual by less than a
+  /// tenth, which is enough to find further lines.
   void refine(Accuracy accuracy);
 
   double omega(const Wave& w) const { return w.multiple * bases[w.base]; }

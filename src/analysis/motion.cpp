@@ -51,8 +51,8 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   return s;
 }
 
-/// Energies below this part of others are their round-off, and kinetic energies below this part of the scene's unit
-/// that of velocities.
+/// Energies below this part of other energies are round-off of them. Kinetic energies below this part of the scene's
+/// unit are round-off of velocities.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
 /// The columns that the table of the terminal shows, with their labels.
@@ -179,8 +179,8 @@ MotionSummary summarize_system(const ModelRunTable& run) {
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
-    // A potential has no zero of its own, and is worth how far it goes; a kinetic energy is worth itself. Where both
-    // are round-off of the potential that there is, nothing moves.
+    // A potential does not have a zero of its own, so its size is its range; the size of a kinetic energy is its value.
+    // If both are round-off of the potential, nothing moves.
     double size = 0, potential = 0;
     if (table.has_column("kinetic")) size = largest(table.column("kinetic"));
     if (table.has_column("potential")) {

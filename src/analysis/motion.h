@@ -101,8 +101,8 @@ struct MotionSummary {
 struct SceneFacts {
   double resolution = 1e-10;  ///< relative accuracy of the trajectories: smaller variations of Q or C are not a motion
   double energy_unit = 0;     ///< of the scene
-  std::optional<double> tolerance{};       ///< of Q, relative, if the step follows from it
-  std::vector<double> load_frequencies{};  ///< angular, of loads that depend on time
+  std::optional<double> tolerance{};       ///< error of Q, relative, if the step follows from it
+  std::vector<double> load_frequencies{};  ///< angular frequencies of loads that depend on time
 };
 
 /// Summary of a model of the ball. Groups of columns that the table lacks are left out. The table holds a sample at

@@ -44,7 +44,7 @@ class SpaceErrorLadder {
 
   /// p.
   double rate() const;
-  /// e of the last run, infinite if it is alone.
+  /// Error e of the last run; infinite if there is only one run.
   double error() const;
   /// e of a run of the resolution N.
   double predicted_error(double N) const;

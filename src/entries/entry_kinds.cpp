@@ -74,7 +74,7 @@ std::string print_number(double value) {
 
 namespace {
 
-/// Three digits, rounded away from what is not allowed.
+/// Three digits, rounded towards the permitted values.
 std::string three_digits(double value, double (*towards)(double)) {
   if (!std::isnormal(value)) return print_number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
@@ -122,7 +122,7 @@ std::string Number::expected() const {
 
 namespace {
 
-/// The word `auto`, which is no value, or what `kind` reads.
+/// The word `auto`, or a value of `kind`.
 template <class T, class Kind>
 Problem read_unless_auto(std::string_view text, const Kind& kind, std::optional<T>& value) {
   if (text == "auto") return value.reset(), std::nullopt;
@@ -198,7 +198,7 @@ Problem Text::read(std::string_view text, std::string& value) const {
 
 namespace {
 
-/// What a shell would put in place of the beginning of a text: "~" or "$NAME" and its value, "" if it has none.
+/// The expansion of a shell at the beginning of a text: "~" or "$NAME" and its value, "" if it does not have one.
 struct ShellWord {
   std::string word, value;
 };

@@ -30,10 +30,10 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// `got "…"`: the problem if nothing better can be said.
+/// `got "…"`: the general description of a problem.
 std::string got(std::string_view text);
 
-/// The whole text as a finite number; nothing if it is anything else.
+/// The number if the whole text is a finite number; otherwise empty.
 std::optional<double> finite_number(std::string_view text);
 
 /// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
@@ -151,7 +151,7 @@ struct BuiltinOrMeshFile {
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
-  bool symmetric = false;  ///< asked of the value by scene/validate.h, whose message has the symmetric part
+  bool symmetric = false;  ///< scene/validate.h checks the symmetry, and its message has the symmetric part
 
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
@@ -193,7 +193,7 @@ struct Rows {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// What to say of a word that is not among those allowed.
+/// The message for a word that is not permitted.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
 /// The names of an enumeration, each with its value.
@@ -213,7 +213,7 @@ std::string joined(const std::vector<std::string_view>& words);
 /// "a", "a or b", "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
-/// Whether every name is there, once, and stands for a value of its own.
+/// Whether every name occurs exactly once and has its own value.
 template <class E, std::size_t n>
 constexpr bool is_sound(const NameTable<E, n>& table) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -319,7 +319,7 @@ struct Switches {
   }
 };
 
-/// switches<S>({{"name", &S::member}, …}), of which `all` stands for all.
+/// switches<S>({{"name", &S::member}, …}); the word `all` sets all members.
 template <class S, std::size_t n>
 consteval Switches<S, n> switches(const std::pair<std::string_view, bool S::*> (&names)[n]) {
   return Switches<S, n>(std::to_array(names), n);

@@ -8,12 +8,12 @@
 
 namespace pseudorigid::scene {
 
-/// Row by row; what entries say needs no linear algebra library.
+/// Stored row by row; entries do not need a linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 /// Relative error of a sum of a few products, per the sum of their sizes.
 inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
-/// Beyond these sizes and condition numbers round-off leaves nothing of the problem that the user meant.
+/// Beyond these sizes and condition numbers round-off exceeds the data of the user.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 
 /// cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.

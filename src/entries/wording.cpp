@@ -8,7 +8,7 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr std::size_t longest_quotation = 100;
-/// Longer words are no misspelt names; the limit also bounds the cost of the search.
+/// Longer words are not misspelt names; the limit also bounds the cost of the search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -53,7 +53,7 @@ constexpr Lookalike lookalikes[] = {
     {"\uFF1D", "the full-width equals sign U+FF1D", "="},
 };
 
-/// ` (with the minus sign U+2212 in place of "-")`, of the first such character; nothing if there is none.
+/// ` (with the minus sign U+2212 in place of "-")`, for the first such character; empty if there is none.
 std::string note_of_lookalike(std::string_view text) {
   const Lookalike* first = nullptr;
   std::size_t place = text.npos;

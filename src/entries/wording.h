@@ -18,11 +18,11 @@ std::string_view trimmed(std::string_view text);
 /// Number of single-letter insertions, deletions and substitutions from one word to the other; case does not count.
 int edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate that a person who wrote `word` probably meant, if one is near. The last part of a path like
-/// "Body/Radius" also counts alone, so that an entry written in the wrong subsection is found.
+/// The candidate nearest to `word`, if one is near enough. The last part of a path like "Body/Radius" also counts
+/// alone, so that an entry in the wrong subsection is found.
 std::optional<std::string_view> nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 
-/// `; did you mean "…"?` or nothing.
+/// `; did you mean "…"?`, or an empty text.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace pseudorigid::scene

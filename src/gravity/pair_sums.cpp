@@ -14,8 +14,8 @@ namespace {
 using L = mechanics::Lanes<mechanics::native_lanes>;
 constexpr std::size_t n_lanes = mechanics::native_lanes;
 
-/// Added to squared distances, and far below any that matters: a point and itself have no infinite inverse distance
-/// then, and add 0, as all their terms have the factor d.
+/// Added to squared distances, and far below any relevant one. A point then has a finite inverse distance to itself,
+/// and adds 0, because all its terms have the factor d.
 constexpr double no_distance = 1e-36;
 
 /// A number with its rate.
@@ -35,7 +35,7 @@ struct Rated {
   }
 };
 
-/// As many targets as a vector has lanes, and what is summed for them: of g_i all but its part along N_i.
+/// As many targets as a vector has lanes, and their sums, in which g_i is without its part along N_i.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -69,7 +69,7 @@ void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// What a block has found, for its targets from number `first` on; `part` is a value or a rate.
+/// Writes the sums of a block to its targets from number `first` on; `part` is a value or a rate.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);
@@ -94,7 +94,7 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Of the images of one point: Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
+/// Sums over the images of one point: Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
@@ -119,7 +119,7 @@ class PairWithImages {
         parts.a[c][i] = d * N_x[c];
         parts.b[c][i] = d * (s * N_y[c]);
       }
-    // A loop would not be unrolled, and its arrays not be registers.
+    // A loop would not be unrolled, and its arrays would not be registers.
     [&]<int... k>(std::integer_sequence<int, k...>) { (add_image<k>(parts), ...); }
     (std::make_integer_sequence<int, 8>());
   }
@@ -132,7 +132,7 @@ class PairWithImages {
   }
 
  private:
-  /// What each axis gives to |d|², a and b: [axis][0: of y itself, 1: of its image behind the plane of this axis].
+  /// Contributions of each axis to |d|², a and b: [axis][0: y itself, 1: its image behind the plane of this axis].
   struct Parts {
     L square[3][2], a[3][2], b[3][2];
   };
@@ -160,11 +160,11 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< the latter: of the images with s_kc = −1
 };
 
-/// What is summed for points whose pairs serve both of their points: g_i and h_i without their parts along N_i and x_i.
+/// Sums for points whose pairs serve both points: g_i and h_i without their parts along N_i and x_i.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
-  /// Adds to one lane what another has in all its lanes.
+  /// Adds the sums over all lanes of `other` to one lane.
   void add_to_lane(int lane, const MutualSums& other) {
     const auto add = [lane](L& to, const L& from) {
       double sum = to[lane];
@@ -180,7 +180,7 @@ struct MutualSums {
   }
 };
 
-/// Adds what the block and its images do to the point y, lane by lane.
+/// Adds the contributions of the block and its images to the point y, lane by lane.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
                                          MutualSums& y) {
@@ -192,7 +192,7 @@ template <unsigned mirrors>
   }
 }
 
-/// Adds what the point y and its images do to the block.
+/// Adds the contributions of the point y and its images to the block.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void act(const PairWithImages<mirrors>& pair, const double (&y)[3],
                                        const double (&N_y)[3], MutualSums& x) {
@@ -204,7 +204,7 @@ template <unsigned mirrors>
   }
 }
 
-/// Σ_j over the points and their images; each pair of points is looked at once, but for those within a block.
+/// Σ_j over the points and their images; each pair of points is computed once, except for pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();

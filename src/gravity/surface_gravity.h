@@ -44,8 +44,8 @@ struct PairSums {
   std::array<std::vector<double>, 3> g, h;
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
-/// The same if the targets are the sources, with their images under the reflections x_c ↦ −x_c of the true
-/// `mirrors`: at half the work or less.
+/// The same if the targets are the sources with their images under the reflections x_c ↦ −x_c of the true `mirrors`, at
+/// half the work or less.
 PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
 /// The sums over two sets of sources.
 PairSums add(const PairSums& more, PairSums sums);

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// What the files of a control group are called. Version 1 says no limit by a number beyond every machine, version 2 by
-/// a word.
+/// Names of the files of a control group. If there is no limit, version 1 writes a number beyond every machine, and
+/// version 2 a word.
 struct Names {
   const char *limit, *used;
   /// In memory.stat: of files, in the group and in those below it, which the kernel can drop.
@@ -25,7 +25,7 @@ struct Names {
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
 constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
 
-/// What a file of one number says; `otherwise` where there is no such file, or a word in it.
+/// The number in a file; `otherwise` if the file does not exist or contains a word.
 double number_in(const fs::path& path, double otherwise) {
   std::ifstream file(path);
   double number;
@@ -48,8 +48,8 @@ double left_in_group(const fs::path& group, const Names& names) {
   return std::max(0.0, limit - std::max(0.0, used - droppable));
 }
 
-/// The least of a group and of those above it. A container may see its own group as the uppermost while it knows the
-/// path from the machine's: what is not there has no limit.
+/// The least limit of a group and of the groups above it. A container may see its own group as the uppermost, while the
+/// path contains the groups of the machine. A missing file means that there is no limit.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

@@ -10,7 +10,7 @@ namespace pseudorigid::io {
 namespace {
 
 /// VTK's place of the point (i, j, k) among those of a Lagrange hexahedron of degree p: corners, edges, faces, inside.
-/// Files of version 1.0 number the edges along k as 0, 1, 3, 2; VTK turns the last two round as it reads.
+/// Files of version 1.0 number the edges along k as 0, 1, 3, 2; VTK exchanges the last two when it reads.
 std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std::size_t p) {
   const std::size_t on_edge = p - 1, on_face = on_edge * on_edge;
   const auto is_end = [p](std::size_t index) { return index == 0 || index == p; };
@@ -26,7 +26,7 @@ std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std
   return inside + (k - 1) * on_face + (j - 1) * on_edge + i - 1;
 }
 
-/// Of the cells of a block, the points by their places in it.
+/// The points of the single cell of a block, in VTK's order.
 std::vector<std::size_t> lagrange_cell(std::size_t p) {
   std::vector<std::size_t> points((p + 1) * (p + 1) * (p + 1));
   for (std::size_t k = 0; k <= p; ++k)
@@ -35,7 +35,7 @@ std::vector<std::size_t> lagrange_cell(std::size_t p) {
   return points;
 }
 
-/// Likewise, the lower face counter-clockwise, then the upper one.
+/// The points of the cells of a block, in VTK's order: the lower face counter-clockwise, then the upper face.
 std::vector<std::size_t> linear_cells(std::size_t p) {
   const std::size_t n = p + 1;
   const std::array<std::size_t, 8> corners{0, 1, n + 1, n, n * n, n * n + 1, n * n + n + 1, n * n + n};

@@ -34,7 +34,7 @@ std::string_view bytes_of(const T* values, std::size_t n = 1) {
   return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
 
-/// FNV-1a, continued from the hash of what comes before.
+/// FNV-1a, continued from the hash of the bytes before.
 std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
   return hash;

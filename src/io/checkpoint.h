@@ -48,7 +48,7 @@ class Checkpoint {
   template <class T>
   const T& get(const std::string& name, const char* type) const;
   std::map<std::string, Value> values_;
-  std::filesystem::path path_;  ///< of the file from which it was loaded, for messages
+  std::filesystem::path path_;  ///< path of the loaded file, for messages
 };
 
 }  // namespace pseudorigid::io

@@ -32,7 +32,7 @@ class ColumnTable {
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
 
-  /// False, and nothing is written, where the row is not finite in the user's units.
+  /// False if the row is not finite in the user's units; it is not written then.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });

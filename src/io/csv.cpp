@@ -45,7 +45,7 @@ std::vector<std::string> split_header(std::string_view line) {
   return columns;
 }
 
-/// Appends the numbers of a line to `values`; returns a complaint or nothing.
+/// Appends the numbers of a line to `values`; returns a complaint, or an empty text.
 std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<double>& values) {
   const char *position = line.data(), *const end = position + line.size();
   for (std::size_t i = 0; i < n_columns; ++i) {
@@ -216,7 +216,8 @@ void CsvWriter::flush() {
   try {
     write_fully(file_descriptor_, pending_, path_);
   } catch (const WriteError&) {
-    // Only whole rows may stay; if even cutting fails there is nothing left to try, and the error is on its way.
+    // Only whole rows may stay. If the file cannot be cut either, the error that is already on its way reports the
+    // problem.
     [[maybe_unused]] const int result = ::ftruncate(file_descriptor_, static_cast<off_t>(file_size_));
     throw;
   }

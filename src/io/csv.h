@@ -53,7 +53,7 @@ class CsvWriter {
   CsvWriter& operator=(CsvWriter&&) = delete;
   ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
-  /// One value per column, all finite: a std::logic_error names the column that is not, and nothing of the row is kept.
+  /// One value per column, all finite. A std::logic_error names a column that is not finite, and the row is discarded.
   void append(std::span<const double> row);
   void flush();
   std::int64_t n_rows() const { return n_rows_; }  ///< rows appended so far, those before a resume included

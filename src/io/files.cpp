@@ -58,7 +58,7 @@ bool is_file(int file_descriptor) {
   return ::fstat(file_descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// What a name leads to through links; that need not exist.
+/// The path at the end of a chain of links; it need not exist.
 fs::path behind_links(fs::path path) {
   constexpr int most = 40;  // as in the kernel
   for (int n = 0; n < most; ++n) {
@@ -100,7 +100,7 @@ class PartialFile {
 
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
-  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // from here on it may wait
+  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // the call may wait from here on
   for (const std::string_view part : parts) write_fully(file.value(), part, path);
   if (!file.close()) throw WriteError(path, errno);
 }

@@ -37,11 +37,11 @@ class Descriptor {
   int value_;
 };
 
-/// Whether something bears this name, be it a link that leads nowhere.
+/// Whether the path exists; a link that leads nowhere exists.
 bool is_there(const std::filesystem::path& path);
 
-/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for the target of a link to a file, and if
-/// there is nothing.
+/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for a link to a file, and if the path does
+/// not exist.
 std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to `path`.partial and renames it: a reader sees the old file or the new one, never a

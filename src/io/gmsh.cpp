@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 28;
 constexpr int hexahedron = 5;
 
-/// Number of nodes of Gmsh's elements that are no body: point, line, quadrangle; nothing for the others.
+/// Number of nodes of Gmsh's elements without volume: point, line, quadrangle; empty for other elements.
 std::optional<std::size_t> n_nodes_of_boundary(int type) {
   switch (type) {
     case 15:
@@ -39,7 +39,7 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// Behind "expected hexahedra": what was got in their place, and how Gmsh makes hexahedra of it.
+/// Text after "expected hexahedra": the elements found, and the way to make hexahedra in Gmsh.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -56,7 +56,7 @@ std::string other_element(int type) {
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // A pipe would be waited for, and could be read once alone.
+  // Reading a pipe could wait for ever, and is possible only once.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;

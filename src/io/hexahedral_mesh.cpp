@@ -146,7 +146,7 @@ constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
 
-/// Of each vertex, the shortest edge that ends there.
+/// For each vertex, the shortest edge that ends there.
 std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   std::vector<double> shortest(mesh.vertices.size(), std::numeric_limits<double>::infinity());
   for (const auto& cell : mesh.cells)
@@ -215,8 +215,8 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// No vertex lies in the middle of a face or of an edge of the surface, as the hanging nodes of a cell divided beside
-/// an undivided one would.
+/// No vertex lies in the middle of a face or of an edge of the surface, as hanging nodes of a divided cell next to an
+/// undivided cell would.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {

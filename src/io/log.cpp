@@ -17,7 +17,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// "warning: " or "error: " before such messages, nothing before the others.
+/// "warning: " or "error: " before such messages; other messages do not have a prefix.
 class SeverityPrefix : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -91,7 +91,7 @@ std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std
   auto logger = std::make_shared<spdlog::logger>("pseudorigid", sinks.begin(), sinks.end());
   logger->set_level(sinks.empty() ? spdlog::level::off : spdlog::level::debug);
   logger->flush_on(spdlog::level::info);
-  // A log that cannot be written must not end a run; a full disk is reported by what matters, the results.
+  // A log that cannot be written must not end a run. A full disk is reported when results are written.
   logger->set_error_handler([](const std::string&) {});
   return std::make_shared<Logger>(std::move(logger));
 }

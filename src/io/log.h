@@ -14,7 +14,7 @@ class logger;
 
 namespace pseudorigid::io {
 
-/// What reaches the terminal; `silent` is for the ranks of a parallel run that have nothing to say.
+/// Messages that reach the terminal; `silent` is for the other ranks of a parallel run.
 enum class Verbosity { silent, quiet, normal, verbose };
 
 /// Messages with values in the places {…}. They are put together in log.cpp alone: a source that formats through spdlog

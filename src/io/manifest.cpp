@@ -137,7 +137,7 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   if (sound && json.contains("system")) movers.push_back(text(json, "system"));
   if (sound && json.contains("ball"))
     for (const Json& model : json["ball"]) movers.push_back(text(model, "name"));
-  // They become names of files in the directory.
+  // The names become names of files in the directory.
   for (const std::string& name : movers) sound = sound && name.find('/') == name.npos;
   if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
   if (!json.contains("entries"))

@@ -38,9 +38,9 @@ struct Manifest {
   std::vector<std::string> needed, skipped, warnings;         ///< lines for people
   std::string system;                                         ///< name of its CSV file; empty for the ball
   std::map<std::string, std::vector<scene::Column>> columns;  ///< by file, without the time
-  std::optional<Units> units;                                 ///< of a ball: the scene's own units in the files
+  std::optional<Units> units;                                 ///< scales of a ball: the scene's own units in the files
   std::map<std::string, std::string> libraries;               ///< name → version
-  std::string instructions;                                   ///< that the kernels are compiled for; empty without any
+  std::string instructions;                                   ///< instructions of the kernels; empty without kernels
   std::vector<BallRun> ball;                                  ///< the runs of models of the ball, in their order
   std::map<std::string, Model> models;                        ///< the models or the system of the run, by name
 };
@@ -56,8 +56,8 @@ class ManifestFile {
 
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
-  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence the user saw, if any. If the
-  /// disk has no room for a new file the old one says "failed" in place of "running", and the WriteError goes on.
+  /// The state becomes "done", "interrupted" or "failed"; `message` is the sentence that the user saw, if any. If the
+  /// disk has no room for a new file, the old file says "failed" in place of "running", and the WriteError is rethrown.
   void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
  private:
@@ -81,7 +81,7 @@ void note_failure(const std::filesystem::path& manifest, int exit_code, const st
 /// UserError if the file is not a manifest of this program, or if its version did not record the data that a report
 /// needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
-/// Of these, the models that move as x = QX. Empty if the file is not a manifest.
+/// The models among them that move as x = QX. Empty if the file is not a manifest.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The processor's name from /proc/cpuinfo, "unknown" without one.

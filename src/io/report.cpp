@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view before_name = "data-file=\"", after_name = "\">";
 
-/// What cannot be taken for the end of an element.
+/// The text with & and < escaped, so that a parser cannot mistake it for the end of an element.
 std::string escaped(const std::string& text) {
   std::string result;
   result.reserve(text.size());

@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char *reference = "reference_coordinates", *stress = "von_mises";
 constexpr std::size_t most_times = 8;
-constexpr std::size_t most_rows = 60000;  ///< of a model; a row takes some 70 bytes of the page
+constexpr std::size_t most_rows = 60000;  ///< rows for each model; a row takes some 70 bytes of the page
 
 const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view name) {
   const auto found = std::ranges::find(grid.fields, name, &UnstructuredGrid::Field::name);
@@ -112,7 +112,7 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
   fmt::format_to(row, ",{:.5g}\n", (*field(grid, stress))[point]);
 }
 
-/// So many of the frames, the first and the last among them, at even distances.
+/// n of the frames, the first and the last among them, at even distances.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;
@@ -184,7 +184,7 @@ std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine) tr
   if (rows.empty()) return {};
   return fmt::format("time,{},von_mises\n{}", fmt::join(mechanics::shape_columns, ","), rows);
 } catch (const UserError&) {
-  return {};  // a killed run, or files that were removed: the report does without
+  return {};  // a killed run, or files that were removed: the report does not use them
 }
 
 }  // namespace pseudorigid::io

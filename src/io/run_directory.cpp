@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every name that a run may give to a file of its directory, but for those of models and systems, which prepare_fresh
-/// is told, and the checkpoints.
+/// Every name that a run may give to a file of its directory. Checkpoints are missing, and also models and systems,
+/// whose names prepare_fresh receives.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",

@@ -29,7 +29,7 @@ class RunDirectory {
   /// a pipe or a device has such a name, or if another run is at work in it. It is the caller's as long as he keeps the
   /// lock.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
-  /// The same; UserError also if the folder does not have a checkpoint.
+  /// The same. UserError also if the folder does not have a checkpoint.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }

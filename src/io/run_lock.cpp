@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// A process by all that tells it from others: a number is given to processes one after the other, in every container
-/// anew, and begins again with every start of the machine.
+/// A process with all data that distinguish it: process numbers are reused, are counted in every container anew, and
+/// begin again with every start of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -95,8 +95,8 @@ Judgement judge(Identity holder) {
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
   if (holder[boot] != own[boot]) {
-    // This machine has been started anew, or it is another one of the same name, as containers and copies of a virtual
-    // machine often are.
+    // This machine has been restarted, or it is another machine with the same name, as containers and copies of a
+    // virtual machine often are.
     const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
     return is_this_machine ? Judgement::ended : Judgement::unknown;
   }
@@ -104,7 +104,7 @@ Judgement judge(Identity holder) {
   if (number <= 0) return Judgement::unknown;
   if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
   const ProcessState found = state_of(holder[process]);
-  if (found.state == 0) return Judgement::at_work;  // it is there, though this user may not look at it
+  if (found.state == 0) return Judgement::at_work;  // the path exists, but this user may not read it
   const bool is_zombie = found.state == 'Z' || found.state == 'X';
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
@@ -129,7 +129,8 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // A lock that is found may be gone before it is looked at, and another be there before the next attempt.
+  // A lock may disappear between its discovery and the check of its content, and another may appear before the next
+  // attempt.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
     if (create()) return;
@@ -168,7 +169,7 @@ bool RunLock::create() const {
   if (::link(own.c_str(), path_.c_str()) == 0) return true;
   const int reason = errno;
   struct stat status;
-  // A network disk may have done it and have lost the answer.
+  // A network disk may have made the link, although its answer was lost.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
   // A disk without links.
@@ -184,11 +185,11 @@ bool RunLock::create() const {
   return true;
 }
 
-/// UserError if it is not. Of several processes that find the same stale lock one removes it: they take turns, and each
-/// looks first whether the file that it has opened still bears the name.
+/// UserError if it is not. If several processes find the same stale lock, one removes it: they take turns, and each
+/// first checks whether its open file still has the name.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
-  const Descriptor file(path_, O_RDWR);  // network disks want a file that is open for writing to take turns
+  const Descriptor file(path_, O_RDWR);  // on network disks, locking requires a file that is open for writing
   if (!file && errno == ENOENT) return;
   if (!file || ::flock(file.value(), LOCK_EX) != 0) throw in_use(path_, {}, Judgement::unknown);
   struct stat opened, named;

@@ -15,7 +15,7 @@ class RunLock {
  public:
   static constexpr const char* file_name = "run.lock";
 
-  /// UserError if another run has the directory; nothing in it has changed then. WriteError if the lock cannot be
+  /// UserError if another run has the directory; the directory is not changed then. WriteError if the lock cannot be
   /// written.
   explicit RunLock(const std::filesystem::path& directory);
   ~RunLock();
@@ -30,7 +30,7 @@ class RunLock {
   void remove_if_stale() const;
 
   std::filesystem::path path_;
-  std::string identity_;  ///< contents of the file; empty when the lock has been handed on
+  std::string identity_;  ///< contents of the file; empty after the lock has been given to another object
 };
 
 }  // namespace pseudorigid::io

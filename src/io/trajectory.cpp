@@ -39,7 +39,7 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// What follows the name of a column in the header, by the kind of its value.
+/// The suffix of the name of a column in the header, by the kind of its value.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {

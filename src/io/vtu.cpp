@@ -67,7 +67,7 @@ class Document {
                                          name, components(n_components)),
                       .array = std::as_bytes(values)});
   }
-  /// A value of the whole grid, to be read by the eye as well.
+  /// A value of the whole grid, written as readable text.
   void add_constant(const UnstructuredGrid::Field& constant) {
     add(fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
                     "\n",
@@ -111,7 +111,7 @@ class Document {
     for (auto& helper : helpers) helper.get();
   }
 
-  /// Left out for scalars, whose default it is: given a 1, meshio makes columns of them.
+  /// Omitted for scalars, whose default is 1: meshio makes columns of them if 1 is written.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
 
   std::vector<Part> parts_;

@@ -24,7 +24,7 @@ struct UnstructuredGrid {
   int nodes_per_cell = 8;
   std::vector<std::int64_t> connectivity{};  ///< nodes_per_cell point numbers per cell, in VTK's order
   std::vector<Field> fields{};
-  std::vector<Field> constants{};  ///< of the whole grid, one value each; ParaView takes TimeValue for the time
+  std::vector<Field> constants{};  ///< constants of the whole grid, one value each; ParaView uses TimeValue as the time
 
   std::size_t n_points() const { return points.size() / 3; }
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
@@ -34,7 +34,8 @@ struct UnstructuredGrid {
 /// point number is out of range or a value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
-/// The file of a parallel run that names the pieces which `piece`'s like were written to, beside it. WriteError.
+/// The file of a parallel run that lists its pieces. The pieces have the fields of `piece`, and are in the same folder.
+/// WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

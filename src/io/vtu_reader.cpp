@@ -18,7 +18,7 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The file in its two parts; throws UserError wherever it is not as write_vtu writes it.
+/// The file in its two parts. Throws UserError if a part differs from the output of write_vtu.
 class VtuText {
  public:
   explicit VtuText(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {

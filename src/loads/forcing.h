@@ -46,7 +46,7 @@ struct Forcing {
   }
 
   bool dissipative() const { return viscosity != 0 || drag != 0; }
-  /// Whether anything but a pressure acts, which a body that keeps its volume does not feel.
+  /// Whether a load other than a pressure acts; a body of constant volume does not react to a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;

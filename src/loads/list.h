@@ -42,7 +42,7 @@ static_assert(detail::are_loads(static_cast<LoadList*>(nullptr)), "a load of the
 template <class L>
 concept KnownLoad = detail::is_one_of<L>(static_cast<LoadList*>(nullptr));
 
-/// One of each, those that are not named absent: Loads{Tide{T}, Drag{0.1}}.
+/// Loads with the named members, and the others absent: Loads{Tide{T}, Drag{0.1}}.
 class Loads {
  public:
   template <KnownLoad... Named>
@@ -85,7 +85,7 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// The sum of those that do not depend on time.
+/// The sum of the loads that do not depend on time.
 inline Forcing constant_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -94,7 +94,7 @@ inline Forcing constant_forcing(const Loads& loads) {
   return sum;
 }
 
-/// The sum of those that do, and its derivative.
+/// The sum of the loads that depend on time, and its derivative.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -127,7 +127,7 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
   return frequencies;
 }
 
-/// Those that move a body which keeps its volume: a pressure alone is carried by its constraint.
+/// The loads that move a body of constant volume; the constraint balances a pressure.
 inline Loads at_constant_volume(Loads loads) {
   loads.for_each([]<class L>(L& load) {
     if (!largest_forcing(load).acts_at_constant_volume()) load = L{};

@@ -58,7 +58,7 @@ concept Load = std::default_initializable<L> &&
   { load.forcing() } -> std::same_as<Forcing>;
 });
 
-/// The largest forcing of all times.
+/// The largest forcing over all times.
 template <Load L>
 Forcing largest_forcing(const L& load) {
   if constexpr (DependsOnTime<L>)

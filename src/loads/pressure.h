@@ -1,6 +1,7 @@
 #pragma once
-/// A follower pressure −p n per current area. Its energy is p V, so a body that keeps its volume carries it by its
-/// constraint: λ_h, the pressure inside, is p more everywhere, the multiplier per m̄ is p Vol/m̄ more, and nothing moves.
+/// A follower pressure −p n per current area. Its energy is p V. In a body of constant volume the constraint balances
+/// it: λ_h, the pressure inside, is larger by p everywhere, the multiplier per m̄ is larger by p Vol/m̄, and the motion
+/// does not change.
 
 #include <cstdio>
 

@@ -28,7 +28,7 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// Whether a law, or a sum that has one and offers admits(F) and limit() itself, admits F; J > 0 is supposed.
+/// Whether a law admits F, for J > 0. A sum that contains a law may offer admits(F) and limit() itself.
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)
@@ -50,7 +50,7 @@ constexpr std::string_view limit_of(const Law& law) {
     return {};
 }
 
-/// The same as a sentence for the user.
+/// The limit as a sentence for the user.
 [[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
   std::string sentence = "the law of the material admits no such deformation: ";
   sentence += limit;

@@ -83,8 +83,8 @@ static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entri
 
 struct NamedLaw {
   std::string_view name;
-  /// W in the symbols of Material/Law (scene/choices.h), and what else is to be known, for the reader of parameter
-  /// files; B is the bulk term.
+  /// W in the symbols of Material/Law (scene/choices.h), and further facts for the reader of parameter files; B is the
+  /// bulk term.
   std::string_view energy;
   /// The law; `bulk` is the modulus of the bulk term, 0 if volume is preserved.
   AnyLaw (*of)(const LawParameters&, double bulk);
@@ -170,7 +170,7 @@ inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incom
 /// Whether it stores no energy.
 inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
-/// Whether the law admits F, J > 0 supposed, and what has happened if it does not (law_limits.h).
+/// Whether the law admits F, for J > 0; if not, the reason (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
   return std::visit([&](const auto& l) { return admits(l, F); }, law);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a picture shows at a point, of the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density.
+/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density.
 
 #include <Eigen/Dense>
 #include <cmath>

@@ -38,7 +38,8 @@ inline std::complex<double> x_minus_log1p(std::complex<double> z) {
 /// the last ones. It gives the entries of a tensor without torque one that does not average out over a motion, on SL(3)
 /// 6e-13 of J and Z in 10⁶ periods.
 inline double settled_at_one(double J) { return std::abs(J - 1) <= 0x1p-48 ? 1.0 : J; }
-/// Derivatives by complex step and SIMD lanes want no steps.
+/// Other scalars, such as those of derivatives by complex step and SIMD lanes, are returned unchanged, because a jump
+/// would spoil them.
 template <class T>
 [[gnu::always_inline]] inline const T& settled_at_one(const T& J) {
   return J;

@@ -23,7 +23,7 @@ struct QuantityGroup {
   std::string_view documentation;
 };
 
-/// Those that can be asked for by name; the ones that are true by default come first.
+/// The groups that can be requested by name; the defaults come first.
 inline constexpr QuantityGroup quantity_groups[] = {
     {"state", &Quantities::state, "Q, Qdot, centre of mass, mean gradient"},
     {"energies", &Quantities::energies, "the parts of the energy and their sum"},

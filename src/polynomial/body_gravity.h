@@ -62,7 +62,7 @@ class BodyGravity {
   std::shared_ptr<const PolynomialSpace> space_;
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;
-  std::vector<std::size_t> places_;  ///< of the points in the tables, without those that fill them up
+  std::vector<std::size_t> places_;  ///< places of the points in the tables, without the padding
   std::vector<double> weights_;      ///< with the sign of the orientation of each image
   double rest_volume_;
 };

@@ -13,7 +13,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// g; returns the least det F, without which g means nothing.
+/// g; returns the least det F. If that is not positive, g is meaningless.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);

@@ -56,7 +56,7 @@ struct DenseKernels {
   /// Σ w W(F) and Σ w U(J).
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-  /// y ← w ln det F; returns the least det F. If that is not positive, y means nothing.
+  /// y ← w ln det F; returns the least det F. If that is not positive, y is meaningless.
   double (*log_jacobian)(int n, const double* w, const double* F, double* y);
   /// J ← det F; returns the least.
   double (*jacobian)(int n, const double* F, double* J);

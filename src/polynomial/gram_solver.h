@@ -36,7 +36,7 @@ class GramMatrix {
 
   const PolynomialSpace* space_;
   std::vector<double> weighted_pressures_;        ///< [function][point]: w ψ
-  std::array<std::vector<double>, 8> gradients_;  ///< of each parity, [k][point of the octant][function]
+  std::array<std::vector<double>, 8> gradients_;  ///< gradients for each parity, [k][point of the octant][function]
 };
 
 class GramSolver {
@@ -68,10 +68,10 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< at which the factor was made, or is to be made
+  Eigen::VectorXd position_;     ///< configuration at which the factor was made, or will be made
   bool is_known_ = false;        ///< position_ is one
   double spent_ = 0;             ///< on iterations since
-  Eigen::VectorXd factored_at_;  ///< of what is in factor_; empty: nothing
+  Eigen::VectorXd factored_at_;  ///< the configuration of factor_; empty: there is no factor
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   mechanics::ConjugateResiduals<Eigen::VectorXd> iteration_;

@@ -43,7 +43,7 @@ void MaterialFaces::add_octant(const Eigen::Vector3d& signs) {
       p[axis] = 1, p[next] = std::tan(pi / 4 * s), p[last] = std::tan(pi / 4 * t);
       return Eigen::Vector3d(p.normalized());
     });
-    // Two octants share a quarter of a plane: that on its positive side has it.
+    // Two octants share a quarter of a plane, which belongs to the octant on its positive side.
     if (signs[axis] < 0) continue;
     for (const double inner : {0.0, 0.5})
       add_patch(axis + 1, signs, [&](double s, double t) {

@@ -41,7 +41,7 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
   return sums;
 }
 
-/// |x|² and that of its part beside an affine motion about the origin.
+/// |x|² and the square of its non-affine part about the origin.
 struct Parts {
   double whole, nonaffine;
 };

@@ -43,7 +43,7 @@ struct Block {
   int n() const { return static_cast<int>(functions.size()); }
 };
 
-/// What a table has of each function: its value; ∂/∂X_k; its value and the derivatives along e_θ and e_φ of the
+/// Content of a table for each function: its value; ∂/∂X_k; its value and the derivatives along e_θ and e_φ of the
 /// surface.
 enum class Fields { value, gradient, surface };
 
@@ -58,7 +58,8 @@ struct PointGrid {
 
 class PointTables {
  public:
-  /// Of the functions of `blocks`, scaled to an ellipsoid (polynomial_space.h). `free_axes`: those without a plane.
+  /// Tables of the functions of `blocks`, scaled to an ellipsoid (polynomial_space.h). `free_axes`: those without a
+  /// symmetry plane.
   PointTables(int degree, Fields fields, const Eigen::Vector3d& semi_axes, const PointGrid& grid,
               const std::vector<int>& free_axes, const std::vector<Block>& blocks);
 
@@ -81,15 +82,16 @@ class PointTables {
   std::vector<double> row(const Block& block, int function, int field) const;
 
  private:
-  /// Of one parity. A group is a pair (l, m), and a level s is that of the functions with n = l + 2s.
+  /// Tables of one parity. A group is a pair (l, m), and the level s belongs to functions with n = l + 2s.
   struct Factors {
-    std::vector<int> places;                             ///< of the coefficients of a block among [level][group]
+    std::vector<int> places;                             ///< places of the coefficients of a block among [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
     std::array<std::vector<double>, 3> angular;          ///< [group][direction], filled up to `width_`
     std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point], where the direct sums are cheaper
-    int linear = -1, linear_field = 0;        ///< of gradients: the linear function, and its field that is not zero
+    int linear = -1,
+        linear_field = 0;  ///< place of the linear function among the gradients, and of its field that is not zero
     double linear_gradient = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }

@@ -18,7 +18,7 @@ Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   return F;
 }
 
-/// Axes whose turns leave the symmetry planes as they are.
+/// Axes whose rotations leave the symmetry planes unchanged.
 std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
   std::vector<int> axes;
   for (int i = 0; i < 3; ++i) {
@@ -88,7 +88,7 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   return {};
 }
 
-/// All but pressure and what dissipates.
+/// Adds all loads except pressure and dissipation.
 void PolynomialBody::add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const {
   const auto& space = *space_;
   if (!forcing.nominal_traction.isZero(0))

@@ -40,7 +40,7 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
-  std::optional<int> n_points{};          ///< of the integrals over the body, in a direction of an octant
+  std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
 };
 
 struct PotentialEnergies {
@@ -89,7 +89,7 @@ class PolynomialBody {
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Whether x is a deformation of this body, and if not why and where.
+  /// Error with reason and place if x is not a deformation of this body.
   mechanics::Status admissible(const Vector& q) const;
   /// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)" of the least det F over the points of integration.
   std::string least_jacobian_in_words(const Vector& q) const;
@@ -111,7 +111,7 @@ class PolynomialBody {
   materials::AnyLaw law_;
   double volumetric_stiffness_;
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< of the loads that do not depend on time
+  loads::Forcing constant_;  ///< the loads that do not depend on time
   bool driven_;              ///< there are others
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;

@@ -30,7 +30,7 @@ class PolynomialSpace {
   /// in each direction of an octant; least_points(degree) unless given.
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
-  /// ⌈(N + 3)/2⌉: exact for what is quadratic in a motion, and 3 degrees beyond (octant_quadrature.h).
+  /// ⌈(N + 3)/2⌉: exact for quadratic functions of a motion, and for 3 more degrees (octant_quadrature.h).
   static int least_points(int degree) { return (degree + 4) / 2; }
 
   int degree() const { return degree_; }
@@ -44,7 +44,7 @@ class PolynomialSpace {
   int n_images() const { return n_images_; }
 
   int n_functions() const { return static_cast<int>(functions_.size()); }
-  /// Of the points of an image against those of the octant: −1 for an odd number of reflections.
+  /// Sign of the orientation of an image relative to the octant: −1 for an odd number of reflections.
   double orientation(int image) const;
 
   int n_unknowns() const { return n_unknowns_; }
@@ -77,7 +77,7 @@ class PolynomialSpace {
 
   /// Position of the coefficient of a function of ball_polynomials(degree) in a component, −1 if it has none.
   int place(int component, int function) const { return places_[component][function]; }
-  /// The same of a pressure function.
+  /// The same for a pressure function.
   int pressure_place(int function) const { return pressure_places_.front()[function]; }
   /// Values and gradients by X of all φ_a at X = S ξ.
   std::vector<Jet> functions_at(const std::array<double, 3>& xi) const;

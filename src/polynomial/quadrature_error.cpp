@@ -15,7 +15,7 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Of the window, in units r/c: the lowest mode of the ball has the period 2.36.
+/// Length of the window, in units r/c: the lowest mode of the ball has the period 2.36.
 constexpr double half_a_pulsation = 1.25, part_of_run = 1.0 / 16;
 constexpr double caution = 6;
 constexpr double caution_of_volume = 60;  // where points are added
@@ -61,7 +61,7 @@ class QuadratureSearch {
         return 0;
       }
       const double before = std::exchange(e, error(factor, own_, finer));
-      // Where it no longer falls, round-off is reached.
+      // If the error no longer falls, it has reached round-off.
       const bool is_enough = e <= mechanics::detail::error_safety * request_.tolerance || e > before / 2;
       if (!request_.adds_points || is_enough || choice_.n_points == most) return e;
       own_ = std::move(finer);
@@ -140,7 +140,7 @@ class QuadratureSearch {
   const QuadratureRequest& request_;
   double window_;
   long n_steps_ = 1;
-  PilotRun own_{};  ///< of the body with the points of the choice
+  PilotRun own_{};  ///< the pilot run of the body with the chosen points
   QuadratureChoice choice_{};
 };
 

@@ -83,7 +83,7 @@ class ModesOfParity {
     return u;
   }
 
-  /// The square of the turns of fields, a column each.
+  /// The square of the rotations of fields, one column each.
   Eigen::MatrixXd square(const Eigen::MatrixXd& fields) const {
     Eigen::MatrixXd squares(fields.rows(), fields.cols());
     for (Eigen::Index j = 0; j < fields.cols(); ++j) squares.col(j) = turns_.square(whole(fields.col(j)))(unknowns_);
@@ -126,7 +126,7 @@ mechanics::Status grouped(std::vector<Mode> modes, std::vector<RestFrequency>& f
   return {};
 }
 
-/// λ at rest, and what is left of the force of the law.
+/// λ at rest, and the remainder of the force of the law.
 template <class Body>
 mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
   const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());
@@ -139,7 +139,8 @@ mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorX
     if (auto status = mechanics::multiplier_of_motion(body, rest, workspace, lambda); !status) return status;
     body.add_reaction(X, lambda, f);
   }
-  constexpr double balanced = 1e-6;  // of the modulus; a stress at rest is of its order, and all else round-off
+  constexpr double balanced = 1e-6;  // relative to the modulus: a stress at rest is of the order of the modulus, and
+                                     // smaller values are round-off
   if (f.template lpNorm<Eigen::Infinity>() > balanced * std::abs(shear_modulus))
     return mechanics::Status::failure("the body is in no equilibrium at rest: its law is not free of stress there");
   return {};

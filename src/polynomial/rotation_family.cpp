@@ -11,7 +11,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Relative width of the bracket in which a special point is left: each look at a figure is an eigenvalue problem.
+/// Relative width of the bracket at which the search for a special point ends: each evaluation is an eigenvalue
+/// problem.
 constexpr double resolution = 1e-12;
 
 }  // namespace
@@ -70,7 +71,7 @@ mechanics::Status RotationFinder::member(double parameter, RotationMember& membe
   return {};
 }
 
-/// Appends what happens between two members.
+/// Appends the special points between two members.
 void RotationFinder::locate_special(double a, double b, std::vector<SpecialRotation>& special) {
   struct Found {
     mechanics::SpecialPoint point;
@@ -115,7 +116,7 @@ RotationFamily RotationFinder::family(const std::vector<double>& parameters, std
     if (status) {
       if (previous) locate_special(result.members.back().parameter, p, result.special);
       result.members.push_back(at);
-      // What was looked at between members is not needed again.
+      // The motions computed between members are not needed again.
       known_ = {{family_.condition(p).value, at.rotation}};
       members_ = {{p, std::move(at)}};
     } else {

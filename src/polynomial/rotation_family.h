@@ -25,7 +25,7 @@ struct RotationMember {
 
 struct SpecialRotation {
   mechanics::SpecialKind kind;
-  MotionClass motions;  ///< in which it happens; of a fold: those of the family
+  MotionClass motions;  ///< class of the special point; of a fold, the class of the family
   RotationMember member;
 };
 

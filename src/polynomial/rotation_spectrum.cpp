@@ -118,7 +118,7 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// The turns of space (ζ×x, −(ω×ζ)×x), ω = Ω ê₃, and those of the ball.
+/// The rotations of space (ζ×x, −(ω×ζ)×x), ω = Ω ê₃, and those of the ball.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -140,11 +140,11 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
   });
 }
 
-/// Those of a class, in the basis T of its motions.
+/// The symmetries of a class, in the basis T of its motions.
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {
-  constexpr double absent = 1e-6;  // of a turn, in other classes than its own
+  constexpr double absent = 1e-6;  // parts of a rotation in classes other than its own
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
   for (Eigen::Index k = 0; k < y.cols(); ++k)

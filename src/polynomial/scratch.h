@@ -1,5 +1,5 @@
 #pragma once
-/// Arrays for the time of a function, kept for the next one: a step of a small body allocates nothing.
+/// Arrays for the time of a function, kept for the next call: a step of a small body does not allocate memory.
 
 #include <cstddef>
 #include <new>

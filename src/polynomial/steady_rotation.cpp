@@ -21,7 +21,7 @@ int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m)
   return static_cast<int>(found - functions.begin());
 }
 
-/// Columns of U: the fields among which a figure is sought.
+/// Columns of U: the fields that a figure may be composed of.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -103,7 +103,7 @@ mechanics::Status SteadyRotations::terms(const SteadyRotation& rotation, Eigen::
   return {};
 }
 
-/// Of f + Ω²Px + Gᵀλ along the columns of U.
+/// Derivative of f + Ω²Px + Gᵀλ along the columns of U.
 Eigen::MatrixXd SteadyRotations::tangent_matrix(const SteadyRotation& rotation) const {
   Eigen::MatrixXd D(U_.rows(), U_.cols());
   for (Eigen::Index j = 0; j < U_.cols(); ++j) {
@@ -234,8 +234,8 @@ double SteadyRotations::slope(const FigureCondition& condition, const SteadyRota
 mechanics::Status SteadyRotations::follow(double from, const FigureCondition& condition,
                                           SteadyRotation& rotation) const {
   constexpr double shortest = 1.0 / 512;  // of the way
-  constexpr double longest = 0.25;        // of the parameter; so that other branches are not met
-  constexpr double astray = 0.5;          // part of a step by which the solution may be away from its prediction
+  constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
+  constexpr double astray = 0.5;    // part of a step by which the solution may be away from its prediction
   constexpr double round_off = 1e-10;
   const double way = condition.value - from;
   double at = from, step = std::copysign(std::min(std::abs(way), longest), way);

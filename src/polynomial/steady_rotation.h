@@ -29,7 +29,7 @@ namespace pseudorigid::polynomial {
 
 enum class Figure { spheroid, ellipsoid };
 
-/// What singles out a figure of a family: Ω², ln(a₂/a₁) or ln(a₃/a₁), of the affine part A = diag(a) of x.
+/// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), of the affine part A = diag(a) of x.
 enum class FigureParameter { spin_squared, log_ratio_21, log_ratio_31 };
 struct FigureCondition {
   FigureParameter parameter;
@@ -63,7 +63,7 @@ class SteadyRotations {
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
-    double scale;  ///< of what the values are differences of
+    double scale;  ///< size of the values whose differences are taken
   };
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
                           Eigen::VectorXd& reaction) const;
@@ -71,7 +71,7 @@ class SteadyRotations {
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Of (y, μ, Ω²) by the parameter.
+  /// Derivatives of (y, μ, Ω²) by the parameter.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   mechanics::Status newton(const FigureCondition& condition, SteadyRotation& rotation) const;

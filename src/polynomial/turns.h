@@ -15,7 +15,7 @@ namespace pseudorigid::polynomial {
 
 class Turns {
  public:
-  /// Of a ball without symmetry planes, which must outlive its turns.
+  /// For a ball without symmetry planes. The space must outlive this object.
   explicit Turns(const PolynomialSpace& space);
 
   Eigen::Index n_unknowns() const { return space_.n_unknowns(); }

@@ -54,8 +54,8 @@ inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
-/// If axes coincide to round-off, TᵀAS does not change if their rows of T and S turn alike in their plane: the turns
-/// that bring them nearest to those of before. Three coincident axes need a few sweeps.
+/// If axes coincide to round-off, TᵀAS does not change if their rows of T and S rotate by the same angle in their
+/// plane. These rotations bring the rows nearest to the previous ones. Three coincident axes need a few sweeps.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
   constexpr double round_off = 4e-15;

@@ -24,7 +24,7 @@ double cost_of_iteration(const BodyOfStages& body, BodyEntries entries) {
 }
 
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q) {
-  // Of |F||F⁻¹|, 3 for a ball: up to this the force has 14 digits (tests/gravity/ellipsoid_in_lanes_test.cpp).
+  // Largest |F||F⁻¹| (3 for a ball) up to which the force has 14 digits (tests/gravity/ellipsoid_in_lanes_test.cpp).
   constexpr double most = 12;
   if (body.gravity_strength == 0) return true;
   const Eigen::Matrix3d F = Q * Eigen::Map<const Eigen::Matrix3d>(body.shape.data());

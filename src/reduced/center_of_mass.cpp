@@ -24,7 +24,7 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
 
 namespace {
 
-/// Of a point of unit mass.
+/// Potential of a point of unit mass.
 double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
@@ -64,7 +64,7 @@ struct CenterPath::Integration {
   };
   using Method = mechanics::DormandPrince8;
   using State = mechanics::State<Field>;
-  /// Of the local errors: the next decade is round-off.
+  /// Tolerance of local errors: a decade less is round-off.
   static constexpr double tolerance = 1e-15;
   /// Integrates to a far end, so that steps do not depend on the sampling times.
   static constexpr double far = 1e3;
@@ -79,7 +79,7 @@ struct CenterPath::Integration {
     workspace.emplace(field, tolerance);
   }
 
-  /// Steps of its own choice until one is beyond t, then from the state before it one that ends at t.
+  /// The method chooses its steps until one passes t; a last step from the state before it ends at t.
   CenterOfMass::Motion at(double t) {
     if (t < before.t) begin();
     while (next.t <= t) {

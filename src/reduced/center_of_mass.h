@@ -22,7 +22,7 @@ struct CenterOfMass {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
   double drag = 0;                                                                         ///< c
-  loads::Loads driving{};  ///< of these those that depend on time
+  loads::Loads driving{};  ///< the loads among them that depend on time
 
   struct Motion {
     Eigen::Vector3d x, v;
@@ -35,11 +35,11 @@ struct CenterOfMass {
   /// Energies per mass.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
   double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
-  /// Of the loads that depend on time, less what they have given.
+  /// Energy of the loads that depend on time, minus the energy that they have given.
   double driven(const Motion& m, double t) const;
 };
 
-/// The motion at one time after the other. What it says of a time does not depend on those asked for before.
+/// The motion at increasing times. The result at a time does not depend on the times requested before.
 class CenterPath {
  public:
   explicit CenterPath(const CenterOfMass& center);

@@ -82,7 +82,7 @@ class DiagonalBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
   double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
-  /// Turns lead out of these motions; J = Z = 0.
+  /// The rotations are not symmetries within these motions; J = Z = 0.
   int n_symmetries() const { return 0; }
   void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {
     da.setZero();

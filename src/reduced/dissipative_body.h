@@ -25,7 +25,7 @@ class DissipativeBody {
   using Workspace = typename Body::Workspace;
   static constexpr int n_constraints = Body::n_constraints;
 
-  /// Of the loads, those that depend on time.
+  /// `driving`: the loads that depend on time.
   DissipativeBody(Body body, const Dissipation& dissipation, const loads::Loads& driving = {})
       : body_(std::move(body)), dissipation_(dissipation), driving_(driving), driven_(loads::depend_on_time(driving)) {}
 

@@ -182,7 +182,7 @@ class EightBodies {
 
  private:
   using Tensor = materials::Tensor<BodyLanes>;
-  /// False if a body is outside of what the law admits.
+  /// False if the law does not admit the deformation of a body.
   using Stress = bool (*)(const materials::AnyLaw&, const Tensor&, Tensor&);
 
   template <class Law>

@@ -46,7 +46,7 @@ struct EquilibriumFamily {
   std::vector<NoEquilibrium> missing;
 };
 
-/// What is constant along a family, and whose extrema are its folds.
+/// The constant quantity of a family, and the quantity whose extrema are its folds.
 struct FamilyCurve {
   Target condition;
   Quantity fold_quantity;
@@ -54,7 +54,7 @@ struct FamilyCurve {
 
 namespace detail {
 
-/// Appends what happens between two parameters. motion(p, m) → Status.
+/// Appends the special points between two parameters. motion(p, m) → Status.
 template <SmoothPotential V, class MotionOfParameter>
 void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
                                double a, double b, EquilibriumFamily& result) {
@@ -160,7 +160,7 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Of the root |p| ≤ 1 (see ellipsoidal_motions.h); `dual`: of the other.
+/// The planar figures of the root |p| ≤ 1 (see ellipsoidal_motions.h); with `dual` of the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {

@@ -24,7 +24,7 @@ class ExternalPotential {
   }
 
   bool present() const { return depends_on_direction() || pressure_ != 0; }
-  /// Whether turns of the body change it.
+  /// Whether rotations of the body change it.
   bool depends_on_direction() const { return quadratic_ || nominal_traction_; }
 
   double energy(const ReferenceBody& body, const Eigen::Matrix3d& Q) const {

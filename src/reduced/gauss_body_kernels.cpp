@@ -51,7 +51,7 @@ template <class Function>
   return entry_by_entry([&](StageLanes a, StageLanes b) { return a + s * b; }, A, B);
 }
 
-/// What is positive where the law and J admit Q.
+/// A function that is positive if the law and J admit Q.
 template <class Law>
 [[gnu::always_inline]] inline StageLanes reserve_of(const Law& law, const Tensor& Q, StageLanes J) {
   if constexpr (materials::is_limited<Law>)
@@ -93,7 +93,7 @@ struct ElasticField {
   }
 };
 
-/// The law of a body, apart: one function a law, and not one field.
+/// The law of a body as a function of its own, so that each law is compiled once and not once for each field.
 using Stress = StageLanes (*)(const materials::AnyLaw& law, const Tensor& Q, StageLanes J, Tensor& P);
 template <class Law>
 StageLanes stress_of(const materials::AnyLaw& any, const Tensor& Q, StageLanes J, Tensor& P) {

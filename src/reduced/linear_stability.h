@@ -37,7 +37,7 @@ inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3
 /// T: orthonormal basis of the tangent space.
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
-/// The turns in the basis T.
+/// The rotations in the basis T.
 mechanics::SymmetryDirections turns(const SteadyMotion& m, const Eigen::MatrixXd& T);
 
 }  // namespace detail

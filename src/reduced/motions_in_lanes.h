@@ -1,6 +1,6 @@
 #pragma once
 /// Motions of eight pseudo-rigid bodies at a time (eight_bodies.h), compiled for several sets of instructions
-/// (motion_kernels.h). What crosses this interface are plain numbers.
+/// (motion_kernels.h). Arguments and results of this interface are plain numbers.
 
 #include <array>
 #include <string>
@@ -24,8 +24,8 @@ struct InertiaInLanes {
 };
 
 struct MotionsInLanes {
-  std::string failure;             ///< of one of the bodies, which ends the motions of all; empty if there is none
-  double t = 0;                    ///< time reached
+  std::string failure;  ///< failure of one of the bodies, which ends the motions of all; empty if there is none
+  double t = 0;         ///< time reached
   std::vector<MatricesInLanes> q;  ///< at the samples
   std::vector<MatricesInLanes> v;
   mechanics::Counters counters{};

@@ -17,7 +17,8 @@
 
 namespace pseudorigid::reduced {
 
-/// Fills what `request` asks for. `System` is a PseudoRigidBody or one of its other forms. Fails if the force fails.
+/// Computes the quantities of `request`. `System` is a PseudoRigidBody or one of its other forms. Fails if the force
+/// fails.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,

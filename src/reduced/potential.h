@@ -33,7 +33,7 @@ class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// Of the forcing, what has a potential in Q.
+  /// The part of the forcing that has a potential in Q.
   Potential(const materials::AnyLaw& law, const ReferenceBody& body, const loads::Forcing& forcing = {})
       : law_(law),
         limited_(!materials::limit_of(law).empty()),
@@ -82,7 +82,7 @@ class Potential {
     return D;
   }
 
-  /// Whether a load keeps turns of space from being symmetries.
+  /// Whether a load breaks the symmetry under rotations of space.
   bool depends_on_direction() const { return external_.depends_on_direction(); }
 
   const materials::AnyLaw& law() const { return law_; }
@@ -94,7 +94,7 @@ class Potential {
   }
 
  private:
-  /// ∂/∂Q of all but the stored energy.
+  /// ∂/∂Q of the potential without the stored energy.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);
@@ -109,7 +109,7 @@ class Potential {
   loads::Forcing forcing_;
   std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
-  bool loaded_;     // there is more than stored energy
+  bool loaded_;     // the potential has parts other than the stored energy
   bool spherical_;  // S = Id
 };
 

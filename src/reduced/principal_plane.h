@@ -68,7 +68,7 @@ inline PlaneDual circulation_3(const PlaneDuals& u) {
 
 inline double value_of(Quantity q, const PlaneVector& u) { return q(mechanics::independent<double, 8>(u)).value(); }
 
-/// F − what it shall be, and its derivative, for the first six rows.
+/// F minus its prescribed value, and its derivative, for the first six rows.
 template <SmoothPotential V>
 void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) {
   const SteadyMotion m = motion_of(u);

@@ -127,7 +127,7 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// The same of λ = 1, alone.
+  /// f = Gᵀλ for λ = 1, without other forces.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
@@ -197,15 +197,15 @@ class PseudoRigidBody {
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
-  /// Whether Q is a deformation of this body, and if not why.
+  /// Error with reason if Q is not a deformation of this body.
   mechanics::Status admissible(const Vector& Q) const {
     const Tensor q = materials::to_tensor(Q);
     const double J = materials::determinant(q);
     return admissible(q, J) ? mechanics::Status() : inadmissible(J);
   }
 
-  /// As one of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇) and what
-  /// dissipation has taken.
+  /// The interface of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇), and
+  /// the dissipated energy.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }

@@ -13,8 +13,8 @@
 namespace pseudorigid::reduced {
 namespace {
 
-/// Of the volume of a body that is free to change it: laws that let volumes vanish have critical points at det Q = 0,
-/// which are no deformations.
+/// A volume ratio below which a compressible body counts as collapsed: laws that admit vanishing volumes have critical
+/// points at det Q = 0, which are not deformations.
 constexpr double collapsed = 1e-8;
 
 Eigen::VectorXd column_of(const Eigen::Matrix3d& A) { return A.reshaped(); }

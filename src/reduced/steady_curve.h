@@ -39,7 +39,7 @@ class SteadyCurve {
     return tangent(DF, along);
   }
 
-  /// The same of the derivatives DF. If another curve crosses, this one goes on along `along`.
+  /// The same for the derivatives DF. If another curve crosses, this curve continues along `along`.
   static PlaneVector tangent(const PlaneMatrix& DF, const PlaneVector& along) {
     constexpr double crossing = 1e-6;
     const NullDirections null = null_directions(DF);

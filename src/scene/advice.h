@@ -1,5 +1,6 @@
 #pragma once
-/// What a refusal recommends. A recommendation is made only after a trial: the scene with it is accepted.
+/// Recommendations of a refusal. A recommendation is printed only after a trial has shown that the scene with it is
+/// accepted.
 
 #include <functional>
 #include <string>
@@ -18,7 +19,7 @@ using Accepts = std::function<bool(Scene)>;
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
 /// "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8": the sentence of the
-/// refusal with what helps.
+/// refusal with its recommendations.
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

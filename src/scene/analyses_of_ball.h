@@ -1,5 +1,5 @@
 #pragma once
-/// What equilibria and modes ask of a scene of the ball.
+/// Requirements of equilibria and modes on a scene of the ball.
 
 #include <optional>
 

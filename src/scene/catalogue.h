@@ -1,7 +1,7 @@
 #pragma once
-/// What other layers bring into a parameter file: the names of the methods, the models of the ball, and the systems
-/// other than the ball with their entries and columns. The program hands the catalogue to read_scene
-/// (app/models/catalogue.h); the scene layer itself knows only what a ball is.
+/// Content of parameter files that other layers define: the names of the methods, the models of the ball, and the
+/// systems other than the ball with their entries and columns. The program hands the catalogue to read_scene
+/// (app/models/catalogue.h). The scene layer itself defines only the ball.
 
 #include <functional>
 #include <optional>
@@ -18,8 +18,8 @@
 
 namespace pseudorigid::scene {
 
-/// A kind of values (entry_kinds.h) that a text can have, whatever the type of the value: the text itself, in its
-/// canonical form, is what the scene keeps.
+/// A kind of values (entry_kinds.h) without the type of its values: the scene keeps the text itself in its canonical
+/// form.
 class AnyKind {
  public:
   /// The kind, for members of type Value.
@@ -70,12 +70,13 @@ struct Setting {
   std::string path, value;
 };
 
-/// Why a scene cannot be run: the entry at fault, a sentence about it, and what may help. scene/advice.h completes the
-/// sentence by those recommendations that the scene would be accepted with.
+/// The reason why a scene cannot be run: the entry, a sentence about it, and possible changes. scene/advice.h completes
+/// the sentence by the changes with which the scene would be accepted.
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< each would do
-  std::vector<std::string_view> models{};        ///< that do what is refused: the sentence ends before "offered for"
+  std::vector<std::string_view>
+      models{};  ///< models that accept the refused input: the sentence ends before "offered for"
 };
 
 struct SystemDescription {
@@ -85,11 +86,11 @@ struct SystemDescription {
   std::string_view documentation;  ///< a sentence for people
   std::vector<SystemEntry> entries;
   std::vector<Column> columns;  ///< of a scene of defaults
-  /// Those of a scene, whose number may depend on its values.
+  /// The columns for a scene, if their number depends on its values.
   std::function<std::vector<Column>(const Scene&)> columns_of;
   bool has_equilibria = false;  ///< Analysis = equilibrium, manifolds are offered
   bool complete = false;        ///< every motion exists for all time: it may be run backwards
-  /// What is wrong with a scene of this system, if anything, beyond each entry's own range.
+  /// The error in a scene of this system, if there is one, in addition to each entry's own range.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -103,14 +104,14 @@ struct EquilibriaTable {
 /// One run of a model of the ball.
 struct ModelRun {
   std::string name;           ///< of its files
-  std::string adjective;      ///< of its ball in sentences: "polynomial N = 3"
+  std::string adjective;      ///< adjective of its ball in sentences: "polynomial N = 3"
   bool finds_degree = false;  ///< the run finds its degree N, its counter `degree`, which belongs to the adjective
 };
 
 /// A model of the ball, one word of the entry Models.
 struct ModelDescription {
   std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
-  std::string_view adjective;      ///< of the ball that it computes, in sentences: "elastic"
+  std::string_view adjective;      ///< adjective of its ball in sentences: "elastic"
   std::string_view documentation;  ///< a sentence for people
   bool by_default = false;         ///< chosen if the scene does not say
   /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
@@ -125,10 +126,9 @@ struct ModelDescription {
   /// freedom; null if the model does not find them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< of all groups, as documented
-  /// Names of further runs of the model that a scene may ask for, with files of their own; the poorest in motions
-  /// first.
+  /// Names of further runs of the model that a scene may request, with their own files, by rising number of motions.
   std::vector<std::string> rungs{};
-  /// The runs of the model that the scene asks for, the poorest in motions first; empty: one, of the model's name.
+  /// The runs of the model that the scene requests, by rising number of motions; empty: one run with the model's name.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
   /// The header of its CSV file.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
@@ -139,7 +139,7 @@ struct ModelDescription {
   std::function<std::string(const Scene&)> needed, skipped;
   /// Whether a method can integrate the model. Null if every method can.
   bool (*takes_method)(std::string_view name) = nullptr;
-  /// What is wrong with a sound scene for this model, if anything.
+  /// The error in a valid scene for this model, if there is one.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -158,7 +158,7 @@ struct NamedMethod {
 
 struct Catalogue {
   std::vector<NamedMethod> methods;
-  /// The poorest in motions first: others are compared with the last of a scene.
+  /// By rising number of motions: the others are compared with the last model of a scene.
   std::vector<ModelDescription> models{};
   std::vector<SystemDescription> systems{};
   /// Columns of connections.csv.

@@ -1,5 +1,5 @@
 #pragma once
-/// The words that entries of a parameter file may have as values, and what they stand for.
+/// The words that are values of entries, and their meanings.
 
 #include <algorithm>
 #include <cstddef>
@@ -32,7 +32,7 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
-/// Those that Analysis = equilibrium can write: all but none, and the equilibria at rest.
+/// The families that Analysis = equilibrium can write: all except `none`, and in addition the equilibria at rest.
 inline constexpr auto family_kind = []() consteval {
   auto table = initial_family_kind.table;
   std::ranges::rotate(table, table.begin() + 1);

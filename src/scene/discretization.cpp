@@ -8,7 +8,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Of a search and of companions: of degree 1 the sphere is a polyhedron, and there is no pressure.
+/// Least degree of a search and of companion runs: with degree 1 the sphere is a polyhedron, and there is no pressure.
 constexpr int least_degree = 2;
 constexpr double resolution_of_a_refinement = 1.6, least_gain = 1.1;
 

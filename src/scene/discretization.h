@@ -23,7 +23,7 @@ namespace pseudorigid::scene {
 inline constexpr int largest_degree = 8;
 /// Of polynomial bodies.
 inline constexpr int largest_polynomial_degree = 13;
-/// Of a search; a scene may ask for more.
+/// Largest number of refinements in a search; a scene may set more.
 inline constexpr int largest_refinements_of_search = 2;
 
 struct Discretization {
@@ -38,20 +38,20 @@ double cost(const Discretization& d);
 /// "degree 4, unrefined", "degree 5, refined once".
 std::string describe(const Discretization& d);
 
-/// That of a scene which leaves nothing open.
+/// The discretisation of a scene without `auto`.
 std::optional<Discretization> fixed_discretization(const Scene& scene);
 
-/// Those that a scene admits, each dearer than the one before and of a resolution that is higher by a tenth at least:
-/// cheaper ones that resolve as much leave no place to the rest.
+/// The discretisations that a scene admits. Each costs more than the one before and has a resolution higher by at least
+/// a tenth; discretisations that cost more for the same resolution are left out.
 std::vector<Discretization> ladder(const Scene& scene);
 
 /// The one that a run is compared with to estimate its error: of one degree less, at the least degree refined once
 /// less, and of the coarsest one the next finer.
 Discretization companion(const Discretization& d);
 
-/// Likewise of a polynomial body of degree N. Motions with the symmetry of an octant go in steps of two. A richer body
-/// tells the error itself, while the error of a poorer one is often many times as large; of the dearer ones, N ≥ 9, it
-/// is that of two degrees less.
+/// The companion of a polynomial body of degree N. With the symmetry of an octant degrees rise by two. A higher degree
+/// gives the error itself, while a lower degree often gives many times the error. For N ≥ 9, where degrees are costly,
+/// the companion has two degrees less.
 int companion_degree(int N);
 
 }  // namespace pseudorigid::scene

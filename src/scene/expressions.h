@@ -15,10 +15,10 @@ namespace pseudorigid::scene {
 
 inline bool has_expression(std::string_view text) { return text.find("$(") != std::string_view::npos; }
 
-/// What the values of an expression are printed for.
+/// The use of the printed values of an expression, which decides their rounding.
 enum class Rounding {
   none,
-  to_whole,  ///< a number that round-off alone keeps from being whole is that
+  to_whole,  ///< a number that is whole up to round-off is printed as a whole number
 };
 
 /// The text with every `$(…)` replaced by its number, which reads back to the same double. Throws UserError, a clause
@@ -28,7 +28,8 @@ std::string evaluated(std::string_view text, const ParameterValues& parameters, 
 /// The names out of these that the expressions of the text use. Throws as `evaluated` does.
 std::set<std::string> names_used(std::string_view text, const Sweep& parameters);
 
-/// "a function", "a constant": what a name is in every expression, so that no parameter can have it; or nothing.
+/// "a function" or "a constant" if the name has this meaning in every expression, so that a parameter cannot have it;
+/// otherwise empty.
 std::string_view meaning_in_expressions(const std::string& name);
 
 }  // namespace pseudorigid::scene

@@ -1,5 +1,5 @@
 #pragma once
-/// The models of a scene, by what their entries in the catalogue say of them.
+/// The models of a scene, chosen by the properties in their entries of the catalogue.
 
 #include <fmt/format.h>
 
@@ -35,7 +35,7 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
   return false;
 }
 
-/// Those that the scene names, the poorest in motions first.
+/// The models of the scene, by rising number of motions.
 inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   std::vector<const ModelDescription*> models;
   for (const ModelDescription& model : catalogue_of(scene).models)
@@ -53,7 +53,7 @@ inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }
 
-/// The names of the catalogue's models of which something holds.
+/// Names of the models of the catalogue that have a property.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;

@@ -15,7 +15,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Writes a line for people: `needed` if the part is wanted, else `skipped`.
+/// Writes a line for people: `needed` if the part is needed, else `skipped`.
 void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped) {
   if (wanted)
     needs.needed.push_back(std::move(needed));
@@ -23,7 +23,8 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// The discretisation error of the richest model: known of a search, estimated by a companion run if somebody reads it.
+/// The discretisation error of the reference model: known from a search, or estimated by a companion run if an output
+/// shows it.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;
@@ -122,7 +123,7 @@ void describe_output(const Scene& scene, Needs& needs) {
            "graphics: Output/Graphics is none; no folder is made");
 }
 
-/// What its user should know of the law.
+/// Warnings about the law.
 std::optional<std::string> warning_of_law(const Scene& scene) {
   const materials::NamedLaw& law = materials::find_law(scene.material.law);
   const std::string_view warning = scene.body.incompressible ? law.warning_incompressible : law.warning_compressible;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene needs, and what it does not need and therefore is never built, computed or written.
+/// The parts of the program that a scene needs, and the parts that are skipped: never built, computed or written.
 
 #include <string>
 #include <vector>
@@ -12,29 +12,29 @@ namespace pseudorigid::scene {
 
 struct Needs {
   const SystemDescription* system = nullptr;    ///< null for the ball
-  std::vector<const ModelDescription*> models;  ///< of the ball, to run in this order
+  std::vector<const ModelDescription*> models;  ///< models of the ball, in the order of their runs
   bool discretized = false;                     ///< one of them: deal.II, MPI, PETSc, a mesh
   bool constraint = false;                      ///< det = 1 and its multiplier
-  bool pressure_space = false;                  ///< of the models that may bend
-  bool comparison = false;                      ///< of the others with the last of the models
+  bool pressure_space = false;                  ///< pressure space of the models that are not affine
+  bool comparison = false;                      ///< comparison of the other models with the last model
   bool companion = false;                       ///< the reference has a run on another discretisation, for its error
-  bool quadrature_error = false;                ///< an estimate of what the rule of a polynomial body does to Q
-  bool surface_watch = false;  ///< of the discretized model: whether its surface reaches the limit of its law
+  bool quadrature_error = false;                ///< estimate of the error of Q by the quadrature of a polynomial body
+  bool surface_watch = false;  ///< check of the finite-element model: whether its surface reaches Biot's limit
   bool graphics = false;       ///< files for ParaView
   bool report = false;         ///< report.html, and shapes.csv of a discretized model
   Quantities quantities;       ///< the observables to evaluate
-  Sector sector;               ///< of the models that may bend
+  Sector sector;               ///< sector of the models that are not affine
   std::vector<std::string> needed, skipped;  ///< one line each, for people
-  std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
+  std::vector<std::string> warnings;         ///< a sentence each: valid input that is seldom intended
 };
 
 /// Takes a scene that scene::validate returned.
 Needs needs(const Scene& scene);
 
-/// The scene in one line without an end of line: what is computed, of which body or system.
+/// The scene in one line without a line break: analysis, and body or system.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text of `pseudorigid check`, also written to the log: what the scene needs, and what is skipped and why.
+/// The text of `pseudorigid check`, also written to the log: needed parts, and skipped parts with the reason.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene

@@ -23,8 +23,8 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines, opening and closing subsections as the section of the entries changes. What is muted is written
-/// as comments.
+/// Writes `set` lines, and opens and closes subsections as the section of the entries changes. Muted entries are
+/// written as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }
@@ -69,7 +69,7 @@ std::vector<std::string> wrapped(std::string_view text) {
   std::vector<std::string> lines;
   while (text.size() > comment_width) {
     auto blank = text.rfind(' ', comment_width);
-    if (blank == text.npos) blank = text.find(' ');  // after a word that no line holds
+    if (blank == text.npos) blank = text.find(' ');  // breaks a line after a word that exceeds it
     if (blank == text.npos) break;
     lines.emplace_back(text.substr(0, blank));
     text.remove_prefix(blank + 1);

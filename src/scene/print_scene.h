@@ -18,8 +18,8 @@ struct UsedValue {
   std::string path, value;
 };
 
-/// Of all entries that concern the scene, those with their default value too. What varies from run to run of a sweep is
-/// the expression.
+/// All entries that concern the scene, with default values included. A value that varies in a sweep is printed as its
+/// expression.
 std::vector<UsedValue> used_values(const Scene& scene);
 
 enum class Format { prm, markdown, json };

@@ -23,7 +23,7 @@ bool is_binary(char c) {
   return std::iscntrl(byte) && !std::isspace(byte);
 }
 
-/// `; did you mean "…"?` with the scene beside a file that is not there whose name is nearest, or nothing.
+/// `; did you mean "…"?` with the scene in the same folder whose name is nearest to a missing file, or an empty text.
 std::string scene_meant(const fs::path& file) {
   std::error_code ignored;
   const fs::path folder = file.parent_path();

@@ -37,7 +37,7 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                                 did_you_mean(statement.path, sections)));
 }
 
-/// A file is sought beside the parameter file that names it; one of an override in the working directory.
+/// A file is sought in the folder of the parameter file that names it; a file of an override in the working directory.
 std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
   const bool in_file = statement.line > 0;
   std::string path =
@@ -48,7 +48,7 @@ std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, c
   return path;
 }
 
-/// A file may set what a file that it includes has set, but hardly means to set an entry twice itself.
+/// A file may override the entries of an included file, but setting an entry twice in one file is probably a mistake.
 void warn_of_repetition(const Statement& statement, ReadScene& read) {
   const auto found = read.origins.all().find(statement.path);
   if (statement.line == 0 || found == read.origins.all().end()) return;

@@ -1,6 +1,6 @@
 #pragma once
-/// From a parameter file and `--set` overrides to a Scene. Each value is checked by itself here; what needs several
-/// entries is checked in scene/validate.h.
+/// From a parameter file and `--set` overrides to a Scene. Each value is checked by itself here; scene/validate.h
+/// checks combinations of entries.
 
 #include <filesystem>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace pseudorigid::scene {
 
-/// Where each entry got its value, for messages about it.
+/// The origin of the value of each entry, for messages.
 class Origins {
  public:
   Origins() = default;
@@ -35,7 +35,7 @@ class Origins {
 struct ReadScene {
   Scene scene;
   Origins origins;
-  std::string name;                     ///< of the scene: the file's name without ".prm"
+  std::string name;                     ///< name of the scene: the file's name without ".prm"
   std::vector<std::string> warnings{};  ///< a sentence each
 };
 

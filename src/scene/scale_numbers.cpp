@@ -19,7 +19,7 @@ struct ScaleNumbers {
   double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< all in these units: Time/End, γ, ω²r²/c², v/c
 };
 
-/// Of a fluid γ is infinite and left at 0, and c is the radius per unit of time.
+/// For a fluid γ is infinite and left at 0, and c is the radius per unit of time.
 ScaleNumbers scale_numbers(const Scene& scene) {
   const auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   ScaleNumbers n{.is_fluid = is_fluid(scene), .moves = scene.analysis == Analysis::motion};

@@ -13,7 +13,7 @@
 
 namespace pseudorigid::scene {
 
-/// A line for each number that the scene has.
+/// A line for each dimensionless number of the scene.
 std::vector<std::string> scale_lines(const Scene& scene);
 
 /// A sentence for each number so far from 1 that a unit has probably slipped.

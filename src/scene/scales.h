@@ -26,7 +26,7 @@ inline materials::AnyLaw law_of(const Scene& scene) {
 
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
-/// Whether nothing acts on the ball but its elasticity and its pressure.
+/// Whether elasticity and pressure are the only forces on the ball.
 inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }
 
 /// The largest rate at which a load by itself moves the body, apart from self-gravity.
@@ -55,7 +55,7 @@ inline double time_scale(const Scene& scene) {
   return motion > 0 ? 1 / motion : scene.time.end;
 }
 
-/// A motion so long that the round-off of its time is longer than what happens in it.
+/// Refuses a motion that is so long that the round-off of its time exceeds a unit of time.
 inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
   const double longest = 1e15 * time_unit;
   if (end <= longest) return {};

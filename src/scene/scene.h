@@ -1,6 +1,6 @@
 #pragma once
-/// What a parameter file says, as plain values with their defaults. The entries themselves (names, ranges, units,
-/// documentation) live in one place, scene/entries.h.
+/// The content of a parameter file, as plain values with their defaults. The entries themselves (names, ranges, units,
+/// documentation) are defined in one place, scene/entries.h.
 
 #include <map>
 #include <optional>
@@ -35,7 +35,7 @@ enum class Family {
   at_rest
 };
 enum class Graphics { none, vtu };
-/// What the points of a picture are joined to: io/block_cells.h.
+/// Cells that join the points of a picture: io/block_cells.h.
 enum class Cells { linear, lagrange };
 /// How the continuum's discretisation error becomes known.
 enum class ErrorEstimate { none, automatic };
@@ -66,14 +66,14 @@ inline constexpr std::string_view ball = "ball", automatic = "auto";
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
-  std::vector<std::string> models;  ///< of the catalogue, in its order
+  std::vector<std::string> models;  ///< models of the catalogue, in its order
   std::string system{ball};         ///< or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 
   struct Body {
     double radius = 1, density = 1;
     bool incompressible = true;
-    std::vector<double> semi_axes{1, 1, 1};  ///< of the reference body, in radii
+    std::vector<double> semi_axes{1, 1, 1};  ///< semi-axes of the reference body, in radii
     std::optional<Matrix3> inertia;          ///< E₀; empty: that of the ellipsoid
   } body;
   struct Material : materials::LawParameters {
@@ -139,9 +139,9 @@ struct Scene {
   } output;
   Sweep sweep;                       ///< empty: one run
   std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
-  bool sweep_lanes = true;           ///< runs that are alike move together
+  bool sweep_lanes = true;           ///< similar runs are integrated together
   bool sweep_trajectories = false;   ///< samples of all runs are kept (app/commands/kept_trajectories.h)
-  /// Values written with expressions, path → text; the members hold what they are worth in the first run.
+  /// Values written with expressions, path → text; the members hold the values of the first run.
   std::map<std::string, std::string, std::less<>> expressions;
   /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
   std::map<std::string, std::string, std::less<>> system_values;

@@ -31,7 +31,7 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// As breaks_plane, of what moves Q: it is apart from the centre of mass.
+/// As breaks_plane, for the inputs that move Q; the centre of mass is treated separately.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

@@ -28,15 +28,15 @@ inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 /// The planes named by a choice of symmetry; none for Symmetry::automatic, which names no planes.
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
-/// The first entry of the initial state or of the loads that keeps the plane with normal e_i from being a symmetry
-/// plane, in words ("entry (1,2) of Initial state/Velocity is 0.5"); nothing if the plane is admissible.
+/// The first entry of the initial state or of the loads that breaks the symmetry about the plane with normal e_i, in
+/// words ("entry (1,2) of Initial state/Velocity is 0.5"); empty if the plane is admissible.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
 /// Whether Q keeps all three planes, which makes it diagonal for all times. The centre of mass moves apart from Q and
 /// may leave the planes.
 bool keeps_diagonal(const Scene& scene);
 
-/// The sector that the scene asks for, the smallest one that initial state and loads admit if it leaves the choice.
+/// The sector of the scene: the given one, or the smallest that initial state and loads admit.
 Sector sector(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -16,7 +16,7 @@ namespace pseudorigid::scene {
 
 struct SweepParameter {
   std::string name;
-  std::vector<double> values;   ///< of a list; of a range, its ends
+  std::vector<double> values;   ///< values of a list; ends of a range
   std::optional<int> n_values;  ///< of a range
 
   int size() const { return n_values ? *n_values : static_cast<int>(values.size()); }

@@ -27,14 +27,14 @@ namespace {
 /// E₀ goes with the squares of the semi-axes.
 constexpr double largest_axis = 1e6;
 
-/// Products of several of them still are numbers.
+/// Products of several such numbers are still finite.
 constexpr double largest_unit = 1e100;
 
 /// The fastest systems take a tenth of a microsecond a step, so that this is a day. Times are told apart up to 2⁵²
 /// steps.
 constexpr double most_steps = 1e12;
 
-/// What advises looks whether it helps, and does not give advice again.
+/// The recommendation tries whether a change helps, and must not recommend again.
 enum class Purpose { judge, try_advice };
 
 class Validator {
@@ -78,7 +78,7 @@ class Validator {
     refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
   }
 
-  /// Those with critical points, for manifolds.
+  /// The systems that offer an analysis; manifolds need critical points.
   std::vector<std::string_view> systems_for(Analysis analysis) const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -86,7 +86,7 @@ class Validator {
     return names;
   }
 
-  /// An entry of another system would be without effect; its author has something else in mind.
+  /// An entry of another system would not have an effect, and is probably a mistake.
   void check_ownership() const {
     for (const auto& [path, where] : origins_.all())
       if (!concerns(scene_, path))
@@ -130,7 +130,7 @@ class Validator {
                                            joined(names), scene_.section.column));
   }
 
-  /// Of an end before the start.
+  /// The error message for an end before the start.
   std::string needs_complete_system() const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -183,7 +183,7 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Of the numbers that the law uses.
+  /// Checks the parameters that the law uses.
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -201,7 +201,7 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// What the models themselves have to say of a scene that is sound.
+  /// Reports the errors that the models themselves find in a valid scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);
@@ -253,7 +253,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      const bool acts = loads::present(load);  // the default frequency of a tide that is not there may be any number
+      const bool acts = loads::present(load);  // a tide that is absent may have any default frequency
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })
           if (kind.symmetric) require_symmetric(std::string(about.path).c_str(), member);

@@ -6,8 +6,8 @@
 
 namespace pseudorigid::scene {
 
-/// The scene to run: `scene` with the initial state projected (scene/initial_state.h). Throws UserError, one sentence
-/// that begins with the origin of the entry and says what was expected.
+/// The scene to run: `scene` with the initial state projected (scene/initial_state.h). Throws UserError with one
+/// sentence, which begins with the origin of the entry and describes the expected value.
 Scene validate(Scene scene, const Origins& origins = {});
 
 /// Whether validate takes it.

@@ -11,7 +11,7 @@
 namespace pseudorigid::systems {
 
 struct AnySystemScene {
-  /// As parameter files know it; it refuses what no method can run.
+  /// The system as parameter files show it; it refuses scenes that no method can run.
   scene::SystemDescription description;
   /// The units of a read scene, and its model in these units.
   Scales (*scales)(const scene::Scene& scene);

@@ -25,7 +25,7 @@ struct BodyLoads {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
   std::vector<BodySpring> springs{};
 
-  /// Hands every force to act(ξ, f); place(ξ) is x(ξ).
+  /// Calls act(ξ, f) for every force; place(ξ) is x(ξ).
   template <class Place, class Act>
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));

@@ -79,7 +79,7 @@ class DoublePendulum {
   }
   double potential_energy(const Vector& q) const { return -p_.g * (p_.m1 * q(1) + p_.m2 * q(3)); }
 
-  /// Turns of the plane about the suspension, in the absence of gravity.
+  /// Rotations of the plane about the suspension, without gravity.
   int n_symmetries() const { return p_.g == 0 ? 1 : 0; }
   void symmetry(int, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     dq << -q(1), q(0), -q(3), q(2);

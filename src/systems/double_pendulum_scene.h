@@ -50,7 +50,7 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The faster of gravity, on the shorter rod, and the motion itself sets the time.
+  /// The unit of time is that of gravity on the shorter rod or that of the motion, whichever is less.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};

@@ -1,6 +1,6 @@
 #pragma once
-/// Directions that a force leaves free (Noether): the axes a whose turns leave given vectors u unchanged, a × u = 0,
-/// and the translations e that leave a linear potential −⟨u, x⟩ unchanged, ⟨u, e⟩ = 0.
+/// Symmetries that forces leave (Noether): the axes a whose rotations leave given vectors u unchanged, a × u = 0, and
+/// the translations e that leave a linear potential −⟨u, x⟩ unchanged, ⟨u, e⟩ = 0.
 
 #include <Eigen/Geometry>
 #include <limits>

@@ -54,9 +54,9 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// The motion from given initial data at any time after them. Its steps do not depend on the times asked for, so a run
-/// that is taken up again sees the same motion. The last steps are kept, since a section looks back for its crossings;
-/// what was before them is computed anew.
+/// The motion from given initial data at any later time. Its steps do not depend on the requested times, so a resumed
+/// run repeats the motion. The last steps are kept, because a section looks back for its crossings; earlier steps are
+/// computed again.
 template <class Field>
 class MotionFollower {
  public:
@@ -78,7 +78,7 @@ class MotionFollower {
   }
 
  private:
-  /// Local; what is left of it over some orbits is below any tolerance of a scene.
+  /// Tolerance of local errors. Their sum over some orbits is below any tolerance of a scene.
   static constexpr double tolerance = 1e-14, longest_step = 10;
   static constexpr std::size_t n_kept = 64;
 
@@ -166,7 +166,7 @@ struct JacobiGeodesicScene {
       for (double& x : position) x *= scales.length;
   }
 
-  /// The scene's time being an arc, the unit of time is that of length²/time.
+  /// The time of the scene is an arc length, so the unit of time is length²/time.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -217,7 +217,7 @@ struct JacobiGeodesicScene {
     Chart chart;
     double h;
     MotionFollower<Motion> motion;
-    std::vector<double> units;  ///< of the columns, in units of the arc for time
+    std::vector<double> units;  ///< units of the columns, with the arc in place of time
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {
@@ -237,7 +237,7 @@ struct JacobiGeodesicScene {
     }
   };
 
-  /// The model has a unit of time of its own, in which the motion is of order 1.
+  /// The model has its own unit of time, in which the motion is of order 1.
   template <class Run>
   auto with_model(Run&& run) const {
     const Scales own{1, 1, length() / speed()};
@@ -283,7 +283,7 @@ struct JacobiGeodesicScene {
     using Motion = mechanics::JacobiLengthField<Chart>;
     const mechanics::JacobiGeodesicField<Chart> field(chart, energy);
     mechanics::State<mechanics::JacobiGeodesicField<Chart>> geodesic{0, field.make_vector(), field.make_vector()};
-    (void)field.start(q, v, geodesic.q, geodesic.v);  // h > U there: the scene refuses what is not so
+    (void)field.start(q, v, geodesic.q, geodesic.v);  // h > U there: the scene refuses other values
     const Motion motion(chart);
     mechanics::State<Motion> start{0, motion.make_vector(), motion.make_vector()};
     motion.start(q, v, start.q, start.v);

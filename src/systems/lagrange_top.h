@@ -86,7 +86,7 @@ class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;
   using Workspace = mechanics::ChartField<EulerAngleChart>::Workspace;
-  /// Rates of φ and ψ grow like 1/sin θ, and with them what is lost of their accuracy.
+  /// Rates of φ and ψ grow like 1/sin θ, and with them their loss of accuracy.
   static constexpr double smallest_sine = 1e-4;
 
   LagrangeTop(const Eigen::Matrix3d& A, BodyLoads loads) : field_(EulerAngleChart{A, std::move(loads)}) {}

@@ -106,8 +106,8 @@ class MassPoints : public mechanics::Unconstrained {
     return L;
   }
 
-  /// Translations, then turns about the centre c, as far as the external conservative forces leave them. Internal
-  /// forces leave all of them; drag has no part in V and keeps no momentum.
+  /// Translations, then rotations about the centre c, if the external conservative forces admit them. Internal forces
+  /// admit all of them; drag does not belong to V and does not conserve momentum.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);

@@ -102,7 +102,7 @@ struct MassPointsScene {
     return refuses_places();
   }
 
-  /// Those of two points stand for those of n.
+  /// The columns of two points stand for those of n points.
   std::vector<Column> columns() const {
     std::vector<Column> columns;
     add_point_columns(columns, "", "length", "position of point 1; every point i has its xi, yi, zi");
@@ -137,7 +137,7 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// Points that fly together do not change fast, unless they fly past the center.
+    /// Points that move together do not change fast, unless they pass the centre.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;

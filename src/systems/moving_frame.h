@@ -128,7 +128,7 @@ class MovingFrame {
   Parameters p_;
 };
 
-/// The same point in the inertial frame: the field of (q, q̇).
+/// The same point in the inertial frame, as the field of (q, q̇).
 class InertialFrame {
  public:
   using Vector = Eigen::Vector3d;

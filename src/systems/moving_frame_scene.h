@@ -148,8 +148,8 @@ struct MovingFrameScene {
   }
 
  private:
-  /// A point that starts in the origin is as far from it as the centre of a force, or goes as far as its velocity and
-  /// fields take it in the time of the rest. 1 if nothing has a length.
+  /// Scale of length of a point that starts in the origin: the distance of the centre of force, or the way that its
+  /// velocity and the fields take it. 1 if there is no length.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,

@@ -39,7 +39,7 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Why a body cannot be one of GL⁺(3), if so: its mass operator must be invertible there.
+  /// The reason why a body cannot be one of GL⁺(3), if it cannot: its mass operator must be invertible there.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -120,7 +120,7 @@ class RigidBody {
     return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
   }
 
-  /// Translations, then turns of space about axes through its origin.
+  /// Translations, then rotations of space about axes through its origin.
   int n_symmetries() const {
     return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }

@@ -15,7 +15,7 @@
 
 namespace pseudorigid::systems {
 
-/// The motion at one time.
+/// Data from which the columns of a rigid body are computed.
 struct BodyMotion {
   Eigen::Matrix3d R;
   Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; centre of mass
@@ -23,7 +23,7 @@ struct BodyMotion {
 
 class BodyObserver {
  public:
-  /// With a fixed point A is about that, and the centre of mass has no kinetic energy of its own.
+  /// With a fixed point, A is about that point, and the centre of mass does not have its own kinetic energy.
   BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
       : A_(A), loads_(loads), fixed_point_(fixed_point) {}
 

@@ -151,7 +151,7 @@ struct RigidBodyScene {
                       row);
       return {};
     }
-    /// A body that flies fast does not turn fast.
+    /// A body that moves fast does not rotate fast.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -159,16 +159,17 @@ struct RigidBodyScene {
     std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
   };
 
-  /// Forms that know turns alone: `Turns` is EulerTop or LagrangeTop.
+  /// Forms whose configurations are rotations alone: `Turns` is EulerTop or LagrangeTop.
   template <class Turns>
   struct TurnsModel {
     using System = Turns;
     System system;
     mechanics::State<System> initial;
     BodyObserver observer;
-    FixedPointBody body;  ///< for its loads, and the landscape of the turns about the centre of mass if it is free
+    FixedPointBody
+        body;  ///< for its loads, and for the landscape of rotations about the centre of mass if the body is free
     bool fixed_point;
-    Eigen::Vector3d x, velocity;  ///< of a free body at t = 0
+    Eigen::Vector3d x, velocity;  ///< position and velocity of a free body at t = 0
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
@@ -221,7 +222,7 @@ struct RigidBodyScene {
       list.push_back({{points[k], points[k + 1], points[k + 2]}, points[k + 3]});
     return MassDistribution::of_points(list);
   }
-  /// About the origin of the body.
+  /// The loads about the origin of the body.
   MassDistribution distribution() const {
     if (points.empty()) return {mass, vector(center), second_moment(matrix(inertia))};
     const MassDistribution given = distribution_of_points();
@@ -233,7 +234,7 @@ struct RigidBodyScene {
   BodyLoads loads() const {
     const MassDistribution body = distribution();
     BodyLoads loads{.mass = body.mass, .center = body.center, .gravity = vector(gravity)};
-    if (!fixed_point) loads.center.setZero();  // of points it is that to round-off
+    if (!fixed_point) loads.center.setZero();  // exact up to round-off for mass points
     const Eigen::Vector3d origin =
         points.empty() || fixed_point ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : distribution_of_points().center;
     for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
@@ -277,7 +278,7 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// What no body has, and what the form cannot have.
+  /// Reasons why an inertia does not belong to a body, or does not fit the form.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";

@@ -65,7 +65,7 @@ class SphericalPendulum {
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Turns about the vertical; without gravity about every axis.
+  /// Rotations about the vertical; without gravity about every axis.
   int n_symmetries() const { return p_.g == 0 ? 3 : 1; }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     const Vector axis = Vector::Unit(2 - i);
@@ -112,7 +112,7 @@ struct SphericalPendulumScene {
     return Refusal{"Spherical pendulum/Rates", "expected no rate of phi where the rod is vertical and has no phi"};
   }
 
-  /// Without gravity the motion itself sets the time.
+  /// Without gravity the motion itself gives the unit of time.
   Scales scales() const {
     const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
     return {l, m, gravity > 0 ? std::sqrt(l / gravity) : rate > 0 ? 1 / rate : 1};

@@ -48,7 +48,7 @@ using scene::Unit;
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// What a quantity of this unit is divided by on its way into the scales.
+  /// The factor by which a quantity of this unit is divided when it is converted to the scales.
   double operator()(scene::Unit unit) const {
     double product = 1;
     unit.visit([&](std::string_view word, int power) {
@@ -96,7 +96,7 @@ SystemScene system_scene(const scene::Scene& scene) {
 }
 
 /// The same in its own scales. An entry with columns of several units (Rows) has the unit "" and is scaled by the
-/// scene's own `rescale(scales)`, if it offers one.
+/// scene's own `rescale(scales)`, if it has one.
 template <class SystemScene>
 SystemScene in_scales(SystemScene system, const Scales& scales) {
   SystemScene::visit(

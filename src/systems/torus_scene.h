@@ -63,7 +63,7 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The faster of gravity and the motion itself sets the time.
+  /// The unit of time is that of gravity or that of the motion, whichever is less.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
     return {r, 1, rate > 0 ? 1 / rate : 1};

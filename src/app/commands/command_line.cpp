@@ -47,7 +47,7 @@ scene::Format format_of(const std::string& name) {
   throw CLI::ValidationError("--format", "expected prm, markdown or json, got \"" + name + "\"");
 }
 
-/// Names the directory of the scenes that are installed with the program; empty where it is not installed.
+/// Names the directory of the installed scenes; empty if the program is not installed.
 std::string note_on_scenes() {
   std::error_code none;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
@@ -55,7 +55,7 @@ std::string note_on_scenes() {
   return std::filesystem::is_directory(scenes, none) ? "\n\nScenes to begin with: " + scenes.string() : "";
 }
 
-/// CLI11 names an unknown command without a word of those that there are.
+/// For an unknown command CLI11 does not list the existing ones.
 void require_known_command(const CLI::App& app, int argc, const char* const* argv) {
   const std::string_view word = argc > 1 ? argv[1] : "";
   if (word.empty() || word.starts_with('-')) return;

@@ -25,7 +25,7 @@ struct Run {
   io::Table table;
 };
 
-/// As the ball of a run is called, with the degree that the run has found.
+/// The adjective of the ball of a run, with the degree that the run has found.
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics) {
   const auto degree = statistics.counters.find("degree");
   if (!run.finds_degree || degree == statistics.counters.end()) return run.adjective;
@@ -51,8 +51,8 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// What a model's run knows of its errors. A model that moves as x = QX is what it is: it has no error in space. The
-/// quadrature of elements is a part of that.
+/// The errors that a model's run has estimated. A model that moves as x = QX does not have an error in space. The
+/// quadrature error of elements is a part of the error in space.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
@@ -81,7 +81,7 @@ analysis::Comparison compare(const RunContext& context, const Run& run, const Ru
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
   const bool is_free_ball = scene.body.incompressible && scene::is_free(scene) && !scene::has_mesh_file(scene);
-  // The exact value is that of nine unknowns beside all.
+  // The exact value belongs to the pseudo-rigid model compared with the elastic ball.
   if (is_free_ball && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
   options.surface_limit_time = counter(*reference.statistics, "surface_limit_time");

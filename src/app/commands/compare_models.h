@@ -20,7 +20,7 @@ using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::l
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints what the run of the only model, or of the system, shows by itself. The return value is the same.
+/// Prints the results of the only model, or of the system. The return value is the same.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a number of 17 digits, usually and at most: sign, point, exponent and comma with it.
+/// Characters of a number of 17 digits with its sign, point, exponent and comma: usual and largest number.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
 constexpr double bytes_per_value_of_picture = 5;
 constexpr double bytes_of_small_checkpoint = 1e4;  // most of it is the scene
@@ -40,7 +40,7 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
-/// Of tables with a row at every sample.
+/// Bytes of tables with a row at every sample.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
   constexpr double of_comparison = 16;
@@ -57,7 +57,7 @@ double values_of_families(const scene::Scene& scene, const scene::Needs& needs) 
   return n * scene.equilibria.number;
 }
 
-/// Nothing where the motion decides on the number of rows.
+/// Empty if the motion decides the number of rows.
 std::optional<double> values_of_tables(const scene::Scene& scene, const scene::Needs& needs) {
   using enum scene::Analysis;
   if (!scene.sweep.empty()) return values_of_sweep(scene, needs);
@@ -72,14 +72,14 @@ double n_points(const scene::ModelDescription& model, const std::optional<Effort
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
 }
 
-/// Nothing if the discretisation is still to be found.
+/// Empty if the discretisation is not known yet.
 std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene::Needs& needs) {
   const auto fixed = scene::fixed_discretization(scene);
   if (!needs.discretized || !fixed) return std::nullopt;
   return effort_of(scene, *fixed, scene::has_mesh_file(scene) ? read_mesh_file(scene).mesh.cells.size() : 0);
 }
 
-/// Compression takes away what is the same at all points.
+/// Compression removes data that are the same at all points.
 double values_per_point(const scene::ModelDescription& model, const scene::Fields& fields) {
   const double moving = 3 + (fields.displacement ? 9 : 0) + (fields.velocity ? 3 : 0);
   return moving +
@@ -119,8 +119,8 @@ double bytes_of_files(const fs::path& folder) {
   return bytes;
 }
 
-/// Bytes on the disk of the directory, with those of the results there, which a run replaces. Nothing if the system
-/// does not tell: what is wrong with the place is said where the directory is made.
+/// Free bytes on the disk of the directory, with the bytes of the results there, which a run replaces. Empty if the
+/// system does not tell. Other problems of the place are reported when the directory is made.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);

@@ -10,9 +10,9 @@
 
 namespace pseudorigid::app {
 
-/// Adds a line on tables, pictures and checkpoints, and a warning if the disk of the directory, which need not exist
-/// yet, has no room for them. No refusal: the estimate may be too high, and a run that a full disk has stopped goes on
-/// with --resume.
+/// Adds a line on tables, pictures and checkpoints, and a warning if they exceed the space on the disk of the
+/// directory, which need not exist yet. It does not refuse the run: the estimate may be too high, and --resume
+/// continues a run that a full disk has stopped.
 void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& directory, scene::Needs& needs);
 
 /// UserError if the disk is too small for the samples of a sweep, which are kept in addition to its rows if the scene

@@ -10,8 +10,8 @@
 
 namespace pseudorigid::app {
 
-/// Opens all that the library needs, directly or through others, each by itself. One that is not found, or that cannot
-/// be opened by itself, is left to the opening of the whole.
+/// Opens all libraries that this library needs, directly or through others, each by itself. A library that is not
+/// found, or that cannot be opened by itself, is opened together with the whole.
 void open_needed_libraries(const std::filesystem::path& library);
 
 }  // namespace pseudorigid::app

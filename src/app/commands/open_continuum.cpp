@@ -13,7 +13,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// With less, libraries fail on the way, each in its own manner.
+/// If the limit is lower, libraries fail at different places with different messages.
 void require_address_space() {
   constexpr double needed = 0.67e9;  // measured: with less than 0.5e9 the loader fails, with less than 0.65e9 MPI hangs
   rlimit limit{};
@@ -35,7 +35,7 @@ const ContinuumModule* open_continuum() {
   if (!fs::exists(library)) throw NoContinuum(fmt::format("there is no {}", library.string()));
   require_address_space();
   open_needed_libraries(library);
-  // For all: libraries of MPI and PETSc open others, which look here for names.
+  // Names are visible to all libraries: those of MPI and PETSc open others, which need the names.
   void* const module = dlopen(library.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   void* const found = module ? dlsym(module, "pseudorigid_continuum") : nullptr;
   if (!found) throw NoContinuum(fmt::format("its library cannot be opened: {}", dlerror()));

@@ -44,7 +44,7 @@ struct Input {
   scene::ReadScene raw, read;
 };
 
-/// To a later Time/End, if it is.
+/// Applies a later Time/End, if there is one.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -78,12 +78,12 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
-/// The process, with what it opens on the way.
+/// The process and the library that it opens.
 struct Process {
   Executable executable;
   Launch launch{};
   bool has_continuum = false;
-  std::unique_ptr<Ranks> several{};  ///< those of MPI, once it has been started
+  std::unique_ptr<Ranks> several{};  ///< the ranks of MPI, after it has started
 
   /// Opens the finite elements, and starts MPI if the process may be one of several: MPI takes 0.3 s. Throws
   /// NoContinuum.
@@ -101,12 +101,12 @@ struct Process {
     require_mpi_of(launch, *several);
   }
 
-  /// How many they are says MPI, if the launcher does not.
+  /// If the launcher does not tell the number of processes, MPI does.
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 
-/// All that decides what a process does: the scene with what it includes and the options change, the options, the file
-/// of the mesh and the environment.
+/// All inputs that decide the actions of a process: the scene with its included files and overrides, the options, the
+/// mesh file and the environment.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
   std::vector<std::string> lines{fmt::format("results in {}", directory.path().string()),
@@ -151,7 +151,7 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // However the run ends, the other ranks are told.
+  // Tells the other ranks about the end of the run in every case.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
@@ -197,10 +197,10 @@ int run_program(int argc, char** argv, const Executable& executable) {
   const Launch& launch = process.launch;
   try {
     require_stack();
-    // Whether all were given the same scene is seen with MPI alone.
+    // Only MPI can show whether all ranks have the same scene.
     if (argc > 1 && std::string_view(argv[1]) == "run" && launch.n_ranks != 1) try {
         process.open_continuum(argc, argv);
-      } catch (const NoContinuum&) {  // matters to a scene that needs it
+      } catch (const NoContinuum&) {  // affects only scenes that need it
       }
     Options options;
     on_all_ranks(*process.executable.ranks, [&] { options = parse_command_line(argc, argv); });
@@ -208,7 +208,8 @@ int run_program(int argc, char** argv, const Executable& executable) {
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
-    // What all ranks have the first says; what another has alone would leave the first waiting.
+    // The first rank reports errors that all ranks have. If only another rank has an error, the first rank would wait
+    // for it.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

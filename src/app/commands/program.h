@@ -15,9 +15,9 @@ namespace pseudorigid::app {
 
 /// The parts with which an executable was linked, and those that it opens.
 struct Executable {
-  std::vector<BallModel> models;                   ///< all that scenes may name; the poorest in motions first
+  std::vector<BallModel> models;                   ///< all models that scenes may name, by rising number of motions
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
-  /// Those that its kernels are compiled for, "" without kernels. Throws mechanics::NoKernels.
+  /// The instructions for which the kernels are compiled, "" without kernels. Throws mechanics::NoKernels.
   std::string_view (*instructions)() = [] { return std::string_view(); };
   /// Function that runs the finite elements. Throws NoContinuum.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {

@@ -24,7 +24,7 @@ std::vector<std::string> movers_of_run(const io::RunDirectory& directory) try {
   throw UserError(std::string("DIR: expected the directory of a run; ") + error.what());
 }
 
-/// The place that was named is at fault, and not the machine.
+/// Whether the chosen path is the cause of the error, and not the machine.
 bool is_of_the_place(const io::WriteError& error) {
   constexpr int numbers[] = {ENOENT, ENOTDIR, EISDIR, EACCES, EPERM, EROFS, ENAMETOOLONG, ELOOP, EEXIST, ENXIO};
   return std::ranges::find(numbers, error.error_number) != std::end(numbers);
@@ -46,7 +46,7 @@ void report_run(const Options& options) {
     if (!is_of_the_place(error)) throw;
     throw UserError(fmt::format("{}: {}", options.output ? "--output" : "DIR", in_words(error)));
   }
-  // Into a pipe goes the page alone.
+  // If the page goes into a pipe, its path is not printed.
   if (io::kind_unless_file(path).empty()) io::print(path.native() + "\n");
 }
 

@@ -26,14 +26,14 @@ namespace {
 
 constexpr const char* end_of_time = "Time/End";
 constexpr const char* number_of_samples = "Output/Samples";
-/// What may change beside the section Time: pictures are drawn with what the scene says now, and of the number of
-/// samples keep_sampling has judged.
+/// Entries outside the section Time that may change: pictures follow the present scene, and keep_sampling has checked
+/// the number of samples.
 constexpr std::array<std::string_view, 6> may_change{end_of_time,     number_of_samples, "Output/Frames",
                                                      "Output/Fields", "Output/Cells",    "Output/Graphics"};
 
 using Entries = std::map<std::string, std::string>;
 
-/// `origin` is the file that the text is from.
+/// `origin` is the file that contains the text.
 Entries entries_of(const std::string& prm, const std::filesystem::path& origin) {
   Entries entries;
   scene::read_prm_text(prm, origin, [&](const scene::Statement& statement) {
@@ -42,7 +42,7 @@ Entries entries_of(const std::string& prm, const std::filesystem::path& origin) 
   return entries;
 }
 
-/// Of the scene that a checkpoint is of.
+/// The entries of the scene that a checkpoint belongs to.
 Entries entries_of(const std::filesystem::path& checkpoint) {
   return entries_of(io::Checkpoint::load(checkpoint).get_string("scene"), checkpoint);
 }
@@ -91,7 +91,7 @@ void require_shapes(const std::filesystem::path& path) {
   if (io::is_there(path)) io::require_rows(path, io::columns_in(path), io::n_rows_before(path, HUGE_VAL));
 }
 
-/// What a run of a model has left, if it has.
+/// The files of an earlier run of a model, if there are any.
 void require_files_of_run(const io::RunDirectory& directory, const std::string& name,
                           const std::vector<std::string>& columns) {
   if (!io::is_there(directory.checkpoint(name))) return;
@@ -115,7 +115,7 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory) {
   const Entries before = entries_of(found.front());
   const auto end = number(before, end_of_time), n = number(before, number_of_samples);
   if (!end || !n) return;
-  // Checkpoints count time from the start, whichever way it runs; used.prm knows which.
+  // Checkpoints count time from the start in either direction; used.prm has the direction.
   const auto used = number(entries_of(io::read_file(directory.used_prm()), directory.used_prm()), end_of_time);
   if (used && (*used < 0) != (scene.time.end < 0))
     throw UserError(

@@ -21,8 +21,8 @@ void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 /// Every checkpoint in the directory can be read and belongs to this scene: UserError names the entries that differ.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// UserError if a file that the run goes on with is damaged: a table with fewer samples than its checkpoint or with
-/// something else than numbers, a list of pictures. To be asked before any of them is written to.
+/// UserError if a file that the resumed run appends to is damaged: a table with fewer samples than its checkpoint or
+/// with text in place of numbers, or a list of pictures. Call this before writing to any of them.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -167,7 +167,7 @@ void add_report(const RunContext& context) {
   context.log->info("the report is {}", context.directory.report().string());
 }
 
-/// What was thrown on the way ends the run, which says so wherever it can.
+/// Ends the run after an exception, and records the message in the log and the manifest.
 int stop(const Failure& failure, const RunContext& context, std::optional<io::ManifestFile>& manifest) {
   const bool goes_on = failure.exit_code == exit_stopped && is_resumable(context);
   context.log->error("{}{}", failure.message,
@@ -179,7 +179,8 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
   return failure.exit_code;
 }
 
-/// Makes the directory ready. What is wrong with it is said before anything in it has changed, and of whoever named it.
+/// Prepares the directory. Problems are reported before anything in it changes; the message names the entry or option
+/// that chose the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

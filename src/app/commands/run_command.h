@@ -10,13 +10,13 @@
 
 namespace pseudorigid::app {
 
-/// Takes a scene that scene::validate returned (in `read`), and as it was before (`raw`; the runs of a sweep are
-/// validated each). Returns the exit code; an exception that is thrown once the directory is ready is said by the log.
+/// `read` is the scene after scene::validate, and `raw` the scene before it; the runs of a sweep are validated one by
+/// one. Returns the exit code. Once the directory is ready, the log reports exceptions.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// What the other ranks do meanwhile: they take part in the continuum's runs when the first begins one, write their
-/// pieces of the pictures and say nothing. Returns the exit code.
+/// The part of the other ranks: they join the runs of the finite-element model that the first rank begins, write their
+/// pieces of the pictures and print nothing. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

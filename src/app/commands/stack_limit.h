@@ -3,7 +3,8 @@
 
 namespace pseudorigid::app {
 
-/// Throws std::system_error if the stack may not grow as far as the program needs: the system would kill it on the way.
+/// Throws std::system_error if the limit of the stack is below the need of the program: the system would kill it during
+/// the run.
 void require_stack();
 
 }  // namespace pseudorigid::app

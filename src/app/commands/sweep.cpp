@@ -34,7 +34,7 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
-/// A parameter is a column of sweep.csv, where no other may have its name.
+/// A parameter becomes a column of sweep.csv, so its name must differ from those of other columns.
 void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
   const scene::Sweep parameters = std::exchange(scene.sweep, {});
@@ -80,7 +80,7 @@ class Workers {
     std::vector<std::jthread> threads;
     try {
       while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { take_groups(true); });
-    } catch (const std::exception& refusal) {  // of a system call or for want of memory
+    } catch (const std::exception& refusal) {  // a system call failed, or memory is exhausted
       context_.log->warn("sweep: {} threads in place of {}: {}", threads.size() + 1, n_threads, refusal.what());
     }
     take_groups(true);
@@ -92,7 +92,7 @@ class Workers {
 
   int n_failed() const { return n_failed_; }
   int n_together() const { return n_together_; }
-  /// The first run whose input is wrong, and what is wrong with it.
+  /// The first run with wrong input, and the error.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
@@ -149,7 +149,7 @@ class Workers {
     }
   }
 
-  /// Nobody takes a group after it. Called with the lock.
+  /// No thread takes a later group. Called with the lock.
   void end_with(std::exception_ptr error) {
     if (!error_) error_ = std::move(error);
     left_.clear();

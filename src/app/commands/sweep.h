@@ -26,7 +26,8 @@ namespace pseudorigid::app {
 /// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is that of the first run, `run` runs what moves, `together` (null if there is none) several of them.
+/// `context` is that of the first run; `run` runs one model, and `together` several runs at once (null if it does not
+/// exist).
 ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
                        bool shows_progress);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// sweep.csv, and trajectories.csv if it is kept, while several threads bring rows: written in the order of the
-/// runs, with a checkpoint now and then.
+/// sweep.csv, and trajectories.csv if it is requested, written by several threads: in the order of the runs, with
+/// occasional checkpoints.
 
 #include <chrono>
 #include <cstdint>
@@ -79,7 +79,7 @@ class SweepRows {
     return names;
   }
 
-  /// Both are looked at before either is cut.
+  /// Both files are checked before either is truncated.
   void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
                             std::int64_t n_samples) const {
     io::require_rows(context.directory.csv(name), columns, n_written_);

@@ -22,8 +22,8 @@ constexpr std::array<const char*, 2> names_of_frequencies{"frequency", "amplitud
 
 bool has_frequencies(const scene::Needs& needs) { return !needs.system && needs.quantities.state; }
 
-/// Names of the ball's columns that no run of the sweep changes but by its error, judged by the ends of the parameters'
-/// ranges: a value and a drift say all of them.
+/// Names of the ball's columns that are constant in every run except for errors, judged by the runs at the ends of the
+/// parameters' ranges. A value and a drift describe such a column.
 std::set<std::string> conserved_columns(const scene::ReadScene& raw) {
   bool is_free = true, incompressible = true;
   for (const int k : corners(raw.scene.sweep)) {
@@ -61,7 +61,7 @@ std::set<int> corners(const scene::Sweep& sweep) {
 }
 
 std::set<std::string> names_conserved(bool is_free, bool incompressible) {
-  std::set<std::string> names{"energy"};  // what loads and dissipation give and take is a part of it
+  std::set<std::string> names{"energy"};  // energies of loads and dissipation are parts of it
   if (is_free) names.insert({"J1", "J2", "J3", "Z1", "Z2", "Z3"});
   if (incompressible) names.insert("volume_ratio");
   return names;
@@ -105,7 +105,7 @@ std::optional<std::vector<RunResult>> SweepRun::run_together(int first, int last
   std::vector<scene::Scene> scenes;
   try {
     for (int k = first; k < last; ++k) scenes.push_back(scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k)));
-  } catch (const UserError&) {  // will be said of the run that it is about
+  } catch (const UserError&) {  // the message is reported later, with the number of the run
     return {};
   }
   std::vector<RunContext> contexts;

@@ -48,14 +48,14 @@ class MpiRanks final : public Ranks {
   dealii::Utilities::MPI::MPI_InitFinalize session_;
 };
 
-/// deal.II has an exception of its own for memory that cannot be had.
+/// deal.II throws its own exception if memory is exhausted.
 ModelOutcome run_within_memory(const RunContext& context) try {
   return run_continuum(context);
 } catch (const dealii::StandardExceptions::ExcOutOfMemory&) {
   throw std::bad_alloc();
 }
 
-/// The ranks enter it together. When one of them ends all, the first has no time left for its manifest and its lock.
+/// The ranks enter it together. If one rank ends all, the first does not have time for its manifest and its lock.
 ModelOutcome run_on_all_ranks(const RunContext& context) {
   return together_or_not_at_all(
       *context.ranks, [&] { return run_within_memory(context); },

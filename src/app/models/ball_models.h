@@ -12,7 +12,7 @@
 namespace pseudorigid::app {
 
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// Runs at the same time, as a sweep has many; nothing if each has to run by itself.
+/// Runs several contexts of a sweep at the same time. Empty if they have to run one by one.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {
@@ -29,7 +29,7 @@ BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();
 
-/// The poorest in motions first, as the catalogue has them.
+/// By rising number of motions, as in the catalogue.
 inline std::vector<BallModel> ball_models() {
   return {
       reduced_model(),
@@ -38,8 +38,8 @@ inline std::vector<BallModel> ball_models() {
   };
 }
 
-/// Why the method of the scene cannot integrate it, or the law cannot have its start, if so. It is asked of the
-/// pseudo-rigid body, of which every model of the ball is a finer one.
+/// The reason why the method or the law of the scene is refused, if it is. The pseudo-rigid body is asked, because
+/// every model of the ball refines it.
 std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -63,12 +63,12 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// Whether something keeps the elements of a fluid under pressure.
+/// Whether gravity or a trap keeps the elements of a fluid under pressure.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// What other models have and finite elements have not.
+/// Refuses features that other models have and the finite-element model lacks.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {

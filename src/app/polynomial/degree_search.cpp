@@ -71,7 +71,7 @@ class DegreeSearch {
       }
       const bool is_last = degree_ + 2 > scene::largest_polynomial_degree;
       if (is_last || (errors.n_runs() > 2 && error_ <= tolerance_)) break;
-      // Where the motion breaks off, a higher degree does not carry it on.
+      // If the motion itself ends, a higher degree does not help.
       if (outcome.end == mechanics::Outcome::failed && errors.n_runs() > 2) break;
       before_ = std::move(trace);
     }
@@ -120,10 +120,11 @@ class DegreeSearch {
   int degree_ = 1;
   std::size_t n_runs_ = 0;
   double error_ = 0, relative_to_largest_ = 0, work_ = 0;
-  DeformationTrace before_;  ///< of the run of two degrees less
+  DeformationTrace before_;  ///< Q of the run whose degree is less by two
 };
 
-/// The body that the scene gives, or the last of several: others are compared with it, unless there is a richer model.
+/// The body of the scene, or the last of several: the others are compared with it, unless the scene has finite
+/// elements.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;
   if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});

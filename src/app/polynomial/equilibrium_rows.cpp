@@ -17,10 +17,10 @@ using polynomial::RotationMember;
 
 constexpr std::size_t slowest = 10;  // rates in a row
 
-/// The whole body has its turns as symmetries, in the order of the axes.
+/// The rotations of the whole body are its symmetries, in the order of the axes.
 constexpr int about_axis_3 = 2;
 
-/// By rising frequency, of all classes.
+/// The modes of all classes, by rising frequency.
 std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   std::vector<mechanics::Rate> rates;
   for (const ClassStability& of_class : member.classes)
@@ -119,7 +119,7 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Of the figure as it turns, in space.
+/// Observables of the figure in space, with its rotation.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

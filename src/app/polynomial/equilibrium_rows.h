@@ -17,7 +17,7 @@ std::vector<scene::Column> polynomial_equilibria_columns();
 /// Name of a class of motions: "even in z, m = 2".
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class of the fastest growth; null if nothing grows.
+/// The class of the fastest growth; null if all motions are stable.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
 class EquilibriumRows {
@@ -25,7 +25,8 @@ class EquilibriumRows {
   EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
                   const polynomial::RotationSpectrum& spectrum);
 
-  /// In internal units, but for the parameter, which is in the unit of the family. `special`: null for a member.
+  /// In internal units, except for the parameter, which has the unit of the family. `special`: null for an ordinary
+  /// member.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 

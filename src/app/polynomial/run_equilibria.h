@@ -10,7 +10,7 @@
 
 namespace pseudorigid::app {
 
-/// Why a family is not offered for polynomial bodies, if so.
+/// The reason why a family is refused for polynomial bodies, if it is.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context);

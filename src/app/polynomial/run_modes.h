@@ -1,6 +1,6 @@
 #pragma once
-/// Analysis = modes of the polynomial model: the frequencies of the ball at rest, in modes.csv; beside the continuum,
-/// which has that file, in modes-polynomial.csv.
+/// Analysis = modes of the polynomial model: the frequencies of the ball at rest, in modes.csv. If the scene has the
+/// finite-element model as well, they are in modes-polynomial.csv.
 
 #include "app/run/run_context.h"
 

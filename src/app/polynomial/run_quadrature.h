@@ -103,8 +103,8 @@ class RunQuadrature {
   const RunContext& context_;
   std::string_view model_;
   polynomial::BodySetup setup_;
-  std::optional<double> error_{};  ///< of a run of this length
-  bool is_known_ = false;          ///< the error, or that it cannot be known
+  std::optional<double> error_{};  ///< quadrature error of a run of this length
+  bool is_known_ = false;          ///< whether the error has been estimated, or cannot be
   double length_ = 1;
   long n_force_ = 0;
 };

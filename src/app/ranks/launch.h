@@ -16,7 +16,7 @@ struct Launch {
   static constexpr int unknown = 0;
   int rank = 0;
   int n_ranks = 1;       ///< or unknown
-  int n_ranks_here = 1;  ///< of them on this machine; 1 if the launcher does not tell
+  int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not tell
 
   Launch() {
     for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})

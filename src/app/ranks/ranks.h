@@ -19,7 +19,7 @@ class Ranks {
   /// Broadcasts `mine` from `rank`. Collective.
   virtual int number_of(int /*rank*/, int mine) const { return mine; }
   virtual std::string text_of(int /*rank*/, std::string mine) const { return mine; }
-  /// Ends all ranks at once, wherever they are; a single process goes on, to end by itself.
+  /// Ends all ranks at once. A single process returns and ends by itself.
   virtual void abort(int /*exit_code*/) const {}
 
   bool of_first(bool mine) const { return number_of(0, mine) != 0; }

@@ -1,6 +1,6 @@
 #pragma once
-/// Processes that were started together must have been given the same: otherwise one of them would be lost, or wait for
-/// the others in vain.
+/// Processes that were started together must have the same input: otherwise one of them would be lost, or wait for the
+/// others in vain.
 
 #include <string>
 #include <string_view>

@@ -19,7 +19,7 @@ using reduced::EquilibriumFamily;
 using reduced::EquilibriumPoint;
 using scene::Family;
 
-/// What a family needs of a scene: the potential and the body that refers to it.
+/// The data that a family takes from a scene: the potential, and the body that refers to it.
 class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)

@@ -18,7 +18,7 @@ using reduced::n_body_lanes;
 /// A method that is symmetric and costs one force and one constraint solve a step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// Whether two runs differ in nothing but their bodies' shapes and their initial states.
+/// Whether two runs differ only in the shape of the body and the initial state.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;
@@ -157,8 +157,8 @@ class RunInLanes {
     return run;
   }
 
-  /// A step that accuracy has made much shorter than stability would is stable throughout; another one is where it is
-  /// at a few samples. What lanes cannot do is to go on with a shorter one.
+  /// A step that accuracy makes much shorter than the stability limit is stable during the whole motion. Other steps
+  /// are checked at a few samples. Lanes cannot continue with a shorter step.
   bool is_stable(const mechanics::StepChoice& choice, const reduced::MotionsInLanes& motions) const {
     constexpr double much = 4, little_reserve = 0.9;
     constexpr long n_looks = 16;

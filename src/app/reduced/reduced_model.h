@@ -71,14 +71,14 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return {};
   }
 
-  /// Looked at after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
-  /// and Young): if the tolerance of Q is as large, the motion computed may have passed a collapse of the true one.
-  /// A body that keeps its volume has no collapse.
+  /// Checked after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
+  /// and Young). If the tolerance of Q is as large, the computed motion may have passed a collapse of the exact one. A
+  /// body that preserves its volume cannot collapse.
   mechanics::Status judge(const State& state) const override {
     if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
-    // det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 spare most steps the singular values.
+    // The relations det Q = σ₁σ₂σ₃ and σ₁σ₂ ≤ |Q|²/2 make the singular values unnecessary in most steps.
     if (2 * Q.determinant() > tolerance * Q.squaredNorm()) return {};
     const double least = mechanics::principal_axes(Q).a.minCoeff();
     if (least > tolerance) return {};
@@ -124,7 +124,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
  private:
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
 
-  /// Homogeneous but for positions and velocities.
+  /// Fields are homogeneous except for positions and velocities.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
     const auto motion = system_.motion(state);
@@ -148,7 +148,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     size_ = std::max(size_, Q.cwiseAbs().maxCoeff());
   }
 
-  /// A motion about rest that is hardly larger than the errors of Q has energies without a right digit.
+  /// If a motion about rest is hardly larger than the errors of Q, none of the digits of its energies is right.
   void warn_of_resolution(const io::Manifest::Model& statistics) const {
     if (!knows_motion_ || n_noted_ < 2) return;
     constexpr double well_above = 10, epsilon = std::numeric_limits<double>::epsilon();
@@ -206,7 +206,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
-  std::optional<io::BallBlocks> ball_;       ///< of pictures, from the first one on
+  std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures, from the first picture on
 };
 
 }  // namespace pseudorigid::app

@@ -17,7 +17,7 @@ struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
   loads::Loads loads;
-  loads::Forcing forcing;  ///< of those that do not depend on time
+  loads::Forcing forcing;  ///< the loads that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀

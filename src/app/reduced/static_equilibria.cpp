@@ -17,7 +17,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The search goes on beyond the first number only while points are known to be missing.
+/// The search exceeds the first number of starts only while points are known to be missing.
 constexpr int n_static_starts = 400, n_static_starts_at_most = 20000;
 
 std::vector<double> static_row(int index, const mechanics::CriticalPoint& p, const ReducedScene& s,

@@ -63,7 +63,7 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// The memory stays whole until the method has its workspace, which alone says what is whose.
+  /// The memory remains undivided until the method has its workspace, which alone can divide it.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(name, order_.field_size()), own);
@@ -81,7 +81,7 @@ class CheckpointVectors<Model> {
       snapshot.memory = layout_->take(snapshot.memory);
     give_memory(workspace, snapshot.memory);
   }
-  /// Collective; whole on the rank that writes.
+  /// Collective. The list is whole on the rank that writes.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_field(mechanics::local_values(state.q)),
             order_.collect_field(mechanics::local_values(state.v)),

@@ -33,7 +33,7 @@ inline TraceDifference difference(const DeformationTrace& a, const DeformationTr
   return d;
 }
 
-/// For a checkpoint, and back: of each sample its number and Q.
+/// Conversion to and from the numbers of a checkpoint: for each sample its number and Q.
 inline std::vector<double> numbers_of(const DeformationTrace& trace) {
   std::vector<double> numbers;
   for (const auto& [sample, Q] : trace) {

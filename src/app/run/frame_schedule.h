@@ -31,8 +31,8 @@ class FrameSchedule {
   long n_frames_, n_samples_;
 };
 
-/// Which samples become shapes of a report: the first, the last, and four between them at distances that a period of
-/// the motion does not fit, so that it is seen in different phases.
+/// Which samples become shapes of a report: the first, the last, and four between them. Their distances are not
+/// multiples of a period, so that they have different phases.
 class ShapeSchedule {
  public:
   explicit ShapeSchedule(long n_samples) {

@@ -10,7 +10,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// In place of an estimated error in a checkpoint.
+/// Stands in a checkpoint for an error that was not estimated.
 inline constexpr double unknown_error = -1;
 
 }  // namespace

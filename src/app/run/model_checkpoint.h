@@ -17,8 +17,8 @@ namespace pseudorigid::app {
 /// Estimated largest frequency of small motions about the motion, which limits the step size.
 struct LooksAtFrequency {
   long next = 0, last = 0;    ///< samples
-  double stable_step = 0;     ///< of RATTLE at the last look, without reserve; 0: there was none
-  double fastest_change = 0;  ///< of ln(stable_step) from sample to sample, over the looks so far
+  double stable_step = 0;     ///< stable step of RATTLE at the last check, without reserve; 0 before the first check
+  double fastest_change = 0;  ///< rate of ln(stable_step) from sample to sample, over the checks so far
 };
 
 /// Position of a run in time, and its method and step.
@@ -27,16 +27,17 @@ struct RunPosition {
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
   double step = 0;             ///< upper bound of the outer step, internal time
   double local_tolerance = 0;  ///< of an adaptive method
-  long steps_in_interval = 0;  ///< of the interval that the cursor is in; 0 at a sample
+  long steps_in_interval = 0;  ///< steps done in the interval of the cursor; 0 at a sample
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< scaled |g|, |Gv| over the samples so far
-  /// Estimated for the configuration, of all the parts of the run whose step was looked for; absent if one was not.
+  /// Estimated error of the configuration over all parts of the run whose step was searched; absent if one of them has
+  /// no estimate.
   std::optional<double> time_error = 0;
 };
 
-/// `frozen_scene`: what a resumed run must have in common with this one, but for what commands/resume.h admits;
-/// `stepping`: what decides on method and step, which are chosen anew if it has changed. If the step is given a
-/// later end changes neither. `choice`: what decides on the method alone.
+/// `frozen_scene`: the entries that a resumed run must share with this one, except those that commands/resume.h admits.
+/// `stepping`: the entries that decide method and step, which are chosen again if they change. If the step is given, a
+/// later end changes neither. `choice`: the entries that decide the method alone.
 struct RunIdentity {
   std::string frozen_scene, stepping, choice;
 };
@@ -44,7 +45,7 @@ struct RunIdentity {
 /// The scene without the entries that a resumed run may change (step, method, tolerance, where results go), as text.
 RunIdentity run_identity(const scene::Scene& scene);
 
-/// All that a run needs to go on, but for q and v, taken at one instant.
+/// The data at one instant that a run needs to continue, in addition to q and v.
 struct Snapshot {
   RunPosition position{};
   double t = 0;
@@ -69,7 +70,7 @@ io::Checkpoint to_checkpoint(const RunIdentity& identity, const Snapshot& snapsh
 /// The reverse, without the vectors. UserError if the file does not fit.
 void from_checkpoint(const io::Checkpoint& c, Snapshot& snapshot);
 
-/// A run that stands at the very start takes sample 0 again.
+/// A run whose checkpoint is at the start takes sample 0 again.
 inline long n_samples_taken(const mechanics::Cursor& at) { return at.sample == 0 && at.step == 0 ? 0 : at.sample + 1; }
 inline long n_samples_taken(const io::Checkpoint& c) {
   return n_samples_taken({c.get_integer("sample"), c.get_integer("step in interval")});

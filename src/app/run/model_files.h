@@ -52,13 +52,14 @@ class ModelFiles : public ModelSink {
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
-  /// Goes on with the list of pictures that an earlier run has left, and with their numbers.
+  /// Continues the list of pictures of an earlier run, and their numbers.
   void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
   std::string model_;
   FrameSchedule frames_;
-  int n_more_frames_ = 0;  ///< than the schedule says: a run to an earlier end had them closer to each other
+  int n_more_frames_ =
+      0;  ///< pictures in addition to the schedule: a run with an earlier end had them closer to each other
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, shapes_csv_;

@@ -88,8 +88,8 @@ mechanics::Status ModelRunBase::begin() {
     const Status status = choose_stepping();
     sink_->create(columns);
     if (has_shapes_) sink_->create_shapes(any_model_.shape_file(), any_model_.shape_columns());
-    // The start, from which a run goes on that was interrupted before it had a step, or with a step that the user
-    // gives if none was found.
+    // The start. A run continues from here if it was interrupted before its first step. If no step was found, the user
+    // may have set one.
     save();
     if (!status) return status;
   }
@@ -110,7 +110,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   counters_ = good_.counters;
   position_ = good_.position;
   if (const std::size_t n = any_model_.remarks().size(); n > 0) any_model_.take_remarks(file.get_doubles("remarks", n));
-  // To a later end the same samples may be times of another last digit.
+  // With a later end, the times of the same samples may differ in the last digit.
   if (const double at = times_[position_.cursor.sample]; std::abs(time() - at) < 1e-12 * times_.end) set_time(at);
   const bool complete = position_.cursor.sample == times_.n_samples;
   const bool has_step = position_.step > 0;  // none was found at the start if that ended the run
@@ -127,7 +127,7 @@ mechanics::Status ModelRunBase::restore(const io::Checkpoint& file) {
   else if (Status status = choose(); !status)
     return status;
   if (old.steps_in_interval == 0 && time() == times_[old.cursor.sample]) {
-    // With the same method the multipliers of the past are worth keeping: a violent motion does not start without.
+    // With the same method the past multipliers are kept: a violent motion does not start without them.
     if (position_.method != old.method) good_.memory.clear();
     return {};
   }

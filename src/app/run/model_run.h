@@ -35,7 +35,7 @@ class ModelRunBase : protected ModelStepping {
   ModelRunBase(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                const std::optional<Stepping>& stepping);
 
-  /// Goes on to a sample with the method of the position.
+  /// Continues to a sample with the method of the position.
   virtual mechanics::RunResult run_until(long sample) = 0;
   // Between the state in motion and the one that is kept in good_.
   virtual void keep_state() = 0;
@@ -76,8 +76,8 @@ class ModelRunBase : protected ModelStepping {
   const std::unique_ptr<ModelSink> sink_;
   const bool has_shapes_;
   mechanics::Counters counters_;
-  Status verdict_;  ///< of the model on its state, if that ends the run
-  Snapshot good_;   ///< at the last sample: where a failed run is taken up again
+  Status verdict_;  ///< verdict of the model on its state, if it ends the run
+  Snapshot good_;   ///< the last sample, from which a failed run is resumed
   std::vector<double> row_;
   int steps_since_look_ = 0;
 
@@ -211,7 +211,7 @@ class ModelRun final : public ModelRunBase {
     return {};
   }
 
-  /// An explicit method makes some γh steps, γ the largest rate of damping, where RATTLE makes one of length h.
+  /// An explicit method makes about γh steps, with the largest rate of damping γ, for each step h of RATTLE.
   Status judge_stiffness([[maybe_unused]] mechanics::StepRequest& request) const override {
     if constexpr (mechanics::LinearlyDamped<System>) {
       if (!mechanics::dissipative(model_.system())) return {};

@@ -31,11 +31,11 @@ class ModelSink {
 
   /// Whether states are kept, so that a run that was stopped can go on.
   virtual bool keeps_states() const { return false; }
-  /// `checkpoint()` is asked for where it is written.
+  /// `checkpoint()` is called only by sinks that write it.
   virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
-  /// The state that this run goes on from, if there is one.
+  /// The state from which this run continues, if there is one.
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
-  /// Goes on after that many samples.
+  /// Continues after that many samples.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
   virtual io::Table rows_so_far() { return {}; }
 

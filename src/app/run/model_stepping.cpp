@@ -11,14 +11,14 @@ namespace {
 /// hundred …, that it continues.
 class SearchNotice {
  public:
-  /// `what`: a sentence about the search, after the name of the model.
+  /// `what`: a sentence about the search, printed after the name of the model.
   SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
       : context_(context),
         model_(std::move(model)),
         what_(std::move(what)),
         steps_between_looks_(steps_between_looks) {}
 
-  /// After every step of a pilot.
+  /// Called after every step of a pilot run.
   void step() {
     if (++n_steps_ < steps_between_looks_) return;
     n_steps_ = 0;
@@ -149,9 +149,9 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// The largest frequency changes with the deformation. The next look comes before it can have grown beyond what the
-/// step stands, if it grows no faster than twice as fast as it has changed from look to look so far; of the first
-/// look nothing is known but that it is a sixteenth of the run away, or later for a step with much room.
+/// The largest frequency changes with the deformation. The next check comes before the frequency can exceed the limit
+/// of the step, if it grows at most twice as fast as between the checks so far. The first check comes after a sixteenth
+/// of the run, or later if the step is far below the limit.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;
@@ -179,7 +179,7 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// The motion itself may break off within the pilot's window; the run shall get as far as it can and say where.
+/// The motion itself may end within the window of the pilot; the run then goes as far as it can and reports the time.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
   position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>

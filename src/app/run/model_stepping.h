@@ -44,7 +44,7 @@ class ModelStepping {
 
   // The state of the run.
   virtual double time() const = 0;
-  /// Largest stable step of RATTLE, only asked of systems in constrained form.
+  /// Largest stable step of RATTLE; called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
   /// Sets request.stiff.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
@@ -66,9 +66,9 @@ class ModelStepping {
   /// Whether the step may change along the motion, because the scene does not fix it.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// Tolerance of the scaled constraint, for systems whose Gram systems cost iterations. A step that is looked for
-  /// meets it to what the tolerance of the motion asks for: at 1e-4 of that, errors of the motion and steps found are
-  /// those of 1e-13 to three digits.
+  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. A step found by a
+  /// search meets the constraint to 1e-4 of the tolerance of the motion. Errors of the motion and steps then agree with
+  /// those at 1e-13 to three digits.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;

@@ -8,9 +8,8 @@
 
 namespace pseudorigid::app {
 
-/// Writes the fields, where Output/Cells = lagrange at equidistant points of the blocks, as the picture of this
-/// (physical) time: one file, or of several ranks a piece each and beside them the file that names the pieces.
-/// Collective.
+/// Writes the fields as the picture of this physical time, at equidistant points of the blocks if Output/Cells =
+/// lagrange. A run on several ranks writes a piece for each rank and a file that lists them. Collective.
 void write_picture(const RunContext& context, const std::filesystem::path& path, double time,
                    const mechanics::PointBlocks& blocks, const mechanics::BodyFields& fields);
 

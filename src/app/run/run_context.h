@@ -74,9 +74,10 @@ struct ModelOutcome {
   std::string message;  ///< one sentence, for the user, if not finished
   io::Manifest::Model statistics;
   std::optional<Stepping> stepping{};
-  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< of further runs, by the names of their files
-  std::optional<analysis::OtherResolution> other{};       ///< the same motion, for the error in space of its numbers
-  std::string results{};                                  ///< lines for people, for standard output
+  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs, by the names of their files
+  std::optional<analysis::OtherResolution>
+      other{};            ///< the same motion on another discretisation, for the error in space
+  std::string results{};  ///< lines for people, for standard output
 };
 
 /// A line of results: for standard output at the end of the run, and into log.txt.

@@ -12,7 +12,7 @@ ModelOutcome run_polynomial(const RunContext& context);
 /// The system of the table that the scene names.
 ModelOutcome run_system(const RunContext& context);
 
-/// Only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// Declared only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -22,7 +22,7 @@ class RunnableModel {
   RunnableModel(const RunnableModel&) = delete;
 
   const std::string name;         ///< of its files
-  const int steps_between_looks;  ///< at the clock and the interrupt flag
+  const int steps_between_looks;  ///< steps between checks of the clock and the interrupt flag
   const double pilot_reserve;     ///< the part of the tolerance that a pilot gets
 
   virtual double pilot_window(double end) const = 0;  ///< length of the pilots of a motion until `end`
@@ -56,14 +56,14 @@ class RunnableModelOf : public RunnableModel {
   virtual State initial_state() const = 0;
   /// The numbers to which Time/Tolerance applies.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  virtual double rate(const State&) const = 0;  ///< of the motion, in addition to its largest frequency
+  virtual double rate(const State&) const = 0;  ///< rate of the motion itself, in addition to its largest frequency
   virtual double constraint_scale() const { return 1; }
   /// Kinetic and potential energy, for methods that need not keep their sum; of systems with a costly force.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
-  /// A failure ends the run. Asked after every step.
+  /// A failure ends the run. Called after every step.
   virtual mechanics::Status judge(const State&) const { return {}; }
-  /// Its rule of quadrature, before the search for the step, and the error of the rule, after it. `stable_step` is
-  /// RATTLE's, 0 if it is not known.
+  /// Chooses the rule of quadrature before the search for the step, and estimates the error of the rule after it.
+  /// `stable_step` is that of RATTLE, 0 if it is not known.
   virtual void choose_quadrature(const State&) {}
   virtual void estimate_quadrature(const State&, double /*stable_step*/) {}
   virtual std::string place_of_least_jacobian(const State&) const { return {}; }  ///< for a run that cannot go on
@@ -73,7 +73,7 @@ class RunnableModelOf : public RunnableModel {
     return {};
   }
   virtual std::vector<std::vector<double>> shape(double /*time*/, const State&) const { return {}; }
-  /// `workspace`: the system's part of the method's; null if the method has none.
+  /// `workspace`: the part of the method's workspace that belongs to the system; null if there is none.
   virtual void report(const mechanics::Counters&, const Workspace* /*workspace*/, io::Manifest::Model&) const {}
 
  protected:

@@ -1,6 +1,6 @@
 #pragma once
-/// A scene may need several runs of the continuum: the one whose results are written, and others whose trace alone is
-/// needed. The latter have no observables, no files and no messages.
+/// A scene may need several runs of the finite-element model: one writes the results, and the others only give their
+/// trace. The latter do not have observables, files or messages.
 
 #include <functional>
 #include <optional>

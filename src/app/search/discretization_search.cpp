@@ -23,7 +23,7 @@ constexpr double time_part = 0.05;
 /// A run that may miss the tolerance by this factor is written as well: predictions are on the safe side.
 constexpr double benefit_of_doubt = 2;
 
-/// The ladder without what the memory of this machine does not hold; the first is known to fit. Collective.
+/// The ladder without the members that exceed the memory of this machine; the first member is known to fit. Collective.
 std::vector<scene::Discretization> affordable(const RunContext& context) {
   std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
   const std::size_t n_coarse_cells =
@@ -120,14 +120,14 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// Whether the run in hand is the one whose results are wanted. Where two in succession break off, the motion does, and
-/// no finer mesh helps.
+/// Whether the present run is the final one. If two successive runs end early, the cause is the motion, and a finer
+/// mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
 }
 
-/// What has been written is of a run that is not the one.
+/// The files belong to a run that is not the final one.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
     if (context_.ranks->is_first()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
@@ -164,12 +164,12 @@ void DiscretizationSearch::load() {
   const auto path = context_.directory.checkpoint(checkpoint_name);
   bool exists = false;
   on_all_ranks(*context_.ranks, [&] { exists = io::is_there(path); });
-  // The first rank decides: the others may look at the disk a moment later, or at another one.
+  // The first rank decides, because the others may check the disk later, or another disk.
   if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // What fitted into the memory at the start, not what fits now, decides on the way of the search.
+  // The memory at the start decides the search, so that it can be repeated.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

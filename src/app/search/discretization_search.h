@@ -55,11 +55,11 @@ class DiscretizationSearch {
 
   // Contents of the checkpoint.
   std::size_t position_ = 0;  ///< of the run in hand
-  bool settled_ = false;      ///< the run in hand is to be written, and its error is known
-  int n_failures_ = 0;        ///< runs in succession that broke off, up to the one before
+  bool settled_ = false;      ///< the present run is final and its error is known, so it is written
+  int n_failures_ = 0;        ///< successive runs that ended early, before the present one
   analysis::SpaceErrorLadder errors_;
   double relative_to_largest_ = 0;  ///< |Q − Q'|/|Q| over the largest entry of the last difference
-  DeformationTrace trace_;          ///< of the last run that came to its end
+  DeformationTrace trace_;          ///< the last run that reached its end
   DeformationTrace trace_before_;   ///< of the last but one
   std::optional<Stepping> first_stepping_;
   double first_resolution_ = 0, search_work_ = 0;

@@ -49,16 +49,17 @@ std::string in_words(const Effort& e) {
   return fmt::format("{} unknowns{}, about {}", count(e.n_unknowns), multipliers, in_bytes(std::max(1e6, e.bytes)));
 }
 
-/// Of RATTLE for λ = 0, μ = 1.
+/// The stable step of RATTLE for λ = 0 and μ = 1.
 double step_of_mesh(const scene::Discretization& d) {
   return 0.38 / (d.degree * (d.degree + 0.4)) * std::pow(0.493, d.refinements);
 }
 
-/// What steps of the continuum take, measured on cores at 2 to 4 GHz for k = 3 … 6, r = 0 … 1: within a factor of 3.
+/// Time of a step of the finite-element model, measured on cores at 2 to 4 GHz for k = 3 … 6, r = 0 … 1: within a
+/// factor of 3.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
 /// Typical ratio of a step found from a tolerance to the stability limit at rest.
 constexpr double usual_part_of_limit = 0.6;
-/// Pilot runs, and the companion run that estimates the discretisation error, take this much of the run beside it.
+/// Cost of the pilot runs and of the companion run, as a part of the cost of the run.
 constexpr double pilots = 0.5, companion = 0.35;
 
 /// η in internal units.
@@ -80,8 +81,8 @@ double seconds_of_continuum(const scene::Scene& scene, const scene::Needs& needs
   return n_steps * a_step * (1 + (scene.time.step ? 0 : pilots) + (needs.companion ? companion : 0));
 }
 
-/// Of the pseudo-rigid body: evaluations of the force by a method of order 8, measured as 73 per unit of time at a
-/// tolerance of 1e-6, or of steps that are given.
+/// Force evaluations of the pseudo-rigid body. With a method of order 8 and the tolerance 1e-6, 73 per unit of time
+/// were measured; otherwise the given steps count.
 void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
   const auto model = std::ranges::find_if(needs.models, [](const auto* m) { return !m->has_nonaffine; });
   if (model == needs.models.end() || scene.analysis != scene::Analysis::motion) return;

@@ -25,7 +25,7 @@ namespace pseudorigid::app {
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
   double checkpoint_bytes;     ///< with the memory of the method; complete on the first rank
-  double n_points_of_picture;  ///< of the whole ball; elements share none
+  double n_points_of_picture;  ///< points of the whole ball; elements do not share points
 };
 
 /// `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.

@@ -19,7 +19,7 @@ struct CompanionPair {
   std::string_view model;
   double resolution, resolution_of_companion;
   std::string companion;  ///< in words
-  double rate;            ///< at which the error of Q is taken to fall, and of other numbers at the least
+  double rate;            ///< assumed rate at which the error of Q falls; errors of other numbers fall at least as fast
   double least_rate;
 };
 

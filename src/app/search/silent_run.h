@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of a model of which only the trace is wanted: no observables, no files and no messages.
+/// Runs of a model that only give its trace: without observables, files and messages.
 
 #include <memory>
 

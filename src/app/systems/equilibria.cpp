@@ -30,9 +30,9 @@ std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& 
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points) {
-  // Coordinates that are not periodic are places in the system's own unit of length (systems/*_scene.h). Starts are in
-  // a box of twice that; what lies outside, or on a scale of its own like a rod a thousandth as long, is found only
-  // where Newton's iteration leads there: a search, as the log says.
+  // Coordinates that are not periodic are lengths in the system's own unit (systems/*_scene.h). The search starts in a
+  // box of twice that size. Points outside, or on a much smaller scale, are found only if Newton's iteration leads
+  // there. The log therefore calls the result a search.
   constexpr double radius = 2;
   mechanics::CriticalPoints found;
   ModelOutcome outcome;

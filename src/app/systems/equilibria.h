@@ -17,8 +17,8 @@ namespace pseudorigid::app {
 /// The columns for a system with these coordinates and n_modes degrees of freedom.
 std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
-/// Finds and writes them; `coordinates` name the configuration, `scales` are those of the landscape. `points`, with the
-/// system's own rates, are for who goes on from them.
+/// Finds and writes them. `coordinates` are the names of the coordinates, and `scales` belong to the landscape.
+/// `points`, with the system's own rates, are for callers that continue from them.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points = nullptr);

@@ -35,10 +35,10 @@ struct Curve {
 struct End {
   int to = 0;  ///< index of the critical point, 0: none
   double distance = HUGE_VAL, time = 0;
-  Status step{};  ///< of the last step: why it goes on no further
+  Status step{};  ///< status of the last step: the reason why the motion ended
 };
 
-/// Of manifolds.csv: the motion's number, its critical point and side, then the columns of the system.
+/// A row of manifolds.csv: the number of the motion, its critical point, its side, then the columns of the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -193,7 +193,8 @@ class ManifoldRun {
   const RunContext& context_;
   const std::vector<CriticalPoint>& points_;
   mechanics::AnyLandscape landscape_;
-  Eigen::VectorXd periods_, offset_;  ///< of the landscape's coordinates from those of the motion
+  Eigen::VectorXd periods_,
+      offset_;  ///< periods and offsets of the landscape's coordinates relative to those of the motion
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;

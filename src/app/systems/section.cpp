@@ -26,7 +26,7 @@ using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
-/// Of the piece of motion on which a crossing is located: the least that the method takes.
+/// The piece of motion on which a crossing is located: the shortest that the method accepts.
 constexpr double tolerance_of_location = 1e-15;
 
 template <class Form>

@@ -34,8 +34,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// For most runs it is the whole run, which takes a fraction of a second: a shorter window does not contain the later
-  /// motion.
+  /// For most runs the window is the whole run, which takes a fraction of a second: a shorter window does not contain
+  /// the later motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns() const override { return columns_.names; }

@@ -6,7 +6,7 @@
 
 namespace pseudorigid::app {
 
-/// As parameter files and `pseudorigid parameters` know it; it refuses what the program cannot run.
+/// The system as parameter files and `pseudorigid parameters` show it. It refuses scenes that the program cannot run.
 scene::SystemDescription describe_system(const systems::AnySystemScene& system);
 
 /// The run of a scene of this system.

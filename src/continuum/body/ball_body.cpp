@@ -152,7 +152,7 @@ void BallBody::fill_irregular(Vector& x) const {
   const Vector& X = space_.reference_positions();
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) {
     const unsigned int node = i - i % 3;
-    // A wave far shorter than the elements, one for each component; where it is cut off, round-off of X is not seen.
+    // A wave far shorter than the elements, one for each component; its values do not depend on the round-off of X.
     const double phase =
         1e3 * (X.local_element(node) + 1.7 * X.local_element(node + 1) + 2.9 * X.local_element(node + 2));
     x.local_element(i) = std::sin(phase + i % 3);

@@ -39,7 +39,7 @@ class BallBody {
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The same for the body of a mesh. `n_gravity_points`: body/surface_gravity_forces.h.
+  /// The same for the body of a mesh file. `n_gravity_points`: see body/surface_gravity_forces.h.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // its parts refer to one another
@@ -107,7 +107,7 @@ class BallBody {
   LeastPlace of_all_ranks(LeastPlace of_this_one) const;
 
   BallSpace space_;
-  std::string_view limit_;  ///< of the law, as materials::limit_of has it
+  std::string_view limit_;  ///< the limit of the law, as materials::limit_of defines it
   bool is_fluid_;
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;

@@ -22,7 +22,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The forces of the loads on the nodes of a space. Loads that are zero cost nothing but a branch.
+/// The forces of the loads on the nodes of a space. A load that is zero costs one branch.
 class LoadForces {
  public:
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
@@ -47,7 +47,7 @@ class LoadForces {
   void add_pressure(double pressure, const Vector& x, Vector& f) const;
 
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< of those that do not depend on time
+  loads::Forcing constant_;  ///< the loads that do not depend on time
   bool driven_;              ///< there are others
   const BallSpace& space_;
   const CellKernels& kernels_;

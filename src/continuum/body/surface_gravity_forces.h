@@ -17,9 +17,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Points in a direction with which the error of gravity is below that of the mesh: k + 2, and k + 1 if the faces of
-/// an elastic body are refined. With k + 1 on the surface of a fluid, where nothing but gravity resists, the shortest
-/// waves that the mesh has grow by a factor of 2.3 in the time 1/√(Gρ); k + 2 points see their weight.
+/// Points in each direction for which the error of gravity is below the error of the mesh: k + 2, and k + 1 if the
+/// faces of an elastic body are refined. With k + 1 points on the surface of a fluid, which only gravity stabilises,
+/// the shortest waves of the mesh grow by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points their weight is
+/// resolved.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {
@@ -42,7 +43,7 @@ class SurfaceGravityForces {
 
  private:
   using Jets = SurfaceInterpolation::Jets;
-  using Signs = std::array<int, 3>;  ///< under the reflections of the sector: 1 but for rates
+  using Signs = std::array<int, 3>;  ///< signs under the reflections of the sector: all 1, except for rates
 
   Jets jets_at(const Vector& x) const;
   /// The points of this rank's faces from the jets of x, and the rates of points and areas from those of u.

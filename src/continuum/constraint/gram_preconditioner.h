@@ -12,7 +12,7 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Made anew for the Gram operator at the positions x. Fails if that is singular. Collective.
+  /// Computes the preconditioner for the positions x. Fails if the Gram operator is singular there. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
   /// result ≈ S⁻¹ r, by a symmetric positive definite operator. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;

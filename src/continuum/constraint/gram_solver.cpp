@@ -77,7 +77,7 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Of a run that goes on from a checkpoint.
+  /// Makes the preconditioner again for a run that continues from a checkpoint.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
@@ -111,9 +111,8 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// The tangent of a small body stays in the cache and also gives the reactions that move the body. That of a large
-  /// one serves the iterations alone, whose result the constraint checks; there single precision halves the bytes to
-  /// read.
+  /// The tangent of a small body stays in the cache and also gives the reactions. The tangent of a large body serves
+  /// only the iterations, whose result the constraint checks; single precision halves the bytes to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
@@ -132,7 +131,7 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// The tangent, for somebody who sets it at x; null where it is not of double precision.
+    /// The tangent, for a caller that sets it at x; null if it has single precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
       if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());

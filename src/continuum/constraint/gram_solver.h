@@ -54,18 +54,18 @@ class GramSolver {
 
   struct Statistics {
     long n_solves = 0, n_iterations = 0, n_iterations_at_most = 0, n_renewals = 0;
-    std::size_t memory = 0;  ///< of the preconditioner on this rank, bytes
+    std::size_t memory = 0;  ///< bytes of the preconditioner on this rank
   };
   Statistics statistics() const;
 
-  /// Reduction of the residual by one call. The constraint loops of the methods ask again until their own residual is
-  /// small, so that a call need not go further than Newton's iteration does in one step.
+  /// Reduction of the residual by one call. The constraint loops of the methods call again until their own residual is
+  /// small, so one call need not do more than a step of Newton's iteration.
   static constexpr double reduction = 1e-4;
   /// Up to this many multipliers in one process the dense inverse makes a step cheaper than two levels do.
   static constexpr std::size_t n_dense = 2400;
 
  private:
-  class Impl;  // on the heap: what PETSc is given the address of cannot be moved, a workspace can
+  class Impl;  // on the heap, because PETSc keeps its address and a workspace can be moved
   std::unique_ptr<Impl> impl_;
 };
 

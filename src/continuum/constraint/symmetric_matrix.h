@@ -11,7 +11,7 @@ namespace pseudorigid::continuum {
 class SymmetricMatrix {
  public:
   SymmetricMatrix() = default;
-  /// Of the lower triangle of `matrix`, n × n by columns.
+  /// Takes the lower triangle of `matrix`, n × n by columns.
   SymmetricMatrix(const double* matrix, std::size_t n);
 
   /// y = A x

@@ -22,8 +22,8 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Higher ones save iterations, and their matrices take more time than that: a step at k = 6 takes as long as 44 forces
-/// with degree 2 and as 71 with degree 3.
+/// Higher degrees save iterations, but their matrices cost more: a step at k = 6 takes as long as 44 forces with degree
+/// 2 and as 71 with degree 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
 /// The nodes' weights of one cell: (Gauss–Lobatto weight) · det ∂X/∂ξ.
@@ -57,7 +57,7 @@ std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vecto
   return tables;
 }
 
-/// One of the matrices of the cells.
+/// Reads one of the matrices of the cells.
 Eigen::Map<Eigen::MatrixXf> cell_matrix(std::vector<float>& matrices, unsigned int cell, std::size_t n_rows,
                                         Eigen::Index n_columns) {
   return {&matrices[cell * n_rows * static_cast<std::size_t>(n_columns)], static_cast<Eigen::Index>(n_rows), n_columns};
@@ -160,9 +160,10 @@ void TwoLevelGram::make_coarse_solver() {
   PC preconditioner;
   KSPGetPC(coarse_solver_, &preconditioner);
   PCSetType(preconditioner, PCGAMG);
-  set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening", "0");  // with it half as many iterations more
-  // A second sweep of the smoother saves less than it takes: at degree 4 a tenth of the iterations, each a fifth
-  // dearer.
+  set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening",
+                     "0");  // aggressive coarsening needs half as many iterations more
+  // A second sweep of the smoother costs more than it saves: at degree 4 it saves a tenth of the iterations, and each
+  // costs a fifth more.
   set_default_option("-gram_coarse_mg_levels_ksp_max_it", "1");
   KSPSetFromOptions(coarse_solver_);
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);

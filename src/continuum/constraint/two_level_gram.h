@@ -59,10 +59,10 @@ class TwoLevelGram final : public GramPreconditioner {
   std::vector<unsigned int> local_functions_;                                 ///< likewise, local numbers, all cells
   std::vector<bool> on_surface_;                                              ///< of the local numbers
   std::vector<Eigen::MatrixXd> tables_;  ///< values of N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::size_t n_rows_;                   ///< of the matrices of the cells: the multipliers, and zeros
+  std::size_t n_rows_;                   ///< rows of the matrices of the cells: the multipliers, padded by zeros
   std::vector<float> projections_;       ///< P, one matrix a cell: [function of ψ + n_rows · i]
   std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix a cell: [i + n_rows · j]
-  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< its constructor wants PETSc to run
+  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< its constructor requires that PETSc has started
   KSP coarse_solver_ = nullptr;
   PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< and nothing else
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;

@@ -31,8 +31,8 @@ class CellKernels {
   /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve; if it is not positive, f is not to be
   /// used.
   double force(const Vector& x, Vector& f) const;
-  /// The same with the reaction G(x)ᵀλ, at a third of what that costs apart; `at_x`, of double precision, becomes the
-  /// tangent at x unless it is null.
+  /// The same with the reaction G(x)ᵀλ, which costs a third of a separate evaluation. `at_x`, of double precision,
+  /// becomes the tangent at x unless it is null.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// g; returns the least J; if it is not positive, g is not to be used.
   double constraint(const Vector& x, Vector& g) const;

@@ -94,7 +94,7 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Asks for a piece of the next plane with every point of the present one; if there is none, nothing happens.
+  /// Prefetches a piece of the next plane with every point of the present plane; does nothing after the last plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;

@@ -19,7 +19,7 @@ namespace pseudorigid::continuum {
 /// Data of the kernels. All of it outlives them.
 struct LocalCells {
   const ReferenceCell& reference;
-  const std::vector<std::vector<unsigned int>>& nodes;  ///< of a cell, first direction fastest
+  const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest
   const double* positions;                              ///< X, entry 3·node + component
 };
 
@@ -31,7 +31,7 @@ struct CellIntegrals {
   double volume = 0;                                       ///< ∫J dX
   Matrix F{};                                              ///< ∫F dX
   Matrix X_pulled_back{};                                  ///< ∫ρ X ⊗ (Fᵀẋ) dX
-  double least = std::numeric_limits<double>::infinity();  ///< of J and of the law's reserve
+  double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 
 /// Calls `use(cell, values)` for each cell.

@@ -21,7 +21,7 @@ class PointLaw {
   using L = Lanes<n_lanes>;
   virtual ~PointLaw() = default;
 
-  /// Room for so many points: exactly, nothing is held that is not used.
+  /// Allocates exactly so many points.
   virtual void reserve_points(std::size_t n_points) = 0;
   /// The next points, of the Jacobians ∂X/∂ξ and the weights on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;

@@ -12,11 +12,11 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// For a body with so few cells that wider vectors would hold copies: the octant has four. Not inline: another value in
-/// files that are compiled for other instructions.
+/// Number of lanes for a body with few cells, for which wider vectors would hold copies: the octant has four. Not
+/// inline, because the value differs between files that are compiled for other instructions.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
-/// For ∫λ_h F⁻ᵀ:∇φ and its relatives.
+/// Data for ∫λ_h F⁻ᵀ:∇φ and similar integrals.
 template <int n_lanes>
 struct PressurePoint {
   using L = Lanes<n_lanes>;
@@ -25,7 +25,7 @@ struct PressurePoint {
   L position[3];  ///< local coordinates of the pressure basis
 };
 
-/// Asks for the geometry of a point that is needed soon; if there is none, nothing happens.
+/// Prefetches the geometry of a point that is used soon; does nothing if there is none.
 template <class Point>
 [[gnu::always_inline]] inline void prefetch(const Point* point) {
   constexpr std::size_t cache_line = 64;

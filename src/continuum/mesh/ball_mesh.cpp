@@ -106,7 +106,7 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// A mesh in one process does without p4est, which wants MPI to run.
+/// A mesh in one process does not need p4est, which requires MPI.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();

@@ -37,7 +37,8 @@ class BallMesh {
  public:
   /// The sector of the unit ball, refined `n_refinements` times, over the ranks of a communicator.
   BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of these cells, likewise: right-handed, conforming, in one piece, its centre of mass at the origin.
+  /// The body of these cells, with the same checks: right-handed, conforming, in one piece, its centre of mass at the
+  /// origin.
   BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
 
   const dealii::Triangulation<3>& triangulation() const { return *triangulation_; }

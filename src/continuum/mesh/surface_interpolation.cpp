@@ -41,7 +41,7 @@ SurfaceInterpolation::SurfaceInterpolation(const BallSpace& space, int n_points)
   }
 }
 
-// The products are small: Eigen's way for large ones would take longer to prepare than they take.
+// The products are small: Eigen's algorithm for large products would need longer for its preparation.
 SurfaceInterpolation::Jets SurfaceInterpolation::jets(const Vector& u) const {
   const Eigen::Index n = values_.cols(), m = values_.rows();
   Jets jets{field_of(n_points()), field_of(n_points()), field_of(n_points())};

@@ -11,7 +11,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// PETSc knows no status: after a failure products are 0, and the iteration is over at its next look.
+/// PETSc does not have a status: after a failure products are 0, and the iteration ends at its next check.
 struct Product {
   const SymmetricOperator& apply;
   mechanics::Status status{};
@@ -74,7 +74,7 @@ PetscErrorCode set_up(Run& run, Product& product, PetscInt n, PetscInt n_wanted,
     PetscCall(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, n, pair.vector.data(), &v));
   }
   PetscCall(EPSSetDeflationSpace(run.solver, static_cast<PetscInt>(run.known.size()), run.known.data()));
-  // A start of its own for every run, the same whenever the program runs.
+  // Each run has its own starting vector, which is the same in every call of the program.
   std::mt19937 generator(static_cast<unsigned int>(known.size()));
   std::uniform_real_distribution<double> uniform(-1, 1);
   PetscCall(VecCreateSeq(PETSC_COMM_SELF, n, &run.start));

@@ -20,8 +20,8 @@ struct EigenPair {
   std::vector<double> vector;
 };
 
-/// Appends n_wanted pairs or a few more, by falling value, to `known`, all orthogonal to what it holds; fewer if
-/// that is all there are. Residuals are below `tolerance` times the eigenvalue.
+/// Appends n_wanted pairs or a few more to `known`, by falling value and orthogonal to its vectors. It appends fewer if
+/// no more exist. Residuals are below `tolerance` times the eigenvalue.
 mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known);
 

@@ -21,7 +21,7 @@ struct SectorClass {
   int number, n_sectors;
 };
 
-/// Whether X → (X_y, X_z, X_x) maps the nodes to nodes. Sectors whose signs are turned likewise then have the same
+/// Whether X → (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs are permuted in the same way then have the same
 /// modes.
 bool has_threefold_axis(const BallSpace& space) {
   using Place = std::array<long, 3>;
@@ -54,11 +54,11 @@ struct SectorMode {
   double omega_squared;
   ModeClass kind;
   Parity parity;
-  int n_copies;  ///< in this sector and those with the same spectrum
+  int n_copies;  ///< copies in this sector and in those with the same spectrum
   Vector u;
 };
 
-/// The modes of one sector, as far as they are known.
+/// The modes of one sector that have been found.
 class SectorSpectrum {
  public:
   SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
@@ -69,7 +69,7 @@ class SectorSpectrum {
 
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Looks for n more pairs and appends the modes among them.
+  /// Computes n more pairs and appends the modes among them.
   mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {

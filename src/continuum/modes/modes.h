@@ -22,8 +22,9 @@ namespace pseudorigid::continuum {
 
 /// One frequency with its 2n+1 modes. Internal units. For unstable motions ω is negative, and −ω is the growth rate.
 struct BallFrequency {
-  double omega;           ///< mean of the copies
-  double least, largest;  ///< of the copies; they differ because the mesh breaks the symmetry of the sphere
+  double omega;  ///< mean of the copies
+  double least,
+      largest;  ///< frequencies of the copies, which differ because the mesh breaks the symmetry of the sphere
   ModeKind kind;
   int degree;
   int overtone;      ///< 0: the fundamental

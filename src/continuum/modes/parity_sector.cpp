@@ -18,7 +18,7 @@ namespace {
 
 /// Corrections in the operator of the iteration for eigenvectors, and for the field that a frequency is taken from.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Of conjugate gradients with self-gravity, in the norm of the energy.
+/// Tolerance of conjugate gradients with self-gravity, in the norm of the energy.
 constexpr double tolerance_with_gravity = 1e-9;
 constexpr int n_iterations_with_gravity = 100;
 /// Up to this size the interface is solved densely.
@@ -93,7 +93,7 @@ void RestProblem::add_springs() {
 struct ParitySector::Cell {
   std::vector<int> own, shared;            ///< 3·(node of the cell) + component
   std::vector<Eigen::Index> unknown;       ///< number of each in the sector's vectors
-  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of its own
+  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of its own entries
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
   Eigen::MatrixXd constraint;              ///< G of the free entries
 };
@@ -273,7 +273,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
-  Eigen::VectorXd B_p = r;  // but for reactions, which do no work on p and z
+  Eigen::VectorXd B_p = r;  // except for reactions, which do no work on p and z
   double rz = r.dot(z);
   const double enough = tolerance_with_gravity * tolerance_with_gravity * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {

@@ -26,7 +26,7 @@ struct RestElasticity {
   double operator()(int i, int J, int k, int L) const { return entries[27 * i + 9 * J + 3 * k + L]; }
 
   std::array<double, 81> entries;
-  materials::RestModuli moduli;  ///< of the law and the stabilisation
+  materials::RestModuli moduli;  ///< moduli of the law and of the stabilisation
 };
 
 class RestStiffness {

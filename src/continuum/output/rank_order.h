@@ -29,9 +29,9 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< of the whole vector; entries that stay together
+    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries that stay together
     std::vector<std::size_t> own;                    ///< place of each of the rank's own blocks in the whole
-    std::vector<std::vector<std::size_t>> of_ranks;  ///< likewise of all ranks, on rank 0
+    std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists of all ranks, on rank 0
   };
   Order make_order(const std::vector<std::size_t>& keys, std::size_t block) const;
   std::vector<double> collect(std::span<const double> own, const Order& order) const;

@@ -84,7 +84,7 @@ std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values
   return all;
 }
 
-/// The vectors of all ranks but this one, likewise. Collective.
+/// The vectors of all ranks except this one, in the same way. Collective.
 template <class T>
 std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return {};
@@ -97,8 +97,7 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   return all;
 }
 
-/// The reverse of gather: to each rank its vector. Those that other ranks than the first give are not looked at.
-/// Collective.
+/// The reverse of gather: each rank gets its vector. Arguments on ranks other than the first are ignored. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

@@ -1,5 +1,5 @@
 #pragma once
-/// Entries of distributed vectors that other ranks own. On one rank there are none, and nothing is done.
+/// Entries of distributed vectors that other ranks own. A single rank has none, and the functions return at once.
 
 #include "continuum/parallel/types.h"
 

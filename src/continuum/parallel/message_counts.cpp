@@ -9,13 +9,13 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests by their bytes; 0 where they send nothing to another process.
+/// Persistent requests by their bytes; 0 if they do not send to another process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;
 }
 
-/// Bytes of a message, negative where it goes to nobody else.
+/// Bytes of a message; negative if it does not go to another process.
 double bytes_to(int destination, int n, MPI_Datatype type, MPI_Comm communicator) {
   int own = 0, size = 0;
   PMPI_Comm_rank(communicator, &own);
@@ -47,7 +47,7 @@ MessageCounts message_counts() { return counts; }
 
 namespace counted = pseudorigid::continuum;
 
-// The parameters' names and types are those of mpi.h. A macro writes each function, as all do the same.
+// The parameters' names and types are those of mpi.h. A macro writes each function, because all have the same form.
 extern "C" {
 
 #define PSEUDORIGID_COUNT_SEND(name)                                                                              \

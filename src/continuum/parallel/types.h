@@ -28,8 +28,8 @@ inline double dot(const double* x, const double* y, std::size_t n) {
   return sum;
 }
 
-/// x_i ← d_i x_i for the entries that this rank owns. (A loop: what deal.II does to share it among threads takes longer
-/// than a small vector.)
+/// x_i ← d_i x_i for the entries that this rank owns. (A plain loop: the threads of deal.II take longer than a small
+/// vector.)
 inline void scale_by(const Vector& d, Vector& x) {
   const double* factors = d.begin();
   double* values = x.begin();
@@ -42,7 +42,7 @@ template <>
 struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   using Vector = pseudorigid::continuum::Vector;
   static constexpr bool dense = false;
-  /// Runs of the ball are short enough, and another vector to read and write would cost more than it gives.
+  /// Runs of the ball are short, so a compensated sum would cost more than it gains.
   static constexpr bool compensated = false;
   static void axpy(double a, const Vector& x, Vector& y) {
     const double* from = x.begin();

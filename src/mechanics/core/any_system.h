@@ -24,7 +24,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Functions of a system that methods call. Without constraints, nothing that concerns them.
+/// Functions of a system that methods call. A system without constraints does not have the functions of constraints.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;

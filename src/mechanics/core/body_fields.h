@@ -8,8 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Where the points are in the body: blocks of (degree + 1)³ of them, the first coordinate fastest and right-handed,
-/// equidistant along the sides or not. Fields are about as smooth in a block as polynomials of its degree.
+/// Places of the points in the body: blocks of (degree + 1)³ points, the first coordinate fastest and right-handed,
+/// equidistant along the sides or not. Fields in a block are about as smooth as polynomials of its degree.
 struct PointBlocks {
   int degree = 1;
   std::vector<std::int64_t> points;  ///< numbers of points, block by block
@@ -23,11 +23,11 @@ struct PointBlocks {
 
 /// One after the other: vectors as three numbers a point, matrices as nine, row by row.
 struct BodyFields {
-  std::vector<double> X, x, v;                           ///< reference position, position, velocity
-  std::vector<double> F, stress;                         ///< deformation gradient ∂x/∂X, Cauchy stress
-  std::vector<double> energy;                            ///< stored energy W per reference volume
-  std::vector<double> potential;                         ///< of self-gravity, per mass; empty if it is not known
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
+  std::vector<double> X, x, v;                       ///< reference position, position, velocity
+  std::vector<double> F, stress;                     ///< deformation gradient ∂x/∂X, Cauchy stress
+  std::vector<double> energy;                        ///< stored energy W per reference volume
+  std::vector<double> potential;                     ///< potential of self-gravity per mass; empty if it is not known
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< centre of mass x_c
   Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, of which the rotation is taken
 
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,

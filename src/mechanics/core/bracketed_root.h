@@ -10,7 +10,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Nothing, where f(a) and f(b) have the same sign or f is not finite somewhere. f changes its sign at a jump too.
+/// Empty if f(a) and f(b) have the same sign or f is not finite somewhere. A jump across zero counts as a root.
 /// `resolution`: relative width of the last bracket.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,

@@ -48,7 +48,7 @@ concept HasExternalForce = requires(const C chart, const ChartVector<C> q) {
 template <class C>
 concept HasPeriods = requires(const C chart) {
   chart.periods();
-};  // of each coordinate; 0: not periodic
+};  // period of each coordinate; 0: not periodic
 
 /// The metric and its partial derivatives dg[k] = ∂g/∂q_k.
 template <Chart C>

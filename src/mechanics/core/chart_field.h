@@ -30,7 +30,7 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// As of stage_by_stage.h, of charts that have it.
+  /// As in stage_by_stage.h, for charts that offer it.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     c.solve_stages_in_lanes(stages);
   }

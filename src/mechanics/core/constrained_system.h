@@ -46,8 +46,8 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// Whether a force costs so much that pilot runs and looks at the frequency do, too: true of distributed vectors, and
-/// of systems that say so by a member of this name.
+/// Whether a force is so costly that pilot runs and estimates of the frequency are costly too. This is true of
+/// distributed vectors, and of systems with a member of this name that is true.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
@@ -61,8 +61,8 @@ concept FindsForceWithReaction = requires(const S s, const typename S::Vector q,
   { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
 };
 
-/// A system may also know g(q + q_rounding) to well below the round-off of q, as `constraint(q, q_rounding, g)`, where
-/// q_rounding is what compensated sums have kept back from q. Its constraint is then met by that sum.
+/// A system may also offer `constraint(q, q_rounding, g)`, the value g(q + q_rounding) to well below the round-off of
+/// q. The remainders of compensated sums are q_rounding; the constraint is then met by the sum.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {

@@ -23,7 +23,7 @@ namespace pseudorigid::mechanics::detail {
 inline constexpr int max_constraint_iterations = 30;
 
 /// The noise is the largest of a few changes, and errors may add up to more. Of 4.3·10⁷ residuals that had stopped
-/// falling, of bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16 times, the
+/// falling, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16 times, the
 /// largest 18.7; these are iterated once more.
 inline constexpr double noise_reserve = 16;
 
@@ -41,8 +41,8 @@ struct ConvergenceMonitor {
     const bool falling = residual < 0.5 * previous;
     if (!falling && std::isfinite(residual) && (residual <= round_off || residual <= noise_reserve * noise()))
       return Verdict::done;
-    // A residual may rise at first, where Newton's iteration starts from far away. A NaN compares false everywhere and
-    // is stuck at once.
+    // A residual may rise at first if Newton's iteration starts from far away. A NaN compares false everywhere and
+    // counts as stuck at once.
     if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
     previous = residual;
     return Verdict::go_on;
@@ -68,7 +68,7 @@ struct ConstraintTemporaries {
   long n_gram_iterations = 0;
 };
 
-/// w.reaction = M⁻¹G(q₀)ᵀ λ; a system may find it faster by what its workspace knows of q₀.
+/// w.reaction = M⁻¹G(q₀)ᵀ λ. A system may compute it faster from data on q₀ in its workspace.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
                   [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -123,12 +123,12 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
 /// Tells an inexact solver of Gram systems how small a residual is enough; 0: as small as it makes it by itself.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
-  constexpr double linear_part = 1.0 / 3;  // the rest is for the nonlinear part
+  constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off.
-/// A residual up to `foregone` is met by one iteration, which is not looked at again.
+/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off. A
+/// residual up to `foregone` takes one iteration, whose result is not checked.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -173,7 +173,7 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// The same, with the remainder of the compensated sum of q if the system can use it.
+/// The same, with the remainder of the compensated sum of q if the system supports it.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

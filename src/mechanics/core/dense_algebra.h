@@ -23,7 +23,7 @@ Spectrum spectrum(const Eigen::MatrixXd& A);
 
 /// Orthonormal basis of {x: Bx = 0}. Singular values below that part of the largest count as zero.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
-/// Orthonormal basis of the span of the columns, likewise.
+/// Orthonormal basis of the span of the columns, in the same way.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
 /// A⁻¹B, with full pivoting.

@@ -30,8 +30,7 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// The methods that ask no more of a vector than VectorSpace offers, and say so; the others want dense vectors of
-/// Eigen.
+/// The methods that need only the operations of VectorSpace, and declare it; the others need dense vectors of Eigen.
 template <class Method>
 inline constexpr bool takes_any_vector = [] {
   if constexpr (requires { Method::takes_any_vector; }) return Method::takes_any_vector;
@@ -47,7 +46,8 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
-/// Whether it fits this very system: what one behind an interface can do is known at run time (any_system.h).
+/// Whether the method fits this system. The abilities of a system behind an interface are known at run time
+/// (any_system.h).
 template <class Method, class S>
 constexpr bool fits(const S& system) {
   if constexpr (requires { typename S::WithoutEnergies; }) {

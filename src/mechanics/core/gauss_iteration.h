@@ -43,7 +43,8 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
   std::memcpy(&x.v, &bits, sizeof bits);
   return x;
 }
-/// The greater lane by lane, where neither is a NaN. Not of the compiler's comparison, which takes two instructions.
+/// The greater lane by lane, if neither is a NaN. Written without the compiler's comparison, which takes two
+/// instructions.
 [[gnu::always_inline]] inline StageLanes greater_lanes(StageLanes a, StageLanes b) {
 #if defined(__AVX512F__)
   return StageLanes(StageLanes::Native(_mm512_maskz_max_pd(0xff, a.v, b.v)));
@@ -138,7 +139,7 @@ class GaussMonitor {
       return done;
     const bool grows = increment >= before_;
     if (grows && !first && increment <= std::max(0x1p-30 * scale_, noise_)) return done;
-    // It may grow once or twice.
+    // The increment may grow once or twice.
     if (grows && ++n_grown_ > 3) return stuck;
     if (++n_iterations_ > max_iterations) return stuck;
     twice_before_ = before_;
@@ -272,7 +273,7 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   finish_stages<n>(s, monitor.noise());
 }
 
-/// The same for a field that is called stage after stage.
+/// The same for a field whose stages are evaluated one after the other.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;

@@ -16,7 +16,7 @@ constexpr gauss::Matrix ahead(gauss::Real r) {
   for (std::size_t i = 0; i < gauss::n_stages; ++i) l[i] = gauss::lagrange(1 + r * gauss::c[i]);
   return l;
 }
-/// Of steps of the same length, the most frequent ones.
+/// The matrix for steps of the same length, which are the most frequent ones.
 constexpr gauss::Matrix equally_ahead = ahead(1);
 
 }  // namespace

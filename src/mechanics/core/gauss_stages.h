@@ -28,7 +28,7 @@ struct GaussTables {
   Columns a_squared{};               ///< h² (A²)_ij
   Columns a_low{}, a_squared_low{};  ///< rounding errors of these
   Columns guess{};                   ///< ℓ_j(1 + r c_i): from the stages of a step of size h/r
-  Columns sums{};                    ///< of a_j, in the order of GaussSum
+  Columns sums{};                    ///< sums of a_j, in the order of GaussSum
   OfStages c{};                      ///< h c_i
   OfStages c_low{};
   double h = 0, ratio = 0;
@@ -46,7 +46,7 @@ struct GaussStages {
   const OfStages* last = nullptr;  ///< stages of the last step, which give the guess. If null, `a` is the guess.
   /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
   double tolerance = 0;
-  double outer_h = 0;  ///< of the step of which this one is a part
+  double outer_h = 0;  ///< length of the step that contains this part
 
   OfStages* a = nullptr;        ///< the stages
   OfStages* sums = nullptr;     ///< of GaussSum

@@ -17,7 +17,7 @@ struct SineCosine {
   Lanes<native_lanes> sine, cosine;
 };
 
-/// Whether |x| ≤ bound in all lanes. Not by a loop over them, which takes longer than a sine.
+/// Whether |x| ≤ bound in all lanes. Not a loop over the lanes, which would take longer than a sine.
 [[gnu::always_inline]] inline bool all_within(Lanes<native_lanes> x, double bound) {
 #if defined(__AVX512F__)
   return _mm512_cmp_pd_mask(_mm512_abs_pd(x.v), _mm512_set1_pd(bound), _CMP_LE_OQ) == 0xff;

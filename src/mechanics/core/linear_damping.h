@@ -18,7 +18,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also gives this part of its force, f += −C(q) v. Other forces that depend on the velocity it has not.
+/// A system that also gives this part of its force, f += −C(q) v. It does not have other forces that depend on the
+/// velocity.
 template <class S>
 concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(v, v, f);  // (q, v, f)
@@ -75,7 +76,7 @@ Status solve_damping(const S& system, double s, const typename S::Vector& q, dou
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
                      DampingTemporaries<S>& w) {
   constexpr int most_iterations = 2000;
-  constexpr double part = 0.1;  // of the residual, that projections may leave
+  constexpr double part = 0.1;  // the part of the residual that projections may leave
   const auto project = [&](typename S::Vector& x) {
     return detail::project_onto_tangent_space(system, part * enough, q, x, system_workspace, constraint);
   };

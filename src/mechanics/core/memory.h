@@ -58,7 +58,7 @@ void save_memory(Workspace& workspace, std::vector<double>& numbers) {
   workspace.visit_memory(detail::MemorySaver{numbers});
 }
 
-/// The reverse; false, and nothing changed, if the list is not of the workspace's length.
+/// The reverse. Returns false and changes nothing if the list does not have the length of the workspace.
 template <class Workspace>
 bool restore_memory(Workspace& workspace, std::span<const double> numbers) {
   std::vector<double> present;

@@ -86,7 +86,7 @@ struct PlaneRotation {
 /// Diagonalizes (α γ; γ β) by the smaller angle: with δ = β − α and h = √(δ² + 4γ²), tan = ±2γ/(h + |δ|) and
 /// cos² = (h + |δ|)/(2h).
 inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
-  constexpr double tiny = 1e-150;  // in place of δ = γ = 0
+  constexpr double tiny = 1e-150;  // stands for δ = γ = 0
   const double delta = beta - alpha, size = std::abs(delta) + tiny, h = std::sqrt(size * size + 4 * gamma * gamma);
   const double cosine = std::sqrt((h + size) / (2 * h));
   return {cosine, cosine * (std::copysign(2.0, delta) * gamma / (h + size))};

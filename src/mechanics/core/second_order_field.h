@@ -42,7 +42,7 @@ bool velocity_dependent(const S& system) {  // the force depends on v
   return false;
 }
 template <class S>
-bool dissipative(const S& system) {  // some force takes energy away: it must not be run backwards in time
+bool dissipative(const S& system) {  // a force dissipates energy, so the motion must not be run backwards in time
   if constexpr (requires { system.dissipative(); }) return system.dissipative();
   return false;
 }

@@ -9,6 +9,6 @@
 namespace pseudorigid::mechanics {
 
 inline constexpr std::array<const char*, 8> shape_columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
-inline constexpr std::size_t first_length_of_shapes = 2;  ///< of the columns from which on they are lengths
+inline constexpr std::size_t first_length_of_shapes = 2;  ///< from this column on, values are lengths
 
 }  // namespace pseudorigid::mechanics

@@ -47,7 +47,7 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// Whether the stages of a field are evaluated in lanes. That takes about a quarter of the time.
+/// Whether the stages of a field are evaluated in lanes, which takes about a quarter of the time.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })

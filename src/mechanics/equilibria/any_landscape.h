@@ -1,6 +1,6 @@
 #pragma once
-/// A landscape of any system behind one type, so that the search for critical points is compiled once and not once a
-/// system. It refers to what the landscape refers to.
+/// A landscape of any system behind one type, so that the search for critical points is compiled once, not for each
+/// system. It keeps a reference to the data of the landscape.
 
 #include <concepts>
 #include <memory>

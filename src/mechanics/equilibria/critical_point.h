@@ -18,7 +18,7 @@ struct CriticalPoint {
   Eigen::VectorXd q, lambda;
   double V = 0;
   int morse_index = 0, nullity = 0;
-  Eigen::VectorXd hessian_eigenvalues;  // of H, rising: squares of frequencies without damping
+  Eigen::VectorXd hessian_eigenvalues;  // eigenvalues of H, rising: squares of frequencies without damping
   Eigen::VectorXcd rates;               // z
   Eigen::MatrixXcd directions;          // δq = T y of each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // rates with positive and with negative real part

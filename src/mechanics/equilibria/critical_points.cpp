@@ -53,8 +53,9 @@ class CriticalPointFinder {
 
   static constexpr int max_iterations = 200, max_halvings = 20;
   static constexpr double converged = 1e-12;  // |r|, relative to the gradients met on the way
-  static constexpr double same_place = 1e-6;  // Newton's limits agree far better, but for degenerate points
-  static constexpr double singular = 1e-10;   // pivots of Newton's matrix, relative to the largest
+  static constexpr double same_place =
+      1e-6;  // limits of Newton's iteration agree far better, except at degenerate points
+  static constexpr double singular = 1e-10;  // pivots of Newton's matrix, relative to the largest
 
   /// (q, λ) → a critical point; false if it is not found from here.
   bool newton(Vector& q, Vector& lambda) const {

@@ -24,8 +24,8 @@ struct CriticalPointSearch {
   std::function<Eigen::VectorXd(const std::function<double()>& uniform)> start{};
   int n_starts = 200;
   std::uint64_t seed = 1;
-  /// Asked after n_starts and from time to time: whether points are known to be missing (morse_count.h). The search
-  /// then goes on, up to `n_starts_at_most`.
+  /// Called after n_starts and from time to time: whether points are known to be missing (morse_count.h). The search
+  /// then continues, up to `n_starts_at_most`.
   std::function<bool(const std::vector<CriticalPoint>& points)> misses_points{};
   int n_starts_at_most = 0;
   /// Linear damping in addition to the system's own: q → C(q) of the force −C v. Empty: none.
@@ -35,14 +35,14 @@ struct CriticalPointSearch {
 struct CriticalPoints {
   std::vector<CriticalPoint> points;  // by rising V
   int n_starts = 0, n_converged = 0;
-  bool misses_points = false;  ///< as the search was told to its end
+  bool misses_points = false;  ///< whether points were known to be missing when the search ended
 };
 
-/// Fails if a point that was found cannot be described; that starts lead nowhere is told by n_converged.
+/// Fails if a point that was found cannot be described; n_converged shows how many starts led to a point.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
-/// The same, with n_unstable and n_stable as 5.8.3 speaks of them: if the system has no dissipation of its own, they
-/// are counted under the force −M v. The rates are those of the system as it is.
+/// The same, with n_unstable and n_stable as in 5.8.3: if the system does not have a dissipation of its own, they are
+/// counted under the force −M v. The rates belong to the system itself.
 Status find_equilibria(const AnyLandscape& landscape, bool dissipative, CriticalPointSearch search,
                        CriticalPoints& found);
 

@@ -15,7 +15,7 @@ template <class L>
 concept Landscape = requires(const L l, const Eigen::VectorXd q, Eigen::VectorXd x, Eigen::MatrixXd A) {
   { l.n_coordinates() } -> std::convertible_to<int>;
   { l.n_constraints() } -> std::convertible_to<int>;
-  { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // of each coordinate; 0: not periodic
+  { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // period of each coordinate; 0: not periodic
   { l.potential(q) } -> std::convertible_to<double>;        // V
   { l.gradient(q, x) } -> std::same_as<Status>;             // ∇V
   { l.constraint(q, x) } -> std::same_as<Status>;           // g

@@ -8,8 +8,8 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// An orthonormal basis of N in scaled time. Directions are of length 1 before: turns about the axis of a needle move
-/// little.
+/// An orthonormal basis of N in scaled time. Directions are normalised before: rotations about the axis of a needle
+/// move little.
 Eigen::MatrixXd basis_of(const SymmetryDirections& symmetries, double scale, double absent) {
   const Eigen::Index n = symmetries.y.rows();
   Eigen::MatrixXd N(2 * n, symmetries.y.cols());

@@ -57,7 +57,7 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
 
 /// n starts around the point: at equal angles in a plane, at random in more dimensions.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
-  constexpr double least = 1e-12;  // of a direction much faster than the slowest, above the round-off of q*
+  constexpr double least = 1e-12;  // least size for a direction much faster than the slowest; above the round-off of q*
   std::vector<double> sizes;
   for (const PhaseVector& e : basis) sizes.push_back(std::max(least, std::pow(epsilon, e.rate / basis.back().rate)));
   std::mt19937_64 generator(1);

@@ -20,7 +20,7 @@ struct ClassifiedMode {
 struct ModeGroup {
   bool spheroidal;
   int degree, overtone;            ///< overtone 0: the fundamental
-  std::vector<std::size_t> modes;  ///< of each copy the place in the list, by rising ω²
+  std::vector<std::size_t> modes;  ///< places of the copies in the list, by rising ω²
   double omega;                    ///< mean of the copies
   double least, largest;           ///< of the copies
 

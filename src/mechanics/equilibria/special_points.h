@@ -47,7 +47,7 @@ inline const char* name_of(SpecialKind kind) {
 
 struct SpecialPoint {
   SpecialKind kind;
-  double s;  ///< on the interval that was looked at
+  double s;  ///< place on the searched interval
 };
 
 /// The largest δ of two rates that can meet, over the square of the largest rate.
@@ -73,7 +73,7 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Stability along a curve of motions s ↦ motion(s); nothing if there is no motion.
+/// Stability along a curve of motions s ↦ motion(s); empty if there is no motion.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
 /// Appends the changes of index and of stability between a and b, as exactly as `resolution` says of bracketed_root.

@@ -53,7 +53,7 @@ struct DormandPrince8Workspace {
 
   typename F::Workspace system;
   double tolerance;
-  double h = 0;                    // of the next step; 0: to be chosen
+  double h = 0;                    // length of the next step; 0: to be chosen
   double h_max = HUGE_VAL;         // no step is longer
   double t_start = 0, h_last = 0;  // of the last step
   Vector q_start, v_start, q_end, v_end;
@@ -62,7 +62,7 @@ struct DormandPrince8Workspace {
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;
-  bool acceleration_known = false;  // A[12] is that of the state; to be cleared when the state is changed
+  bool acceleration_known = false;  // A[12] belongs to the state; to be cleared when the state is changed
   bool dense_known = false;
   Counters counters;
 

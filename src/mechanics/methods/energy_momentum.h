@@ -98,7 +98,7 @@ struct EnergyMomentumWorkspace {
   Vector acceleration;                                      // Δv/h of the last step
   Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
   Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
-  MultiplierHistory<S> history;                             // of λ, at the middle of the steps
+  MultiplierHistory<S> history;                             // multipliers λ at the middle of the steps
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V(q₀), θ
@@ -203,7 +203,7 @@ struct EnergyMomentum {
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  /// |P|/|ΔX| below which the motion is one along the orbit.
+  /// The ratio |P|/|ΔX| below which the motion counts as one along the orbit.
   static constexpr double relative_equilibrium = 1e-7;
   /// |hθ| up to which a correction by mistake does no harm: the iteration takes the changes for its own increments.
   static constexpr double harmless = 1e-4;
@@ -329,8 +329,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// ΔF − (∇F(X_m) + D)·ΔX and what earlier steps have left over, as far as it exceeds ν. Both covectors vanish along
-  /// the orbit, so that their product with ΔX is that with P.
+  /// The part of ΔF − (∇F(X_m) + D)·ΔX and of the remainder of earlier steps that exceeds ν. Both covectors vanish
+  /// along the orbit, so that their product with ΔX equals that with P.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;

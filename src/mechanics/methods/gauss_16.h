@@ -61,7 +61,7 @@ struct Gauss16Workspace {
   /// polynomial resolves the motion.
   double tolerance = coarsest_tolerance;
   static constexpr double coarsest_tolerance = 1e-2;
-  int most_halvings = 40;  ///< of a step. If 0, a step that does not converge fails.
+  int most_halvings = 40;  ///< largest number of halvings of a step. If 0, a step that does not converge fails.
   /// The stages are iterated until the error of the accelerations is below it; if 0, until they no longer change.
   double iteration_tolerance = 0;
   Vector q_rounding, v_rounding;  // rounding errors of q and v
@@ -69,7 +69,7 @@ struct Gauss16Workspace {
   std::size_t n_entries;
   std::vector<OfStages> last, stages, sums, scratch;  // last: of the last step
   GaussTables tables;
-  double h_last = 0;      // of the last step; 0: there was none
+  double h_last = 0;      // length of the last step; 0: there was none
   double scale = 0;       // largest acceleration in it
   int n_halvings = 0;     // of the last outer step
   int n_unprojected = 0;  // steps since the last projection
@@ -98,7 +98,7 @@ struct Gauss16 {
       "systems. Momenta are kept to round-off if Step is given, else to a part of Tolerance";
   static constexpr int order = 16;
   static constexpr int n_stages = gauss::n_stages;
-  /// Forces that a step counts for in the search for the step.
+  /// Number of forces that a step counts for in the search for the step.
   template <class S>
   static double forces_of_step(const S& system) {
     constexpr double n_iterations = 7;  // 4 to 9, by tolerance and system
@@ -120,7 +120,7 @@ struct Gauss16 {
 
   template <class S>
   using Workspace = Gauss16Workspace<S>;
-  /// Large systems have no use for a method that holds eight accelerations and needs sixty for a step.
+  /// Large systems do not benefit from a method that stores eight accelerations and needs sixty for a step.
   template <class S>
   static constexpr bool fits = [] {
     if constexpr (!ConstrainedSystem<S> && !SecondOrderField<S>)
@@ -197,7 +197,7 @@ struct Gauss16 {
     const auto& field = field_of(system);
     if (!same_step(h, w.tables.h))
       w.tables.set_step(h);
-    else if (w.tables.c[0] == 0)  // of memory that has been restored
+    else if (w.tables.c[0] == 0)  // after the memory has been restored
       w.tables.set_step(w.tables.h);
     GaussStages s{.n = static_cast<int>(w.n_entries),
                   .t = state.t,

@@ -67,8 +67,8 @@ static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTr
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
 
-/// Largest hω, ω the largest frequency of small motions, of the steps that are looked for, but for a reserve: that of
-/// stability, or of the first resonance of a method that has some (multistep_coefficients.h).
+/// Largest hω of the steps that a search tries, except for a reserve; ω is the largest frequency of small motions. It
+/// is the limit of stability, or the first resonance of a method that has resonances (multistep_coefficients.h).
 template <class Method>
 inline constexpr double step_limit = [] {
   if constexpr (requires { Method::resonance_limit; })
@@ -113,7 +113,7 @@ constexpr std::string_view method_name(MethodId id) {
   return with_method(id, []<class Method>(Method) { return std::string_view(Method::name); });
 }
 
-/// Nothing if no method is called so.
+/// Empty if no method has this name.
 constexpr std::optional<MethodId> find_method(std::string_view name) {
   std::optional<MethodId> found;
   for_each_method([&]<class Method>(Method) {

@@ -20,8 +20,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// α of Σ_j gram_ij α_j = lost_i. Symmetries that move nothing, or together nothing (a turn of space and of the body
-/// about a common axis), have no part in it.
+/// Solution α of Σ_j gram_ij α_j = lost_i. Symmetries that do not move the body, alone or in combination (a rotation of
+/// space and of the body about a common axis), do not contribute.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail

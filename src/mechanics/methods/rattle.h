@@ -56,7 +56,7 @@ typename S::Vector make_rounding(const S& system) {
 /// Temporaries of the iteration on a force that depends on the velocity; empty if none does.
 template <class S>
 struct VelocityIteration {
-  /// Solves for multipliers are dear, and reactions found once are worth keeping.
+  /// Solves for multipliers are costly, and known reactions are kept.
   static constexpr bool keeps_reactions = !unconstrained<S> && !VectorSpace<typename S::Vector>::dense;
 
   explicit VelocityIteration(const S& system)
@@ -249,8 +249,8 @@ struct Rattle {
     }
   }
 
-  /// The same for a force that is linear in v: a solution, and one for the remainder, with which the powers are those
-  /// of v.
+  /// The same for a force that is linear in v: one solution, and a second one for the remainder, with which the powers
+  /// are those of v.
   template <LinearlyDamped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -281,8 +281,8 @@ struct Rattle {
     return {};
   }
 
-  /// The same for any force, by iteration on it, each time with the projection, until v no longer changes. If the force
-  /// is linear in v and the iteration is slow, sets w.stiff instead.
+  /// The same for any force: iterates force and projection until v no longer changes. Sets w.stiff instead if the force
+  /// is linear in v and the iteration is slow.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;

@@ -27,7 +27,7 @@ struct SampleTimes {
   }
 };
 
-/// Where a run stands: `step` steps of the interval after sample `sample` are done.
+/// Position of a run: `step` steps of the interval after sample `sample` are done.
 struct Cursor {
   long sample = 0, step = 0;
 };
@@ -81,7 +81,7 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// The same with steps of the method's own choice: they run past the samples, which are interpolated; the last one ends
+/// The same for methods that choose their steps: the steps pass the samples, which are interpolated; the last step ends
 /// at T.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult

@@ -166,15 +166,15 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, beside it beta) and the residual of its vector,
-/// |β_n s_n|: some eigenvalue lies that near.
+/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta) and the residual of its vector, |β_n
+/// s_n|: an eigenvalue is at most so far away.
 struct RitzValue {
   double value = 0, residual = 0;
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// How many independent displacements the constraints leave, where that can be known; the iteration has then seen all,
-/// and what would follow is round-off that may grow without bound.
+/// Number of independent displacements that the constraints leave, if it can be known. After so many steps the
+/// iteration is complete, and further vectors would be round-off that can grow without bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
@@ -222,9 +222,9 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 
 }  // namespace detail
 
-/// ω from at most `n_iterations` steps of Lanczos; `accuracy`: the part of ω² that may be in doubt, for fewer. The
-/// residual is added to the Ritz value, so that few iterations rather err on the side of a large ω, a small step. Exact
-/// up to the differences once the iteration has seen every mode; 0 if nothing oscillates.
+/// ω from at most `n_iterations` steps of Lanczos. `accuracy`: the permitted relative uncertainty of ω², which ends the
+/// iteration earlier. The residual is added to the Ritz value, so that few iterations rather give a large ω and a small
+/// step. Exact up to the differences once the iteration has found every mode; 0 if no motion oscillates.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {
@@ -235,8 +235,8 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
   return {std::move(status), std::sqrt(omega_squared)};
 }
 
-/// γ likewise, of a system with the largest frequency `omega`: ω|q| is a velocity that is not too small to be felt. 0
-/// without dissipation.
+/// γ in the same way, for a system with the largest frequency `omega`: ω|q| is a velocity that is large enough for the
+/// differences. 0 without dissipation.
 template <ConstrainedSystem S>
 DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
                               int n_iterations, double accuracy = 0) {

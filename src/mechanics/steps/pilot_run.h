@@ -1,5 +1,5 @@
 #pragma once
-/// Pilot runs: a short piece of the motion, computed to find out what method and step a tolerance asks for.
+/// Pilot runs: short pieces of the motion that determine the method and the step for a tolerance.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -22,12 +22,12 @@ namespace pseudorigid::mechanics {
 struct StepRequest {
   double end = 0;                    ///< T
   double window = 0;                 ///< w, of the pilot runs
-  double tolerance = 0;              ///< of the configuration over [0, T]
+  double tolerance = 0;              ///< permitted error of the configuration over [0, T]
   double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
   double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
   double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
-  bool stiff = false;                ///< damping leaves nothing to methods whose step it limits
-  bool spare_pilots = false;         ///< forces cost much: a glance may do, and small gains are not looked for
+  bool stiff = false;                ///< the damping is too strong for methods whose step it limits
+  bool spare_pilots = false;         ///< forces are costly: short estimates suffice, and small gains are not sought
   std::optional<MethodId> method{};  ///< empty: the cheapest
   std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search
 };
@@ -54,7 +54,7 @@ struct PilotRun {
   long n_force = 0;
 };
 
-/// In place of a function of the state that gives its kinetic and its potential energy.
+/// Stands for the function of kinetic and potential energy if these are not requested.
 struct NoEnergies {};
 
 /// Methods as the searches see them: their traits, and pilot runs of one system over the window.
@@ -69,7 +69,7 @@ struct FixedStepMethod {
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
-  /// The same kicked by round-off times `part` after every step (kicked_method.h).
+  /// The same with a perturbation by round-off times `part` after every step (kicked_method.h).
   std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
@@ -122,8 +122,9 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// A control of the step sees nothing of kicks that are far below its tolerance. On a body that rests steps would grow
-/// beyond stability, and the method itself would magnify them. For a stiff system this costs a bounded number of steps.
+/// An adaptive step does not react to perturbations far below its tolerance. For a body at rest the steps would grow
+/// beyond stability, and the method itself would amplify the perturbations. For a stiff system this costs a bounded
+/// number of steps.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -144,7 +145,7 @@ template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // If the steps of both pilots were halved to the same length, their difference would say nothing.
+    // If the steps of both pilots were halved to the same length, their difference would be meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
@@ -209,7 +210,7 @@ struct Trial {
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
   bool set_by_energy = false;  ///< the step
-  /// Where round-off grows beyond the tolerance: from which time on.
+  /// The time from which on round-off exceeds the tolerance, if it does.
   std::optional<double> round_off_rules_from{};
   std::string reason{};
 };

@@ -8,7 +8,7 @@ namespace pseudorigid::mechanics::detail {
 namespace {
 
 constexpr int max_step_halvings = 12;
-/// Of a run; more would take hours.
+/// Largest number of forces in a run; more would take hours.
 constexpr double max_run_forces = 1e11;
 
 /// n_samples times n_steps steps, none longer than h, fill the window; as few steps as the choice of n_samples allows.
@@ -26,12 +26,12 @@ struct Grid {
   }
 };
 
-/// Of one force a step and an order above RATTLE's.
+/// Whether the method has one force a step and an order above that of RATTLE.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Of the energy over the whole run, of which the pilot is a part, relative to the energy of the motion: what there is
-/// above the least potential energy. What comes and goes is its largest change so far. What stays is the difference of
-/// its means over the halves, which is supposed to grow like t^(3/2).
+/// Change of the energy over the whole run, extrapolated from the pilot and relative to the energy of the motion above
+/// the least potential energy. The oscillating part is its largest change so far. The lasting part is the difference of
+/// the means over both halves, which is assumed to grow like t^(3/2).
 double change_of_energy(const PilotRun& run, double part) {
   const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // of t^(3/2) over [0, 1]
   const double start = run.q.front().sum();
@@ -107,9 +107,8 @@ double StepSearch::predicted_forces(const FixedStepMethod& method, double h, dou
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Accepts the stability limit if the error estimated over a part of the window, times what it may still grow by in the
-/// rest, is within what is allowed. The longer part is tried only if the estimate of the shorter one leaves it a
-/// chance.
+/// Accepts the stability limit if the error estimated over a part of the window, times its possible growth in the rest,
+/// is permitted. The longer part is tried only if the estimate of the shorter part leaves a chance.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -129,7 +128,7 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   return false;
 }
 
-/// Shortens the step until the change of the energy over the run is within what is allowed (step_search.h).
+/// Shortens the step until the change of the energy over the run is permitted (step_search.h).
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // Chosen after the measurements that step_search.h reports, as is the power in change_of_energy().
   constexpr double part = 1.0 / 8, least_windows = 5;
@@ -189,7 +188,7 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 }
 
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // Of a field no frequency is known.
+  // The frequency is not known for a first-order field.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

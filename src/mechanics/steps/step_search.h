@@ -99,7 +99,7 @@ class StepSearch {
 
   const StepRequest& request_;
   bool compensated_;
-  double window_;  ///< of the method that is tried
+  double window_;  ///< length of the pilot runs of the method that is tried
   long n_force_ = 0;
 };
 

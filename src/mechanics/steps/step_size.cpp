@@ -21,10 +21,11 @@ namespace {
 
 /// A method that needs this many times the least cost of a method of higher order is not pursued.
 constexpr double clearly_dearer = 4;
-/// Where forces cost much, a method whose least cost is not below this part of the cost found so far does not repay its
+/// If forces are costly, a method whose least cost is not below this part of the cost found so far does not repay its
 /// pilot runs.
 constexpr double worth_dear_pilots = 0.8;
-/// What the invariants of the motion are worth: forces that a geometric method may need for each of an adaptive one.
+/// Value of the invariants of a motion: the number of forces that a geometric method may need for each force of an
+/// adaptive method.
 constexpr double price_of_invariants = 2;
 
 std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
@@ -108,7 +109,7 @@ class MethodChoice {
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// What the adaptive method counts for among the others; beyond reach where it misses the tolerance.
+  /// Cost of the adaptive method in the comparison; infinite if it misses the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }

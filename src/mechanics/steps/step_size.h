@@ -18,15 +18,15 @@
 
 namespace pseudorigid::mechanics {
 
-/// What to run with, or why nothing can be run. Times are those of the system, that is internal units.
+/// The chosen method and step, or the reason why no method can run. Times are in internal units.
 struct [[nodiscard]] StepChoice {
   Status status{};
   MethodId method = id_of<Rattle>;
   double step = 0;             ///< outer (composed) step, an upper bound
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0;            ///< estimated error of the configuration over the run
-  bool at_round_off = false;   ///< the tolerance is below what double precision gives
-  /// From when on round-off, grown with the motion, is more than the tolerance.
+  bool at_round_off = false;   ///< the tolerance is below the limit of double precision
+  /// Time from which on round-off, which grows with the motion, exceeds the tolerance.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< as requested
   long n_force = 0;         ///< forces spent on pilot runs
@@ -52,9 +52,8 @@ inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// Whether Method = auto considers a method for systems of type S, if its promises hold. If forces cost little, one
-/// of fixed step that is not symplectic is for those who ask for it, unless its steps are as cheap as those of stages
-/// in lanes.
+/// Whether Method = auto considers a method for systems of type S, if `accepts` agrees. If forces are cheap, methods of
+/// fixed step that are not symplectic are left to explicit requests, unless stages in lanes make their steps as cheap.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto &&
                                        (Method::adaptive || Method::symplectic || wants_stages_in_lanes<Method> ||

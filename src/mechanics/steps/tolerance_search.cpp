@@ -13,7 +13,7 @@ double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Ei
 /// How far two runs that are kicked by round-off, each against the other, leave a pilot.
 struct RoundOff {
   double difference = 0;
-  bool magnified = false;               ///< it is no walk of kicks, but grows with the motion
+  bool magnified = false;               ///< not a random walk: it grows with the motion
   std::optional<double> beyond_from{};  ///< the first sample at which it is more than a bound
 };
 

@@ -19,7 +19,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// `compensated`: whether the vectors of the system are summed so; n_force grows by what the pilots take.
+/// `compensated`: whether the vectors of the system have compensated sums. n_force grows by the forces of the pilots.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
