@@ -4,11 +4,12 @@ rates at which they fall, fitted by least squares in logarithms.
 
     tools/verification.py build/release/bin/pseudorigid [--runs DIR]
 
-The runs take about a minute. Needs Debian's python3-matplotlib.
+The runs take about a minute; those that are there are used again. Needs Debian's python3-matplotlib.
 """
 
 import argparse
 import dataclasses
+import hashlib
 import math
 import pathlib
 import re
@@ -19,6 +20,7 @@ import numpy as np
 from pseudorigid.errors import WrongInput, exit_code_of
 from pseudorigid.figures import BLACK, BLUE, GREEN, GREY, ORANGE, SKY, YELLOW, plt, save
 from pseudorigid.program import run as run_scene
+from pseudorigid.results import Run
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE, PICTURE = ROOT / "docs/verification.md", ROOT / "docs/images/verification.svg"
@@ -47,15 +49,19 @@ class Series:
 
 
 class Runs:
+    """Runs of scenes; one that is complete in the directory of runs is not made again."""
+
     def __init__(self, program, directory):
-        self.program, self.directory, self.n = program, directory, 0
+        self.program, self.directory = program, directory
 
     def __call__(self, entries):
-        self.n += 1
         self.directory.mkdir(parents=True, exist_ok=True)
         scene = self.directory / "empty.prm"
         scene.write_text("")
-        return run_scene(scene, entries, output=self.directory / str(self.n), program=self.program)
+        output = self.directory / hashlib.sha256(repr(sorted(entries.items())).encode()).hexdigest()[:16]
+        if (output / "manifest.json").is_file() and Run(output).manifest.get("state") == "done":
+            return Run(output)
+        return run_scene(scene, entries, output=output, program=self.program)
 
 
 def bessel(x):
@@ -84,7 +90,7 @@ def frequency_with_gravity(gamma):
 
 def frequency_error(run, model, exact, entries):
     """Of S2, relative to the exact frequency."""
-    table = run({"Models": model, "Analysis": "modes", "Modes/Number": 3, "Output/Graphics": "none", **entries}).columns("modes")
+    table = run({"Models": model, "Analysis": "modes", "Modes/Number": 2, "Output/Graphics": "none", **entries}).columns("modes")
     chosen = (table["kind"] == 1) & (table["degree"] == 2)
     return abs(table["omega"][chosen][0] / exact - 1)
 
@@ -92,17 +98,17 @@ def frequency_error(run, model, exact, entries):
 def frequencies(run):
     lamb, gravity = 2.665622189236, {"Gravity/Constant": 3 / (4 * math.pi)}
     exact = frequency_with_gravity(1)
-    degrees, odd = [2, 3, 4, 5, 6], [1, 3, 5, 7, 9]
+    degrees, odd = [2, 3, 4, 5], [1, 3, 5, 7, 9]
     element = lambda k, r=0: {"Continuum/Degree": k, "Continuum/Refinements": r}  # noqa: E731
     in_h = lambda k, refinements: [frequency_error(run, "continuum", lamb, element(k, r)) for r in refinements]  # noqa: E731
     return [
         Series("S2 (Lamb), finite elements", degrees, [frequency_error(run, "continuum", lamb, element(k)) for k in degrees], "exponential", dict(color=BLUE, marker="o")),
         Series("S2 (Lamb), polynomial bodies", odd, [frequency_error(run, "polynomial", lamb, {"Polynomial/Degree": N}) for N in odd], "exponential", dict(color=GREEN, marker="s", linestyle="-.")),
-        Series("S2 with gravity, γ = 1 (Bromwich), finite elements", degrees[:4], [frequency_error(run, "continuum", exact, {**gravity, **element(k)}) for k in degrees[:4]], "exponential", dict(color=SKY, marker="^")),
+        Series("S2 with gravity, γ = 1 (Bromwich), finite elements", degrees[:3], [frequency_error(run, "continuum", exact, {**gravity, **element(k)}) for k in degrees[:3]], "exponential", dict(color=SKY, marker="^")),
         Series("S2 with gravity, γ = 1 (Bromwich), polynomial bodies", odd, [frequency_error(run, "polynomial", exact, {**gravity, "Polynomial/Degree": N}) for N in odd], "exponential", dict(color=BLACK, marker="v", linestyle=":")),
     ], [
         Series("S2 (Lamb), k = 2", [1, 2, 4], in_h(2, (0, 1, 2)), "power", dict(color=SKY, marker="o"), 2),
-        Series("S2 (Lamb), k = 3", [1, 2, 4], in_h(3, (0, 1, 2)), "power", dict(color=BLUE, marker="s"), 2),
+        Series("S2 (Lamb), k = 3", [1, 2], in_h(3, (0, 1)), "power", dict(color=BLUE, marker="s"), 2),
     ]
 
 

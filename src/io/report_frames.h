@@ -1,6 +1,6 @@
 #pragma once
-/// The faces of a body that a report draws, taken from the pictures of a run (`<model>.pvd`): those on the surface and
-/// those on the coordinate planes of the undeformed body. A face is a lattice of (p + 1)² material points of an element
+/// The faces of a body that a report draws, taken from the pictures of a run (`<model>.pvd`). They are on the surface
+/// and on the coordinate planes of the undeformed body. A face is a lattice of (p + 1)² material points of an element
 /// of degree p.
 
 #include <filesystem>
@@ -17,8 +17,9 @@ struct PictureFace {
   std::vector<std::pair<int, std::size_t>> points;  ///< piece and number of each point, row by row
 };
 
-/// `pieces`: the grids that make one body, with the field reference_coordinates. Of two elements that share a face on
-/// a plane the first one is taken. Empty if a grid does not have that field or does not consist of hexahedra.
+/// `pieces`: the grids that make one body, with the field reference_coordinates. If two elements share a
+/// face on a plane, the face has the values of the first one. Empty if a grid does not have that field or does not
+/// consist of hexahedra.
 std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
 /// A table in the form of shapes.csv with the column `von_mises` behind the others, at no more than eight of the times

@@ -43,6 +43,46 @@ class ContinuumReport(ReportTest):
         moved = max(abs(row[8] - 1.1080332409972299 * row[5]) for row in table.rows if row[0] == 0.95)
         self.assertGreater(moved, 0.05)  # near half a pulsation the ball has become flat
 
+    def test_pictures_give_the_bodies_with_their_stress(self):
+        """The same material faces as in shapes.csv, reflected, at the times of pictures; the pseudo-rigid body has one stress."""
+        for cells in "linear", "lagrange":
+            page = self.run_reported({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 3, "Output/Cells": cells})
+            table = [[float(x) for x in line.split(",")] for line in page.files["frames-continuum.csv"].splitlines()[1:]]
+            self.assertEqual(page.files["frames-continuum.csv"].splitlines()[0].split(","), [*SHAPE_COLUMNS, "von_mises"])
+            self.assertEqual(sorted({row[0] for row in table}), [0, 1, 2])
+            planes = {row[1]: row[2] for row in table}
+            self.assertEqual(sorted(planes.values()), [0] * 24 + [1] * 12 + [2] * 12 + [3] * 12)
+            self.assertEqual(len(table), 3 * len(planes) * 9)
+            for time, _, plane, *point, stress in table:
+                X, x = point[:3], point[3:]
+                if plane:
+                    self.assertLess(abs(X[int(plane) - 1]) + abs(x[int(plane) - 1]), 1e-6)
+                if time == 0:
+                    self.assertAlmostEqual(x[2], 1.1080332409972299 * X[2], delta=1e-6)
+                self.assertGreaterEqual(stress, 0)
+            # An affine deformation of a neo-Hookean body has sigma = B and one stress everywhere: |s_33 - s_11| of B.
+            exact = 1.1080332409972299**2 - 0.95**2
+            self.assertLess(max(abs(row[-1] - exact) for row in table if row[0] == 0), 1e-4 * exact)
+            rigid = [[float(x) for x in line.split(",")] for line in page.files["frames-reduced.csv"].splitlines()[1:]]
+            self.assertEqual([row[0] for row in rigid], [0, 1, 2])
+            self.assertAlmostEqual(rigid[0][-1], exact, delta=1e-4 * exact)
+
+    def test_command_draws_bodies_of_a_run_without_shapes(self):
+        self.scene({**SCENE, "Output/Graphics": "vtu", "Output/Frames": 3})
+        self.run_done("run", "scene.prm")
+        self.assertNotIn("shapes.csv", self.files("output/scene"))
+        self.run_done("report", "output/scene")
+        self.assertIn("von_mises", self.check_page("output/scene").files["frames-continuum.csv"])
+        # A picture that is damaged or missing is no obstacle.
+        picture = self.scratch / "output/scene" / next(name for name in self.files("output/scene") if "continuum-" in name and name.endswith(".vtu"))
+        whole = picture.read_bytes()
+        for damaged in whole[: len(whole) // 2], whole.replace(b"AppendedData", b"ReplacedData"), b"":
+            picture.write_bytes(damaged)
+            self.run_done("report", "output/scene")
+            self.assertEqual(self.check_page("output/scene").files["frames-continuum.csv"], "")
+        picture.unlink()
+        self.run_done("report", "output/scene")
+
     def test_shapes_are_in_the_units_of_the_scene(self):
         self.run_reported({**SCENE, "Models": "continuum", "Body/Radius": 3, "Time/End": 6, "Time/Step": 0.06})
         table = self.table("output/scene/shapes.csv")

@@ -11,7 +11,7 @@ const window = {addEventListener() {}};
 const document = {scripts: [], body: {}, createElement: () => ({setAttribute() {}, append() {}})};
 const describedColumns = () => ({});  // of page.js, from the manifest of a run
 """
-SCRIPTS = ("data.js", "charts.js", "motion.js", "sweep.js")
+SCRIPTS = ("data.js", "charts.js", "fields.js", "bodies.js", "motion.js", "overview.js", "sweep.js")
 
 
 @unittest.skipUnless(shutil.which("node"), "node is not installed")
@@ -34,6 +34,39 @@ class ReportScripts(unittest.TestCase):
               return Math.max(...time.flatMap((t, k) => at(t).map((a, i) => Math.abs(a - found[i][k]))));
             }})()""")
             self.assertLess(apart, 1e-14, axes)
+
+    def test_a_lattice_is_refined_by_cubics(self):
+        """Cubics are exact, on lattices of any size; of fewer than four points polynomials of their degree."""
+        for m in 1, 2, 3, 4, 8:
+            apart = self.result(f"""(() => {{
+              const m = {m}, fine = 4, p = Math.min(3, m), at = (u, v) => 1 + u - 2 * v + u ** p - 0.5 * v ** p + 0.25 * u ** p * v ** p;
+              const values = refined(k => at((k % (m + 1)) / m, Math.floor(k / (m + 1)) / m), m, fine), w = m * fine + 1;
+              return Math.max(...values.map((x, k) => Math.abs(x - at((k % w) / (w - 1), Math.floor(k / w) / (w - 1)))));
+            }})()""")
+            self.assertLess(apart, 1e-12, m)
+
+    def test_rotation_of_a_deformation(self):
+        # Q = R U with a turn of 0.7 about x3 and a symmetric U.
+        R = self.result("""(() => {
+          const c = Math.cos(0.7), s = Math.sin(0.7), R = [[c, -s, 0], [s, c, 0], [0, 0, 1]], U = [[1.3, 0.2, 0.1], [0.2, 0.9, 0], [0.1, 0, 0.8]];
+          const found = rotationOf(R.map(row => [0, 1, 2].map(j => dot(row, U.map(u => u[j])))));
+          return Math.max(...found.flatMap((row, i) => row.map((x, j) => Math.abs(x - R[i][j]))));
+        })()""")
+        self.assertLess(R, 1e-13)
+
+    def test_phase_lead(self):
+        # Frequencies 3 and 2.5: after time t the first is ahead by t / (4 pi) cycles; noise does not count.
+        apart = self.result("""(() => {
+          const x = Float64Array.from({length: 2001}, (_, k) => 0.01 * k), wave = (w, noise) => x.map((t, k) => Math.cos(w * t) + noise * Math.cos(1000.7 * k));
+          const lead = phaseLead({x, y: wave(2.5, 0.02)}, {x, y: wave(3, 0)});
+          return Math.max(...lead.x.map((t, k) => Math.abs(lead.y[k] - 0.5 * t / (2 * Math.PI))));
+        })()""")
+        self.assertLess(apart, 0.02)
+
+    def test_noise_is_told_from_a_curve(self):
+        for y, expected in (("Math.sin(0.1 * k)", False), ("Math.sin(0.1 * k) + 1e-3 * Math.cos(2.9 * k * k)", False),
+                            ("Math.cos(2.9 * k * k)", True), ("0.01 * k + Math.cos(2.9 * k * k)", True), ("0", False)):
+            self.assertEqual(self.result(f"isNoise(Float64Array.from({{length: 200}}, (_, k) => {y}))"), expected, y)
 
     TABLE = """(() => {
       const columns = {run: [1, 2], m: [1, 2], finished: [1, 1], frequency: [3, 0], amplitude: [0.1, 0.2], energy: [1, 2], energy_drift: [1e-9, 1e-9],

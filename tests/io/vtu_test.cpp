@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "io/ball_blocks.h"
@@ -14,6 +15,9 @@
 #include "io/body_picture.h"
 #include "io/files.h"
 #include "io/pvd.h"
+#include "io/report_frames.h"
+#include "io/vtu_reader.h"
+#include "scene/user_error.h"
 #include "scratch.h"
 
 namespace pseudorigid::io::test {
@@ -62,6 +66,46 @@ TEST(Vtu, GridsThatDoNotFitTogetherAreDefects) {
   refused([](auto& grid) { grid.constants[0].values[0] = NAN; });
   refused([](auto& grid) { grid.constants[0].values.push_back(0); });
   EXPECT_THROW(write_vtu(scratch / "none/a.vtu", triangle()), WriteError);
+}
+
+TEST(Vtu, IsReadAsItWasWritten) {
+  const ScratchDirectory scratch;
+  UnstructuredGrid grid = triangle();
+  grid.fields.push_back({"vector", 3, std::vector<double>(9, -2.5)});
+  write_vtu(scratch / "a.vtu", grid);
+  const std::vector<std::string> fields{"vector", "absent", "height"};
+  const UnstructuredGrid read = read_vtu(scratch / "a.vtu", fields);
+  EXPECT_EQ(read.points, grid.points);
+  EXPECT_EQ(read.connectivity, grid.connectivity);
+  EXPECT_EQ(read.cell_type, grid.cell_type);
+  EXPECT_EQ(read.nodes_per_cell, 3);
+  ASSERT_EQ(read.fields.size(), 2u);
+  EXPECT_EQ(read.fields[0].name, "vector");
+  EXPECT_EQ(read.fields[0].values, grid.fields[1].values);
+  EXPECT_EQ(read.fields[1].values, grid.fields[0].values);
+  ASSERT_EQ(read.constants.size(), 1u);
+  EXPECT_EQ(read.constants[0].values, std::vector{0.1});
+}
+
+TEST(Vtu, DamagedFilesAreRefused) {
+  const ScratchDirectory scratch;
+  write_vtu(scratch / "a.vtu", triangle());
+  const std::string whole = contents(scratch / "a.vtu");
+  EXPECT_THROW(read_vtu(scratch / "none.vtu", {}), UserError);
+  for (std::size_t length = 0; length + 20 < whole.size(); length += 7) {
+    put(scratch / "b.vtu", whole.substr(0, length));
+    EXPECT_THROW(read_vtu(scratch / "b.vtu", {}), UserError) << length;
+  }
+  // Any other byte gives a grid or an error, and never leaves the file.
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string other = whole;
+    other[at] = static_cast<char>(other[at] ^ 0x55);
+    put(scratch / "b.vtu", other);
+    try {
+      read_vtu(scratch / "b.vtu", std::vector<std::string>{"height"});
+    } catch (const UserError&) {
+    }
+  }
 }
 
 TEST(Pvd, ListsFramesRelativeToItself) {
@@ -132,6 +176,48 @@ TEST(BallBlocks, FillTheBallAndShareTheirPoints) {
       EXPECT_NEAR(inside, 4 * std::numbers::pi / 3, 0.05 * 4 * std::numbers::pi / 3);
     }
   }
+}
+
+TEST(BallBlocks, AreFoundAgainInTheirCells) {
+  for (const auto& [degree, n] : {std::pair{1, 1}, std::pair{2, 1}, std::pair{4, 2}, std::pair{3, 2}, std::pair{5, 1}})
+    for (const auto cells : {scene::Cells::linear, scene::Cells::lagrange}) {
+      const BallBlocks ball = ball_blocks(degree, n);
+      UnstructuredGrid grid;
+      set_cells(grid, ball.blocks, cells);
+      const auto found = blocks_of(grid);
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->degree, degree) << n;
+      EXPECT_EQ(found->points, ball.blocks.points) << degree << ' ' << n;
+    }
+  UnstructuredGrid flat = triangle();
+  EXPECT_FALSE(blocks_of(flat));
+}
+
+TEST(PictureFaces, AreTheSurfaceAndThePlanesOnce) {
+  const BallBlocks ball = ball_blocks(3, 2);
+  const Eigen::Matrix3d Id = Eigen::Matrix3d::Identity(), Q = Eigen::Vector3d(1.2, 1, 0.9).asDiagonal();
+  const UnstructuredGrid grid =
+      body_picture(ball.blocks, affine_fields(ball, Q, Id, Id, Eigen::Vector3d::Zero()), 0, {},
+                   {.displacement = true, .velocity = false, .stress = true}, scene::Cells::linear);
+  const std::vector<PictureFace> faces = faces_of({grid});
+  const auto& X = grid.fields[2];
+  ASSERT_EQ(X.name, "reference_coordinates");
+  std::map<int, int> numbers;
+  for (const PictureFace& face : faces) {
+    ++numbers[face.plane];
+    ASSERT_EQ(face.points.size(), 16u);
+    for (const auto& [piece, point] : face.points) {
+      const auto at = Eigen::Vector3d::Map(&X.values[3 * point]);
+      if (face.plane == 0)
+        EXPECT_NEAR(at.norm(), 1, 1e-14);
+      else
+        EXPECT_NEAR(at[face.plane - 1], 0, 1e-14);
+    }
+  }
+  // Of the six shells four faces each are on the surface. A plane cuts four faces of the cube and two of each of four
+  // shells.
+  EXPECT_EQ(numbers, (std::map<int, int>{{0, 24}, {1, 12}, {2, 12}, {3, 12}}));
+  EXPECT_TRUE(faces_of({triangle()}).empty());
 }
 
 TEST(BodyPicture, ShowsWhatTheFieldsOfAnAffineMotionAre) {

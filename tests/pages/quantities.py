@@ -29,7 +29,7 @@ import tempfile
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LIST = SOURCE / "docs/data/quantities.csv"
 PAGES = ("README.md", *(f"docs/{name}.md" for name in ("scope", "theory", "benchmarks", "comparisons", "kernels", "parallel",
-                                                       "polynomial", "testing")), "CHANGELOG.md")
+                                                       "polynomial", "testing", "verification")), "CHANGELOG.md")
 KINDS = ("printed", "test", "measured", "chosen")
 
 SUPERSCRIPTS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")

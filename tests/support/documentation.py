@@ -46,7 +46,7 @@ class Command:
 
 def make_workplace(folder, program):
     """What a clone has for the commands of a page: build/release/bin/pseudorigid is `program`, and scripts/run.sh hands
-    its arguments to it without building anything."""
+    its arguments to it without building anything, and requests a report as the script does."""
     for name in ("params", "meshes", "python"):
         (folder / name).symlink_to(SOURCE / name)
     binaries = folder / "build" / "release" / "bin"
@@ -56,6 +56,7 @@ def make_workplace(folder, program):
     script = folder / "scripts" / "run.sh"
     script.parent.mkdir()
     script.write_text('#!/bin/sh\n[ $# -gt 0 ] || set -- params/quickstart.prm\n'
+                      'case "$*" in *Report*|*--resume*) ;; *) set -- "$@" --set Output/Report=true ;; esac\n'
                       'exec build/release/bin/pseudorigid run "$@"\n')
     script.chmod(0o755)
 

@@ -75,7 +75,8 @@ ModelOutcome run_modes(const RunContext& context) {
   ModelOutcome outcome;
   const mechanics::Status status =
       ball_modes(problem, scene.modes.number, frequencies, report, [&] { return context.interrupted(); });
-  auto& [counters, timers] = outcome.statistics;
+  auto& counters = outcome.statistics.counters;
+  auto& timers = outcome.statistics.timers;
   timers["run"] = std::chrono::duration<double>(Clock::now() - start).count();
   counters["cells"] = space.n_cells();
   counters["unknowns"] = 3.0 * space.n_nodes();

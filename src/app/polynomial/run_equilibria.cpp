@@ -89,7 +89,8 @@ class EquilibriaRun {
       if (outcome_.end != mechanics::Outcome::finished) break;
     }
     table_.flush();
-    auto& [counters, timers] = outcome_.statistics;
+    auto& counters = outcome_.statistics.counters;
+    auto& timers = outcome_.statistics.timers;
     counters["equilibria"] = n_members_;
     counters["special_points"] = n_special_;
     timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();

@@ -19,7 +19,8 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
   ModelOutcome outcome;
   const mechanics::Status status = polynomial::rest_frequencies(setup, scene.body.incompressible,
                                                                 static_cast<std::size_t>(scene.modes.number), found);
-  auto& [counters, timers] = outcome.statistics;
+  auto& counters = outcome.statistics.counters;
+  auto& timers = outcome.statistics.timers;
   timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   counters["degree"] = setup.degree;
   std::vector<ModeFrequency> rows;

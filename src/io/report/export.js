@@ -16,20 +16,20 @@ function withStyles(svg) {
 // The text of the file. All pictures of the figure keep their places.
 function svgText(figure, title, models) {
   document.documentElement.classList.add("light");
-  const box = figure.getBoundingClientRect(), head = 26, foot = models.length ? 24 : 8, width = Math.ceil(box.width);
+  const box = figure.getBoundingClientRect(), margin = 10, head = 34, foot = models.length ? 30 : 10, width = Math.ceil(box.width) + 2 * margin;
   const pictures = [...figure.querySelectorAll("svg")], places = pictures.map(svg => svg.getBoundingClientRect());
   const top = Math.min(...places.map(p => p.top)), height = Math.ceil(Math.max(...places.map(p => p.bottom)) - top) + head + foot;
   const root = document.createElementNS(SVG, "svg");
   for (const [name, value] of Object.entries({xmlns: SVG, width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "DejaVu Sans, Arial, sans-serif"})) root.setAttribute(name, value);
   draw(root, "rect", {width, height, fill: "#ffffff"});
-  draw(root, "text", {x: 0, y: 16, "font-size": 14, "font-weight": "bold", fill: "#1b1b1b"}, title);
+  draw(root, "text", {x: margin, y: 22, "font-size": 14, "font-weight": "bold", fill: "#1b1b1b"}, title);
   pictures.forEach((svg, k) => {
     const copy = withStyles(svg), p = places[k];
-    for (const [name, value] of Object.entries({x: p.left - box.left, y: p.top - top + head, width: p.width, height: p.height, overflow: "visible"})) copy.setAttribute(name, value);
+    for (const [name, value] of Object.entries({x: p.left - box.left + margin, y: p.top - top + head, width: p.width, height: p.height, overflow: "visible"})) copy.setAttribute(name, value);
     root.append(copy);
   });
   models.forEach((model, k) => {
-    const host = document.createElementNS(SVG, "svg"), x = k * width / models.length, y = height - 12;
+    const host = document.createElementNS(SVG, "svg"), x = margin + k * width / models.length, y = height - 14;
     const line = draw(draw(host, "g"), "line", {class: `curve ${model.style}`, x1: x, x2: x + 30, y1: y, y2: y});
     figure.append(host);
     const copy = withStyles(line);

@@ -23,26 +23,41 @@ function rotationOf(Q) {
 }
 const transposed = A => A.map((_, i) => A.map(row => row[i]));
 
-// Faces of a cut as they are painted: {m, at: [[u, v] of each point], values or null}. The sub-cells of a lattice take the
-// bilinear mean of the values at its points.
-function paintCut(parent, faces, range, ramp) {
+// Weights of the values at m + 1 places for those at m · fine + 1 places between them: cubic through the four nearest.
+const weightsOf = new Map();
+function weights(m, fine) {
+  const key = `${m} ${fine}`;
+  if (!weightsOf.has(key)) weightsOf.set(key, Array.from({length: m * fine + 1}, (_, k) => {
+    const s = k / fine, n = Math.min(3, m), first = Math.max(0, Math.min(m - n, Math.floor(s) - 1)), row = new Array(m + 1).fill(0);
+    for (let i = first; i <= first + n; ++i) {
+      row[i] = 1;
+      for (let j = first; j <= first + n; ++j) if (j !== i) row[i] *= (s - j) / (i - j);
+    }
+    return row;
+  }));
+  return weightsOf.get(key);
+}
+// A lattice of (m + 1)² numbers on the finer lattice.
+function refined(f, m, fine) {
+  const W = weights(m, fine), w = m + 1, rows = W.map(row => Array.from({length: w}, (_, i) => row.reduce((sum, x, j) => sum + x * f(j * w + i), 0)));
+  return rows.flatMap(row => W.map(a => a.reduce((sum, x, i) => sum + x * row[i], 0)));
+}
+
+// Faces of a cut, {m, at: [[u, v] of each point], values}, in steps of color(value) from 0 to 1.
+function paintCut(parent, faces, color, ramp) {
   const paths = Array.from({length: N_STEPS}, () => ""), n_cells = faces.reduce((n, f) => n + f.m * f.m, 0);
   const fine = Math.max(1, Math.min(4, Math.floor(Math.sqrt(6000 / n_cells))));
   for (const {m, at, values} of faces) {
-    const w = m + 1;
-    const mean = (f, i, j, s, t) => { const k = j * w + i; return (1 - s) * (1 - t) * f(k) + s * (1 - t) * f(k + 1) + (1 - s) * t * f(k + w) + s * t * f(k + w + 1); };
-    for (let j = 0; j < m; ++j)
-      for (let i = 0; i < m; ++i)
-        for (let b = 0; b < fine; ++b)
-          for (let a = 0; a < fine; ++a) {
-            const part = (mean(k => values[k], i, j, (a + 0.5) / fine, (b + 0.5) / fine) - range[0]) / (range[1] - range[0] || 1);
-            const corners = [[a, b], [a + 1, b], [a + 1, b + 1], [a, b + 1]].map(([p, q]) => [0, 1].map(d => mean(k => at[k][d], i, j, p / fine, q / fine)));
-            paths[Math.max(0, Math.min(N_STEPS - 1, Math.floor(part * N_STEPS)))] += closed(corners);
-          }
+    const [u, v, value] = [k => at[k][0], k => at[k][1], k => values[k]].map(f => refined(f, m, fine)), w = m * fine + 1;
+    for (let j = 0; j + 1 < w; ++j)
+      for (let i = 0; i + 1 < w; ++i) {
+        const corners = [j * w + i, j * w + i + 1, (j + 1) * w + i + 1, (j + 1) * w + i], part = color(corners.reduce((sum, k) => sum + value[k] / 4, 0));
+        paths[Math.max(0, Math.min(N_STEPS - 1, Math.floor(part * N_STEPS)))] += closed(corners.map(k => [u[k], v[k]]));
+      }
   }
   paths.forEach((d, k) => {
-    const color = colorOf(ramp, (k + 0.5) / N_STEPS);
-    if (d) draw(parent, "path", {d, fill: color, stroke: color, "stroke-width": 0.6, "vector-effect": "non-scaling-stroke"});
+    const fill = colorOf(ramp, (k + 0.5) / N_STEPS);
+    if (d) draw(parent, "path", {d, fill, stroke: fill, "stroke-width": 0.6, "vector-effect": "non-scaling-stroke"});
   });
 }
 
@@ -54,7 +69,8 @@ function sidesOf(faces) {
     for (const s of [side(0, 1), side(m, w), side(w * w - 1, -1), side(w * m, -w)]) {
       if (Math.hypot(...minus(X[s[0]], X[s[m]])) < 1e-9 * radius) continue;
       const key = s.reduce((sum, k) => sum.map((v, d) => v + X[k][d] / w), [0, 0, 0]).map(v => Math.round(1e5 * v / radius) + 0).join();
-      const path = s.map((k, i) => (i ? "L" : "M") + place(at[k][0], at[k][1])).join(""), known = sides.get(key);
+      const W = weights(m, 4), curve = [0, 1].map(d => W.map(row => row.reduce((sum, x, i) => sum + x * at[s[i]][d], 0)));
+      const path = curve[0].map((u, i) => (i ? "L" : "M") + place(u, curve[1][i])).join(""), known = sides.get(key);
       sides.set(key, {path, n: (known ? known.n : 0) + 1});
     }
   }
@@ -62,10 +78,10 @@ function sidesOf(faces) {
   return {edges: all.filter(s => s.n > 1).map(s => s.path).join(""), outline: all.filter(s => s.n === 1).map(s => s.path).join("")};
 }
 
-// A scale below a cut, from `left` to `right`.
-function colorBar(svg, {left, right, top, range, ramp, label}) {
+// A scale below a cut, from `left` to `right`; color(value) is a place in the ramp.
+function colorBar(svg, {left, right, top, most, color, ramp, label}) {
   for (let k = 0; k < N_STEPS; ++k) draw(svg, "rect", {x: left + (right - left) * k / N_STEPS, y: top, width: (right - left) / N_STEPS + 0.5, height: 10, fill: colorOf(ramp, (k + 0.5) / N_STEPS)});
-  const marks = ticks(range, Math.max(2, (right - left) / 70)), texts = tickLabels(marks);
-  marks.forEach((v, i) => draw(svg, "text", {x: left + (right - left) * (v - range[0]) / (range[1] - range[0]), y: top + 23, "text-anchor": "middle"}, texts[i]));
+  const marks = ticks([0, most], Math.max(2, (right - left) / 70)), texts = tickLabels(marks);
+  marks.forEach((v, i) => draw(svg, "text", {x: left + (right - left) * color(v), y: top + 23, "text-anchor": "middle"}, texts[i]));
   draw(svg, "text", {x: (left + right) / 2, y: top + 39, "text-anchor": "middle"}, label);
 }

@@ -177,7 +177,7 @@ function differenceSections() {
   const verdict = d ? `Largest difference of Q over |Q|: ${d.uncertainty === null ? `${showWithErrors(d.value, d, "", 3)}.`
     : `${showWithErrors(d.value, d, "", 4)}, the discretisation error as estimated (${partsInWords(d)})${d.resolved ? "" : ": the difference is not resolved"}.`}` : "";
   const one = n => { const {name, y} = fromFirst(DIFFERENCES[n] || n, table.columns[n]); return chart({title: name, xLabel: timeLabel, series: [{x, y, name: "", style: "other"}]}); };
-  return section("Difference of the models", `${MODELS.map((m, i) => i ? m.name : m.name.replace(" ball", "").replace(/^./, c => c.toUpperCase())).join(" less ")}. ${verdict}`,
+  return section("Difference of the models", `${MODELS.map((m, i) => i ? m.name : m.name.replace(" ball", "").replace(/^./, c => c.toUpperCase())).join(" minus ")}. ${verdict}`,
     make("div", {class: "charts"}, [...names.map(one), ...axisDifferences()]),
     comparison ? differenceTable() : null);
 }

@@ -3,19 +3,26 @@
 // The models of which the first screen shows a cut: the reference, and the poorest in motions.
 const shownPair = () => MODELS.length > 1 ? [MODELS[0], MODELS.at(-1)] : MODELS;
 
+function meshInWords(c) {
+  const chosen = (name, found) => scene[name] === "auto" && found !== undefined ? found : scene[name];
+  const refinements = Number(chosen("Continuum/Refinements", c.refinements)), file = scene["Continuum/Mesh"] && scene["Continuum/Mesh"] !== "builtin";
+  return [`degree ${chosen("Continuum/Degree", c.degree)}`, refinements ? `refined ${refinements === 1 ? "once" : `${refinements} times`}` : "", file ? "mesh from a file" : "", `${c.unknowns || "?"} unknowns${c.images > 1 ? ` on 1/${c.images} of the ball` : ""}`].filter(Boolean).join(", ");
+}
+
 function setupSections() {
   const rows = Object.entries(manifest.models).filter(([, m]) => m.method).map(([key, m]) => {
     const c = m.counters || {}, ball = (manifest.ball || []).find(b => b.name === key);
     const name = ball ? `${adjectiveOf(ball)} ball` : key.replaceAll("_", " ");
-    const method = `${m.method}, order ${c.order}, ${m.symplectic ? "symplectic" : "not symplectic"}`;
+    const method = `${m.method} (${m.symplectic ? "symplectic" : "not symplectic"})`;
     const step = c.step ? `${show(c.step, 3)}, ${c.steps} steps` : `${c.steps} steps`;
-    const mesh = ball && ball.discretized ? `degree ${scene["Continuum/Degree"] === "auto" && c.degree ? c.degree : scene["Continuum/Degree"]}, ${scene["Continuum/Refinements"] === "auto" && "refinements" in c ? c.refinements : scene["Continuum/Refinements"]} refinements, ${c.unknowns || "?"} unknowns${c.images > 1 ? ` on 1/${c.images} of the ball` : ""}`
+    const mesh = ball && ball.discretized ? meshInWords(c)
       : ball ? (isAffine(ball) ? "x = QX, 9 unknowns" : `polynomials, ${c.unknowns || "?"} unknowns`) : "";
     return [name, method, step, c.estimated_time_error ? show(c.estimated_time_error, 1) : "not known", ...(manifest.ball || []).length ? [mesh] : [], m.timers && m.timers.run !== undefined ? show(m.timers.run, 2) : ""];
   });
   if (!rows.length) return [];
   const head = ["model", "method", `step (${isUnitBall ? "r/c" : "time"})`, "error in time", ...(manifest.ball || []).length ? ["space"] : [], "time (s)"];
-  const table = tableOf(head, rows.map(row => row.map((text, i) => i && i < 3 || i === 4 && row.length > 5 ? make("td", {class: "words"}, String(text)) : text)));
+  const isText = i => i === 1 || i === 2 || (i === 4 && head.length > 5);
+  const table = tableOf(head.map((text, i) => isText(i) ? make("th", {class: "words"}, text) : text), rows.map(row => row.map((text, i) => isText(i) ? make("td", {class: "words"}, String(text)) : text)));
   table.classList.add("setup");
   const tolerance = scene["Time/Tolerance"] && !/\d/.test(scene["Time/Step"] || "") ? ` The step follows from the tolerance ${scene["Time/Tolerance"]} of Q.` : "";
   return [table, make("p", {class: "note"}, `Error in time: estimated, of Q over the whole run.${tolerance}`)];
@@ -55,13 +62,13 @@ function stressesAt(model, patch, j, rowsPerTime, time) {
   return model.shapes.has("von_mises") ? patch.rows.map(row => model.shapes.at("von_mises", row + j * rowsPerTime)) : null;
 }
 
-// The panels at one moment: {title, model, faces with values, ramp, scale: its label}.
+// The panels at one moment: {title, model, faces with values}.
 function panelsAt(cuts, j) {
   const bodies = cuts.at(j).filter(Boolean), withStress = bodies.every(b => b.faces.every(f => f.values));
-  const panels = bodies.map(({model, faces}) => ({title: model.name, model, faces, ramp: RAMP, isStress: withStress}));
+  const panels = bodies.map(({model, faces}) => ({title: model.name, model, faces, isStress: withStress}));
   if (bodies.length === 2) {
     const [a, b] = bodies;
-    panels.push({title: "difference of positions", model: a.model, ramp: DIFFERENCE_RAMP, isDifference: true,
+    panels.push({title: "difference of positions", model: a.model, isDifference: true,
       faces: a.faces.map((f, k) => ({...f, values: f.x.map((x, i) => Math.hypot(...minus(x, b.faces[k].x[i])))}))});
   }
   return panels;
@@ -84,7 +91,7 @@ function cutFigure() {
   const [a, b] = PLANE_AXES[cuts.plane].map(d => d + 1);
   const hasStress = panelsAt(cuts, shown)[0].isStress;
   const caption = `${cuts.isKept ? `The plane x${cuts.plane} = 0` : `The material plane X${cuts.plane} = 0, seen in axes that rotate with the body`}, x${a} to the right and x${b} up. Dashed: the undeformed body. `
-    + (hasStress ? "Both bodies have one scale of stress." : "The run kept no stress: it has no pictures (Output/Graphics = vtu).");
+    + (hasStress ? "Both bodies have one scale of stress, whose colours follow the square root." : "The run kept no stress: it has no pictures (Output/Graphics = vtu).");
   redraws.push(redraw);
   return figureOf(heading, null, [host, choices], caption, shownPair());
 }
@@ -96,21 +103,22 @@ function drawPanels(host, panels, plane) {
   const view = PLANE_AXES[plane].map(d => [0, 1, 2].map(k => k === d ? 1 : 0));
   host.replaceChildren();
   const svg = draw(host, "svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": panels.map(p => p.title).join(", ")});
-  const values = own => own.flatMap(p => p.faces.flatMap(f => f.values));
-  const stressed = panels.filter(p => p.isStress), stress = stressed.length ? [0, Math.max(...extent(values(stressed))) || 1] : null;
+  const values = own => own.flatMap(p => p.faces.flatMap(f => f.values)), greatest = own => Math.max(...extent(values(own))) || 1;
+  const scaleOf = (most, ramp, shape) => ({most, ramp, color: v => shape(Math.max(0, v) / most)}), stressed = panels.filter(p => p.isStress);
+  const stress = stressed.length ? scaleOf(greatest(stressed), RAMP, Math.sqrt) : null;
   panels.forEach((panel, k) => {
     const x = left + k * (side + gap);
     draw(svg, "text", {class: "strong", x: x + side / 2, y: 13, "text-anchor": "middle"}, panel.title);
     const group = draw(svg, "g", {transform: `translate(${x + side / 2} ${20 + side / 2}) scale(${side / 2 / reach})`});
-    const range = panel.isDifference ? [0, Math.max(...extent(values([panel]))) || 1] : stress;
-    if (range) paintCut(group, panel.faces, range, panel.ramp);
+    const scale = panel.isDifference ? scaleOf(greatest([panel]), DIFFERENCE_RAMP, v => v) : stress;
+    if (scale) paintCut(group, panel.faces, scale.color, scale.ramp);
     const {edges, outline: rim} = sidesOf(panel.faces), keep = {"vector-effect": "non-scaling-stroke"};
-    if (panel.model.hasElements || !panel.isDifference) draw(group, "path", {class: range ? "edge" : `element ${panel.model.style}`, d: edges, ...keep});
+    if (panel.model.hasElements || !panel.isDifference) draw(group, "path", {class: scale ? "edge" : `element ${panel.model.style}`, d: edges, ...keep});
     draw(group, "path", {class: `curve ${panel.isDifference ? "other" : panel.model.style} solid`, d: rim, ...keep});
     draw(group, "path", {class: "undeformed", d: undeformed(view), ...keep});
-    if (panel.isDifference) colorBar(svg, {left: x + 8, right: x + side - 8, top: side + 26, range, ramp: panel.ramp, label: withUnit("distance", "length")});
+    if (panel.isDifference) colorBar(svg, {left: x + 8, right: x + side - 8, top: side + 26, ...scale, label: withUnit("distance", "length")});
   });
-  if (stress) colorBar(svg, {left: left + 8, right: left + stressed.length * (side + gap) - gap - 8, top: side + 26, range: stress, ramp: RAMP, label: `von Mises stress (${isUnitBall ? "μ" : "the scene's unit"})`});
+  if (stress) colorBar(svg, {left: left + 8, right: left + stressed.length * (side + gap) - gap - 8, top: side + 26, ...stress, label: `von Mises stress (${isUnitBall ? "μ" : "the scene's unit"})`});
 }
 
 // Which stretch shows the motion: the entry that the comparison fitted, or the one that varies most.
