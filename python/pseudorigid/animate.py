@@ -45,7 +45,7 @@ def images(run: Run, cut: bool, width: int, quantity: str) -> Iterator[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "frame.png"
         for time, radius, bodies in pictures:
-            roots = {title: (x, np.sqrt(stress)) for title, (x, stress) in bodies.items()}
+            roots = {title: (x, np.sqrt(np.maximum(stress, 0))) for title, (x, stress) in bodies.items()}
             render.draw((time, radius, roots), limits, path, with_bar=False)
             above = PIL.Image.open(path).convert("RGB")
             above = above.resize((width, above.height * width // above.width), PIL.Image.Resampling.LANCZOS)
