@@ -6,6 +6,8 @@
 #   pages       docs/parameters.md, docs/data/equilibria.md, what commands print in README.md and in pages of docs/
 #   pictures    docs/images: quickstart, phase portrait, cells, report, equilibria, gallery; not paraview.png, because
 #               ParaView takes the place of python3-vtk9 (docs/python.md)
+#   site        build/site: the pages with search and formulas, its links checked
+#   verification  docs/images/verification.svg and the table of docs/verification.md
 #   benchmarks  scripts/benchmark.sh, 25 minutes
 #   long-run    scripts/benchmark.sh long-run, 15 minutes
 #   stress      scripts/stress.sh --fresh, half an hour
@@ -21,9 +23,9 @@ for part in "${@:-default}"; do
       exit
       ;;
     default) parts+=(pages pictures benchmarks) ;;
-    all) parts+=(pages pictures benchmarks long-run stress) ;;
-    pages | pictures | benchmarks | long-run | stress) parts+=("$part") ;;
-    *) die "unknown part \"$part\"; parts are pages, pictures, benchmarks, long-run, stress, or all" ;;
+    all) parts+=(pages pictures verification site benchmarks long-run stress) ;;
+    pages | pictures | site | verification | benchmarks | long-run | stress) parts+=("$part") ;;
+    *) die "unknown part \"$part\"; parts are pages, pictures, site, verification, benchmarks, long-run, stress, or all" ;;
   esac
 done
 
@@ -61,10 +63,17 @@ make_pictures() {
   xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
 }
 
+make_site() {
+  install_packages python3-myst-parser libjs-katex
+  tools/site_of_pages.py build/site
+}
+
 for part in "${parts[@]}"; do
   case $part in
     pages) make_pages ;;
     pictures) make_pictures ;;
+    site) make_site ;;
+    verification) tools/verification.py "$program" --runs output/documentation/verification ;;
     benchmarks) scripts/benchmark.sh ;;
     long-run) scripts/benchmark.sh long-run ;;
     stress) scripts/stress.sh --fresh ;;

@@ -90,17 +90,20 @@ def dirichlet(run, path):
 
 @picture
 def gravitating_balls(run, path):
-    drawn, (pulsation, spinning) = figure(1, 2, height=3.4)
+    drawn = plt.figure(figsize=(8, 3.9), layout="constrained")
+    axes = drawn.subplot_mosaic("ab\nac")
+    pulsation = axes["a"]
     two_models(pulsation, run("gravitating_ball", "Time/End=10"), lambda t: 1e3 * (t["Q33"] - 1), "(Q$_{33}$ − 1) · 10³")
     pulsation.set_title("pulsation, γ = 5", fontsize=10.5, y=1.1)
     directory = run("spinning_elastic_spheroid", "Continuum/Error estimate=none")
     for models_table, style in zip(both(directory), (CONTINUUM, REDUCED)):
-        for axis in "a1", "a3":
-            spinning.plot(models_table["time"], models_table[axis], **{**style, "label": style["label"] * (axis == "a1")})
-    label_axes(spinning, TIME, "longest and shortest semi-axis (r)")
-    spinning.set_title("spinning spheroid, γ = 5", fontsize=10.5, y=1.1)
-    for ax in pulsation, spinning:
-        legend_above(ax, 2)
+        for axis, panel in ("a1", "b"), ("a3", "c"):
+            axes[panel].plot(models_table["time"], models_table[axis], **style)
+    label_axes(axes["b"], "", "longest\nsemi-axis (r)")
+    label_axes(axes["c"], TIME, "shortest\nsemi-axis (r)")
+    axes["b"].set_title("spinning spheroid, γ = 5", fontsize=10.5, y=1.27)
+    for panel in "ab":
+        legend_above(axes[panel], 2)
     save(drawn, path)
 
 
@@ -202,7 +205,9 @@ def polhodes(run, path):
         colour = ORANGE if first else BLUE
         sphere.plot(*np.where((P @ eye > 0)[:, None], P, np.nan).T, color=colour, linewidth=1.3)
         angle = turn_in_a_period(t, chosen, P)
-        turns.plot(7.5 + 15 * (run_number - 1), angle / (2 * np.pi), "o" if first else "s", color=colour, markersize=4)
+        start = 7.5 + 15 * (run_number - 1)
+        whole = np.round((montgomery(np.radians(start)) - angle) / (2 * np.pi))  # turns that the angle does not show
+        turns.plot(start, angle / (2 * np.pi) + whole, "o" if first else "s", color=colour, markersize=4)
     outline = np.linspace(0, 2 * np.pi, 200)
     across, up = np.cross([0, 0, 1], eye), np.cross(eye, np.cross([0, 0, 1], eye))
     across, up = across / np.linalg.norm(across), up / np.linalg.norm(up)
@@ -216,7 +221,10 @@ def polhodes(run, path):
     turns.grid(color="#dddddd", linewidth=0.6)
     turns.spines[["top", "right"]].set_visible(False)
     a = np.arange(0.125, 360, 0.25)
-    turns.plot(a, [montgomery(np.radians(angle)) / (2 * np.pi) % 1 for angle in a], ".", color=BLACK, markersize=0.8, zorder=0)
+    formula = np.array([montgomery(np.radians(angle)) / (2 * np.pi) for angle in a])
+    turns.plot(a, np.where(np.abs(np.gradient(formula)) < 0.2, formula, np.nan), color=BLACK, linewidth=0.9, zorder=0, label="Montgomery's formula")
+    turns.set_ylim(0.8, 4)
+    turns.legend(frameon=False, fontsize=8)
     turns.set_xticks(range(0, 361, 60))
     label_axes(turns, "start on the meridian, from axis 1 (degrees)", "turn about p in a period of P (turns)")
     save(drawn, path)
