@@ -17,9 +17,6 @@ from PIL import Image
 import package  # noqa: F401
 from pseudorigid.errors import WrongInput, exit_code_of
 
-# Colours of the picture's palette: enough for the shades of the bodies, and a quarter of the bytes.
-N_COLOURS = 128
-
 
 def size(text):
     width, _, height = text.partition("x")
@@ -33,7 +30,7 @@ def draw(page, width, height, picture):
     with tempfile.TemporaryDirectory() as profile:
         # Without its sandbox Chromium also runs as root; the page is the user's own file.
         run = subprocess.run(
-            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--virtual-time-budget=8000",
              f"--user-data-dir={profile}", f"--window-size={width},{height}", f"--screenshot={picture}", page.as_uri()],
             capture_output=True, text=True, timeout=120)
     if run.returncode or not picture.is_file():
@@ -53,7 +50,7 @@ def main():
     with tempfile.TemporaryDirectory() as directory:
         drawn = pathlib.Path(directory) / "page.png"
         draw(arguments.page.resolve(), *arguments.size, drawn)
-        Image.open(drawn).convert("RGB").quantize(N_COLOURS).save(arguments.output, optimize=True)
+        Image.open(drawn).convert("RGB").save(arguments.output, optimize=True)
 
 
 if __name__ == "__main__":
