@@ -91,7 +91,7 @@ function cutFigure() {
   const [a, b] = PLANE_AXES[cuts.plane].map(d => d + 1);
   const hasStress = panelsAt(cuts, shown)[0].isStress;
   const caption = `${cuts.isKept ? `The plane x${cuts.plane} = 0` : `The material plane X${cuts.plane} = 0, seen in axes that rotate with the body`}, x${a} to the right and x${b} up. Dashed: the undeformed body. `
-    + (hasStress ? "Both bodies have one scale of stress, whose colours follow the square root." : "The run kept no stress: it has no pictures (Output/Graphics = vtu).");
+    + (hasStress ? "Both bodies have one scale of stress, whose colours follow the square root." : "To see stresses, run the scene with Output/Graphics = vtu.");
   redraws.push(redraw);
   return figureOf(heading, null, [host, choices], caption, shownPair());
 }
