@@ -68,9 +68,9 @@ struct Comparison {
   bool has_state = false;
   std::string signal;         ///< "C33"
   std::string signal_reason;  ///< why this one
-  /// What of q_difference may be the models' discretisations: |δQ|/|Q|, largest over the samples. `space` is that of
-  /// the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together, `quadrature`
-  /// the same with those of their rules.
+  /// The part of q_difference that the discretisations may cause: |δQ|/|Q|, largest over the samples. `space` is that
+  /// of the reference, `time` is 3 e / min_t |Q_r| with e the estimated time errors of both models together,
+  /// `quadrature` the same with those of their rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty if one of the lines belongs to a load
   std::optional<double> exact_ratio;    ///< only if it applies: the body does not spin

@@ -32,8 +32,8 @@ struct Line {
 ///
 /// The standard error is σ√(S⁻¹), S the projected Gauss–Newton matrix. If the residual is noise, σ is its standard
 /// deviation, but at least the round-off of the samples. If a line still stands out of it (too close to another, or one
-/// too many), σ is the norm of the whole residual: the bound of Cauchy and Schwarz for what a signal of that size can
-/// do to the frequency.
+/// too many), σ is the norm of the whole residual: the bound of Cauchy and Schwarz for the error of the frequency by a
+/// signal of that size.
 struct FrequencyFit {
   std::vector<Line> lines;
   std::string reason;       ///< "the signal is constant", …; empty if lines were found

@@ -26,7 +26,7 @@
 
 namespace pseudorigid::analysis {
 
-/// Of `fit`, a fit of the entry (i, j) of C at these times.
+/// The error of `fit`, a fit of the entry (i, j) of C at these times.
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors);
 

@@ -51,7 +51,7 @@ struct Deformation {
   std::pair<int, int> liveliest_component() const;
 };
 
-/// Of samples of a component of C. The times need not be equally spaced, but then there is none.
+/// The frequency of samples of a component of C. If the times are not equally spaced, there is none.
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
 /// Reference value for energies of one or more models: max_t (kinetic + elastic) or the dissipated energy, if this is

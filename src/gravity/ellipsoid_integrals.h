@@ -31,7 +31,7 @@ struct EllipsoidIntegrals {
 namespace detail {
 
 /// Terms of the series up to this degree in Z, and the spread of the arguments, in units of their sum, at which they
-/// suffice: what is left out is then below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
+/// suffice: the truncated part is then below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 

@@ -18,8 +18,8 @@
 ///
 /// and the sum over j of the energy is e_i = N_i·h_i.
 ///
-/// A pair serves both of its points: what x sees of y tells what y sees of x. If a body is computed in a part of it,
-/// the sources are its points and their mirror images.
+/// A pair serves both of its points: the terms of y at x also give those of x at y. If a body is computed in a part of
+/// it, the sources are its points and their mirror images.
 
 #include <Eigen/Core>
 #include <array>

@@ -5,10 +5,10 @@
 
 namespace pseudorigid::io {
 
-/// Bytes that the machine still has (MemAvailable), or less: what is left within the limit of a control group that
-/// holds this process, its own or one above it, as containers, systemd and batch systems make them (versions 1 and 2).
-/// Files that the kernel keeps in memory and can drop do not count as used. Infinite if the system does not tell.
-/// `root`: the folder that has proc and sys.
+/// Free bytes of the machine (MemAvailable), or less if a control group that contains this process has a limit: its own
+/// or one above it, as containers, systemd and batch systems make them (versions 1 and 2). Files that the kernel keeps
+/// in memory and can drop do not count as used. Infinite if the system does not tell. `root`: the folder that has proc
+/// and sys.
 double available_memory(const std::filesystem::path& root = "/");
 
 }  // namespace pseudorigid::io

@@ -3,9 +3,8 @@
 ///
 ///   X(ξ) = Σ_i N_i(ξ) V_i,   ξ ∈ [0,1]³,   i = i₁ + 2 i₂ + 4 i₃ with ξ = (i₁, i₂, i₃) at V_i,
 ///
-/// and what must hold for it to be one body: cells are right-handed everywhere, every vertex belongs to a cell, a face
-/// to two cells or to the surface, no cells lie beside each other without sharing their vertices, and all hang
-/// together.
+/// and the conditions for one body: cells are right-handed everywhere, every vertex belongs to a cell, a face to two
+/// cells or to the surface, neighbouring cells share their vertices, and all cells are connected.
 
 #include <array>
 #include <vector>

@@ -1,5 +1,6 @@
 #pragma once
-/// The folder of one run's results, `<Output/Directory>/<scene name>/` or what --output says, and the names in it.
+/// The folder of one run's results, `<Output/Directory>/<scene name>/` or the argument of --output, and the names in
+/// it.
 ///
 /// Constructing one touches nothing (ranks other than 0 need only the names); prepare_fresh and prepare_resume do, and
 /// are called once the input is known to be valid.

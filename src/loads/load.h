@@ -14,8 +14,8 @@
 ///
 /// or, where the force depends on time, in place of forcing() both  forcing(t)  and  forcing_rate(t), its derivative,
 /// with  largest_forcing()  of all times, and if it is periodic  angular_frequency(), so that a motion that follows it
-/// is not taken for a pulsation of the body. What follows from the forcing is not declared again: whether it
-/// dissipates, what it does to the centre of mass, its energy and that of a change in time, and its scale of time.
+/// is not taken for a pulsation of the body. Consequences of the forcing are not declared again: whether it dissipates,
+/// its effect on the centre of mass, its energy and that of a change in time, and its scale of time.
 
 #include <concepts>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 /// The laws by name, and the entries of parameter files that are theirs. A new law is one header (energy, stress,
-/// tangent and operator==, over any scalar; law_limits.h has what else it may declare) and its lines here: its type in
+/// tangent and operator==, over any scalar; law_limits.h has the optional declarations) and its lines here: its type in
 /// AnyLaw, each number of its own in LawParameters and law_entries, and its line of law_table.
 
 #include <concepts>

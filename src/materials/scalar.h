@@ -47,7 +47,7 @@ template <class T>
 
 /// ln J, and cheap if J is about 1, as in the iterations of the constraint det Q = 1: with δ = J − 1 (exact),
 /// ln J = δ − δ²/2 + δ³/3 − δ⁴/4 + δ⁵/5, whose remainder δ⁶/6 is below round-off of the sum for |δ| ≤ 2⁻¹¹.
-/// Of a J in extended precision, small logarithms have as many digits as δ.
+/// If J has extended precision, small logarithms have as many digits as δ.
 template <class T>
 double log_near_one(T J) {
   const double delta = static_cast<double>(J - 1);

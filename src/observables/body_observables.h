@@ -123,7 +123,7 @@ struct ReducedObservables : BodyObservables {
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, followed along the path, times r
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
-  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< likewise of Λ* = ṠSᵀ
+  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< the same entries of Λ* = ṠSᵀ
   double bipolar_residual = not_observed;  ///< largest entry of the residual of (5.121), per m̄
 };
 

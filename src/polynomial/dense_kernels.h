@@ -1,7 +1,7 @@
 #pragma once
 /// The inner loops of polynomial bodies, compiled for several sets of instructions (mechanics/core/kernel_builds.h):
-/// sums over functions at the points of a grid, the reverse, and what happens at the points. They use plain arrays
-/// only.
+/// sums over functions at the points of a grid, their transposes, and the operations at the points. They use plain
+/// arrays only.
 
 #include "materials/law_table.h"
 #include "mechanics/core/kernel_builds.h"

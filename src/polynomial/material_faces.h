@@ -1,6 +1,6 @@
 #pragma once
-/// Where the motion has carried material surfaces that a report shows: the surface of the undeformed body and its
-/// coordinate planes, in lattices of (m + 1)² points X = S ξ:
+/// Positions of material surfaces that a report shows: the surface of the undeformed body and its coordinate planes, in
+/// lattices of (m + 1)² points X = S ξ:
 ///
 ///   surface, three patches an octant   ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch a quarter   ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2

@@ -63,11 +63,11 @@ class PointTables {
   PointTables(int degree, Fields fields, const Eigen::Vector3d& semi_axes, const PointGrid& grid,
               const std::vector<int>& free_axes, const std::vector<Block>& blocks);
 
-  /// Of the octant.
+  /// Number of points of the octant, with padding.
   int stride() const { return stride_; }
   int shift(int field) const { return shift_[field]; }
   int n_fields() const { return static_cast<int>(shift_.size()); }
-  /// Of all images.
+  /// Number of points of all images.
   int n_points() const { return n_images_ * stride_; }
   /// Numbers of all fields of so many components.
   std::size_t size(int n_components) const { return static_cast<std::size_t>(n_components) * n_fields() * n_points(); }

@@ -49,7 +49,7 @@ struct NearbyFigure {
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Of ellipsoids.
+  /// For families of ellipsoids.
   std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 

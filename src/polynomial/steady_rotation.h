@@ -14,7 +14,7 @@
 ///
 /// A fluid resists no change that moves no matter through its surface, so its equations do not determine x. But a fluid
 /// ellipsoid is an exact figure for every degree (Dirichlet, Riemann), so x is sought among affine motions, with the
-/// pressure p_c(1 − |X|²) that belongs to it. What is left of r is the error of the quadrature of gravity, and of a λ
+/// pressure p_c(1 − |X|²) that belongs to it. The remainder of r is the error of the quadrature of gravity, and of a λ
 /// of degree N − 1 < 2.
 ///
 /// The volumetric stabilisation belongs to the body as in its motions. It does nothing to an affine figure or to small

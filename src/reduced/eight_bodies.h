@@ -1,8 +1,8 @@
 #pragma once
-/// Eight pseudo-rigid bodies that keep their volume as one system: the product of eight systems (5.120) that know
-/// nothing of each other, one to a lane of a SIMD vector. Its vectors are the entries of Q, each for all eight bodies,
-/// its multipliers eight numbers. Methods of fixed step take it as it is; all eight move with one step, and loops that
-/// run until a residual is small enough run until the largest is.
+/// Eight pseudo-rigid bodies that keep their volume as one system: the product of eight independent systems (5.120),
+/// one in each lane of a SIMD vector. Its vectors are the entries of Q, each for all eight bodies, its multipliers
+/// eight numbers. Methods of fixed step take it as it is; all eight move with one step, and loops that run until a
+/// residual is small enough run until the largest is.
 ///
 /// The bodies have one law of the material and each its own inertia.
 

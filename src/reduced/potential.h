@@ -1,5 +1,5 @@
 #pragma once
-/// The potential energy of the pseudo-rigid body, a sum of what the scene names (Oliva 5.7.8–5.7.9):
+/// The potential energy of the pseudo-rigid body, the sum of the parts in the scene (Oliva 5.7.8–5.7.9):
 ///
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h

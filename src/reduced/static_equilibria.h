@@ -61,7 +61,7 @@ class StaticLandscape {
 /// Whether Morse's count (mechanics/equilibria/morse_count.h) says that equilibria are missing among these. SL(3) and
 /// GL⁺(3) retract along the stretches to SO(3), and so does each of their parts |ln S| ≤ s, whose Betti numbers over
 /// Z/2 are 1, 1, 1, 1: if V rises at such a boundary around the points, there is at least one each of index 0 to 3,
-/// and the numbers of even and odd index are equal. That holds for every law and load. It says nothing of degenerate
+/// and the numbers of even and odd index are equal. That holds for every law and load. It cannot judge degenerate
 /// points, as those of a body that may be turned without a change of V, nor if V falls outwards.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 

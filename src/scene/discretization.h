@@ -21,7 +21,7 @@
 namespace pseudorigid::scene {
 
 inline constexpr int largest_degree = 8;
-/// Of polynomial bodies.
+/// Largest degree of polynomial bodies.
 inline constexpr int largest_polynomial_degree = 13;
 /// Largest number of refinements in a search; a scene may set more.
 inline constexpr int largest_refinements_of_search = 2;

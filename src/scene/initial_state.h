@@ -1,5 +1,5 @@
 #pragma once
-/// What is asked of the initial state of the ball, and the exact projection of a nearly isochoric one.
+/// Conditions on the initial state of the ball, and the exact projection of a nearly isochoric one.
 ///
 /// For an incompressible body, with c = sqrt(shear modulus/density): |det Q0 - 1| <= 1e-8 and
 /// |tr(Q0^-1 Qdot0)| r/c <= 1e-8 are demanded, and then made exact by

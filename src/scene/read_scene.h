@@ -40,7 +40,7 @@ struct ReadScene {
 };
 
 /// Reads the file, then the overrides ("Section/Entry=value"); the last setting of an entry wins. Throws UserError, one
-/// sentence that begins with file:line or --set, for what cannot be read, for unknown names and for values out of
+/// sentence that begins with file:line or --set, for files that cannot be read, for unknown names and for values out of
 /// range. The catalogue must outlive the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);

@@ -3,8 +3,8 @@
 ///
 ///   1/t² = μ/(ρr²) + πGρ
 ///
-/// that is r/c with c = √(μ/ρ) without self-gravity, and the free-fall time of a fluid. What has neither stiffness nor
-/// gravity takes the rate of its loads, of its motion, or of nothing but the length of the run.
+/// that is r/c with c = √(μ/ρ) without self-gravity, and the free-fall time of a fluid. Without stiffness and gravity
+/// the unit is that of the loads, of the motion, or of the length of the run.
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 /// of a particle of unit mass in the plane, U = ½k|q|² or −μ/|q|, of a heavy particle of unit mass on an upright torus,
 /// and of the double pendulum with the first mass 1, by their arc s̃, which takes the place of time in the scene, so
 /// Time/End and the column `time` are arcs, of the unit length²/time. By 5.2.1 they are the motions of energy h with ds̃
-/// = 2(h − U)dt: beside the geodesic runs the motion from the same initial data, and with it ∫2(h − U)dt, which must be
-/// s̃ again.
+/// = 2(h − U)dt: the motion from the same initial data is computed next to the geodesic, and with it ∫2(h − U)dt, which
+/// must be s̃ again.
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -54,7 +54,7 @@ class RigidBody {
     return {};
   }
 
-  /// Of parameters that are accepted.
+  /// For parameters that are accepted.
   explicit RigidBody(Parameters parameters)
       : p_(std::move(parameters)),
         E0_inverse_(p_.E0.inverse()),

@@ -1,6 +1,6 @@
 #pragma once
-/// What a system brings into a parameter file: its subsection with entries, the columns of its CSV file, its units, and
-/// the model that moves. A system is one header with such a struct, and one line in systems/table.cpp.
+/// Content of a parameter file that a system defines: its subsection with entries, the columns of its CSV file, its
+/// units, and the model that moves. A system is one header with such a struct, and one line in systems/table.cpp.
 ///
 ///     struct PendulumScene {
 ///       static constexpr std::string_view name, file, section, documentation;

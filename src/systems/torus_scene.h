@@ -114,7 +114,7 @@ struct TorusScene {
                                       std::numeric_limits<double>::max())});
       return {};
     }
-    /// Of w itself.
+    /// The landscape over w itself, measured from outside.
     auto landscape() const {
       Torus torus = system.chart();
       torus.outward = 1;

@@ -1,7 +1,7 @@
 #pragma once
-/// The comparison of the models of a run: each with the last of them, the richest in motions. Of two models the files
-/// are comparison.csv and comparison.json; of more, `comparison-<model>.csv` and .json for each, and comparison.json
-/// has an overview of them. A model that runs alone has a table of its own.
+/// The comparison of the models of a run: each with the last of them, which has the most motions. For two models the
+/// files are comparison.csv and comparison.json; for more, `comparison-<model>.csv` and .json for each, and
+/// comparison.json has an overview of them. A model that runs alone has a table of its own.
 
 #include <functional>
 #include <map>

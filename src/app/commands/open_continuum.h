@@ -6,8 +6,8 @@
 
 namespace pseudorigid::app {
 
-/// It lies where it was built or installed, as seen from the directory of the executable. Throws NoContinuum without
-/// it, std::system_error if its libraries find no room.
+/// Its place relative to the directory of the executable is that of the build or of the installation. Throws
+/// NoContinuum without it, std::system_error if its libraries find no room.
 const ContinuumModule* open_continuum();
 
 }  // namespace pseudorigid::app

@@ -1,11 +1,11 @@
 #pragma once
-/// Rank and number of processes under mpirun or srun, from what the launchers leave in the environment: a process that
-/// needs no MPI does not start it.
+/// Rank and number of processes under mpirun or srun, from the environment variables of the launchers. A process that
+/// does not need MPI does not start it.
 ///
 /// Open MPI's mpirun sets OMPI_*, that of MPICH and `srun --mpi=pmi2` PMI_*. PMIx alone (`srun --mpi=pmix`) tells the
 /// rank and not the number, which MPI itself must say. SLURM_PROCID is not a rank: it is set in batch scripts and for
-/// `srun --mpi=none` too, whose processes do not know of each other. Each of those is a run of its own, and the lock of
-/// the results directory keeps them apart.
+/// `srun --mpi=none` too, whose processes are independent. Each of those is a run of its own, and the lock of the
+/// results directory keeps them apart.
 
 #include <cstdlib>
 #include <initializer_list>

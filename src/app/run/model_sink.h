@@ -1,5 +1,5 @@
 #pragma once
-/// Where the run of one model puts its results. This class keeps nothing; it serves runs whose trace alone is needed
+/// Receiver of the results of one model's run. This class keeps nothing; it serves runs whose trace alone is needed
 /// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps; `ModelFiles` writes the files of a run's
 /// directory.
 ///

@@ -4,7 +4,7 @@
 ///
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (RATTLE, μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
-/// for degree k and r refinements of the builtin mesh. If volume is preserved λ is what the law has beside a
+/// for degree k and r refinements of the builtin mesh. If volume is preserved, λ is that of the law without its
 /// function of J, which is 0 for neo-Hookean balls. Fitted to the largest frequencies that Lanczos' method finds:
 /// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. A viscosity η makes steps dearer, by the
 /// largest rate of damping

@@ -1,7 +1,6 @@
 #pragma once
-/// The loads on the finite-element ball (loads/forcing.h), node by node with the lumped mass, so
-/// that the motions x = QX feel exactly what the pseudo-rigid body feels (reduced/external_potential.h,
-/// reduced/dissipation.h):
+/// The loads on the finite-element ball (loads/forcing.h), node by node with the lumped mass, so that the motions x =
+/// QX have exactly the forces of the pseudo-rigid body (reduced/external_potential.h, reduced/dissipation.h):
 ///
 ///   quadratic potential ½ xᵀTx per mass     f_n = −m_n T x_n               V = ½ Σ m_n x_nᵀTx_n
 ///   uniform acceleration b                  f_n = m_n b                    V = −Σ m_n b·x_n

@@ -1,7 +1,7 @@
 #pragma once
 /// A symmetric matrix in single precision and its product with a vector. A large one is kept as its lower triangle by
-/// rows: half the bytes of the whole, and they are what the product waits for. A small one is kept whole, by columns:
-/// the product then has no sums across the lanes of a vector.
+/// rows: half the bytes of the whole, and reading them limits the product. A small one is kept whole, by columns: the
+/// product then has no sums across the lanes of a vector.
 
 #include <cstddef>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 /// The cells of the ball in batches of as many as the SIMD vectors used have lanes, with all that the kernels read:
-/// node numbers, what the constraint reads at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of
+/// node numbers, the data of the constraint at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of
 /// P_{k−1}, LLᵀ = ∫monomials ⊗ monomials. The lanes of the last batch that have no cell of their own repeat its first
 /// one and are left out of results.
 

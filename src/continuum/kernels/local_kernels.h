@@ -16,7 +16,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Data of the kernels. All of it outlives them.
+/// Data of the kernels, which must outlive them.
 struct LocalCells {
   const ReferenceCell& reference;
   const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest

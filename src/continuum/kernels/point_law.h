@@ -1,8 +1,8 @@
 #pragma once
-/// The only part of the kernels that knows the law: what happens at the quadrature points of a batch of cells between
-/// the derivatives of the shape functions and the sums over them. All laws are compiled in one file, without the
-/// degree, and all degrees without the law. It holds the geometry that the law's stress reads (stress_points.h); points
-/// are counted through all batches.
+/// The only part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells,
+/// between the derivatives of the shape functions and the sums over them. All laws are compiled in one file, without
+/// the degree, and all degrees without the law. It holds the geometry that the law's stress reads (stress_points.h);
+/// points are counted through all batches.
 ///
 /// A tensor at every point is 9 · n_points numbers, entry (i, j) of point q at (3i + j) n_points + q. Wide vectors
 /// cross this interface in memory only.

@@ -4,7 +4,7 @@
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
-/// On a symmetry plane x_i = 0 the component i of a node cannot move: its inverse mass is 0, and it stays what it is.
+/// On a symmetry plane x_i = 0 the component i of a node cannot move: its inverse mass is 0, and its value is constant.
 ///
 /// Cells, nodes and multipliers are distributed over the ranks of the mesh: `n_cells`, `cell_nodes` and the local
 /// elements of vectors are this rank's own, followed by the ghost nodes that its cells have on other ranks.

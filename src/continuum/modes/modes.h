@@ -7,7 +7,8 @@
 /// are left out.
 ///
 /// A sector's list is complete up to the largest eigenvalue that the last run of the iteration found in the complement
-/// of all that was known before: sectors are asked for more until all wanted frequencies lie below what is complete.
+/// of all that was known before: the search in the sectors continues until their lists are complete up to all wanted
+/// frequencies.
 
 #include <cstdint>
 #include <functional>

@@ -12,8 +12,8 @@
 ///
 /// The operator on u alone never sees the multiplier's infinite eigenvalues. The solution is by augmented Lagrangian:
 /// B = K + s M + γ GᵀG is positive definite and couples no more than K does, the ψ being those of one cell, and
-/// u ← u − B⁻¹γGᵀG u reduces what is left of G u by a factor of the order of 1/γ. B is factorised after condensation:
-/// first the unknowns of one cell alone (dense, cell by cell), then those between cells.
+/// u ← u − B⁻¹γGᵀG u reduces G u by a factor of the order of 1/γ. B is factorised after condensation: first the
+/// unknowns of one cell alone (dense, cell by cell), then those between cells.
 ///
 /// Self-gravity adds its second variation K_g = D²Ê at rest, which couples all nodes of the surface with one another.
 /// On the sphere and a surface displacement u·n of degree n it is ρg (1 − 3/(2n + 1)) ∮(u·n)² dS, g = (4/3)πGρr: the

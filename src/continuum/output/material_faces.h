@@ -1,6 +1,6 @@
 #pragma once
-/// Where the motion has carried material surfaces that a picture shows: the faces of the finite elements on the free
-/// surface and on the coordinate planes of the undeformed body. On each face a lattice of points
+/// Positions of material surfaces that a picture shows: the faces of the finite elements on the free surface and on the
+/// coordinate planes of the undeformed body. On each face a lattice of points
 ///
 ///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m,
 ///

@@ -30,9 +30,8 @@ class MpiType {
   MPI_Datatype type_;
 };
 
-/// Counts of entries as MPI takes them, and where those of each rank begin; the last offset is where all end. Throws
-/// std::length_error if a whole number of MPI, an int, does not hold them: on every rank alike, as all know all
-/// sizes.
+/// Counts of entries in the form of MPI, and the offsets of each rank; the last offset is the end of all. Throws
+/// std::length_error if a whole number of MPI, an int, does not hold them: on every rank alike, as all know all sizes.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
     long end = 0;

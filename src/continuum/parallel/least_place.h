@@ -1,7 +1,7 @@
 #pragma once
-/// A least value with its place. Of places whose values agree to 1e-6, as symmetric ones do but for the round-off that
-/// a motion has gathered, that with the greatest x counts, then y, then z: neither round-off nor the number of ranks
-/// decides.
+/// A least value with its place. If the values at several places agree to 1e-6, as at symmetric places up to round-off,
+/// the place with the greatest x counts, then y, then z. So the result does not depend on round-off or on the number of
+/// ranks.
 
 #include <algorithm>
 #include <array>

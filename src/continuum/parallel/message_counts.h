@@ -1,7 +1,8 @@
 #pragma once
 /// Messages that this process has sent through MPI since its start, from any library. The program defines the
-/// MPI functions that send, and these call what does the work by its second name, PMPI_… (profiling interface, MPI 3.1,
-/// chapter 14). A message to the process itself, and reductions over a communicator of one process, do not count.
+/// MPI functions that send, and these call the library's functions by their second names, PMPI_… (profiling interface,
+/// MPI 3.1, chapter 14). A message to the process itself, and reductions over a communicator of one process, do not
+/// count.
 
 namespace pseudorigid::continuum {
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Any system in constrained form behind one type, so that a method is compiled once for all of them and not once a
-/// system (any_field.h: likewise for second-order fields). n is 0, or dynamic_constraints: a number of constraints that
-/// is known at run time.
+/// Any system in constrained form behind one type, so that a method is compiled once for all of them and not once for
+/// each system (any_field.h: the same for second-order fields). n is 0, or dynamic_constraints: a number of constraints
+/// that is known at run time.
 ///
 /// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). Small systems can
 /// afford that; bodies keep their own types.

@@ -1,7 +1,7 @@
 #pragma once
-/// The zero of a continuous function between two points where it has opposite signs: inverse quadratic interpolation
-/// where it is safe, halving elsewhere (Chandrupatla, Adv. Eng. Software 28 (1997) 145), until neighbouring numbers
-/// bracket the zero, or numbers as near as asked for, or the function vanishes.
+/// The zero of a continuous function between two points with opposite signs: inverse quadratic interpolation if it is
+/// safe, otherwise halving (Chandrupatla, Adv. Eng. Software 28 (1997) 145), until neighbouring numbers bracket the
+/// zero, or numbers as near as asked for, or the function vanishes.
 
 #include <algorithm>
 #include <cmath>

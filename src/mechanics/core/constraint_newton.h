@@ -6,8 +6,8 @@
 /// until |r| ≤ tolerance (or round-off).
 ///
 /// Round-off of G(q) v grows with |G||v|, and that of g(q) with |G||q|, so that no constant bounds it for all motions.
-/// If a residual has stopped falling, it is compared with what changes of q and v by units in their last place make
-/// of it (rounding_noise.h).
+/// If a residual has stopped falling, it is compared with its changes if q and v change by units in their last place
+/// (rounding_noise.h).
 
 #include <cmath>
 #include <string>
@@ -22,9 +22,9 @@ namespace pseudorigid::mechanics::detail {
 
 inline constexpr int max_constraint_iterations = 30;
 
-/// The noise is the largest of a few changes, and errors may add up to more. Of 4.3·10⁷ residuals that had stopped
-/// falling, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16 times, the
-/// largest 18.7; these are iterated once more.
+/// The noise is the largest of a few changes, and errors may add up to more. In a sample of 4.3·10⁷ residuals that had
+/// stopped falling, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16
+/// times, the largest 18.7; these are iterated once more.
 inline constexpr double noise_reserve = 16;
 
 /// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then

@@ -1,8 +1,9 @@
 #pragma once
-/// What a method carries from step to step (multipliers known so far, positions of earlier steps, round-off kept back),
-/// as a plain list of numbers: saved with a checkpoint and put back, it makes a resumed run repeat the uninterrupted
-/// one bit by bit. A workspace hands out its numbers, lists of numbers and vectors by `visit_memory(visit)`, always the
-/// same ones in the same order. For a distributed vector the list holds the rank's own part.
+/// The data that a method keeps from step to step (multipliers known so far, positions of earlier steps, round-off kept
+/// back), as a plain list of numbers: saved with a checkpoint and put back, it makes a resumed run repeat the
+/// uninterrupted one bit by bit. A workspace hands out its numbers, lists of numbers and vectors by
+/// `visit_memory(visit)`, always the same ones in the same order. For a distributed vector the list holds the rank's
+/// own part.
 
 #include <algorithm>
 #include <cstddef>

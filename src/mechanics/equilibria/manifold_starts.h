@@ -1,7 +1,7 @@
 #pragma once
-/// Where motions on the unstable and the stable manifold of a critical point start: at q* + x, q̇ = y with (x, y) small
-/// and in the eigenspace of the linearised field, spanned by (Re δ, Re zδ) and (Im δ, Im zδ) of its rates z with
-/// directions δ; on the manifold up to terms of second order (Oliva, Geometric Mechanics, 5.8.3).
+/// Starting points of motions on the unstable and the stable manifold of a critical point: at q* + x, q̇ = y with (x,
+/// y) small and in the eigenspace of the linearised field, spanned by (Re δ, Re zδ) and (Im δ, Im zδ) of its rates z
+/// with directions δ; on the manifold up to terms of second order (Oliva, Geometric Mechanics, 5.8.3).
 ///
 /// Around a point with several unstable directions the motions would all leave along the fastest. So they start at
 /// ε^{Re z/Re z_min} in each direction: all directions are of order 1 at the same time.

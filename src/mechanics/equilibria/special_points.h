@@ -1,5 +1,5 @@
 #pragma once
-/// Where something happens along a family of relative equilibria, located to round-off of a smooth test function:
+/// Special points along a family of relative equilibria, located to round-off of a smooth test function:
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0

@@ -7,7 +7,7 @@
 ///
 /// The velocity projection μ_n moves v_{n+1} along M⁻¹G(q_{n+1})ᵀ, which is just where the next λ_{n+1} acts: leaving
 /// it out between substeps changes λ_{n+1} and nothing else (SHAKE and RATTLE have the same positions). So `advance`
-/// omits it and `project_velocity` makes it where a state is looked at.
+/// omits it, and `project_velocity` makes it at samples.
 ///
 /// With Λ = (sum of the half steps) λ_n, the position solve is Newton's iteration
 ///

@@ -50,8 +50,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
-/// Runs from `cursor` (the start, or where a checkpoint was written) to the last sample. `cursor` and `state` are left
-/// where the run ended; after a failure the state is that of the failing step and not to be used.
+/// Runs from `cursor` (the start, or a checkpoint) to the last sample. `cursor` and `state` are left where the run
+/// ended; after a failure the state is that of the failing step and not to be used.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,

@@ -3,7 +3,8 @@
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (differences, λ and v fixed).
 ///
-/// The stability limit of a method is a bound on hω. If forces dissipate, the largest rate of damping is likewise
+/// The stability limit of a method is a bound on hω. If forces dissipate, the largest rate of damping is in the same
+/// way
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
 ///

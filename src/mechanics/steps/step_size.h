@@ -1,12 +1,12 @@
 #pragma once
 /// Method and step from a tolerance of the time error of the configuration over a run (maximum norm over samples).
 ///
-/// An adaptive method (tolerance_search.h) is tried first: it finds its way through motions of every kind, and bounds
-/// what the search among the others may cost. It is taken if it needs less than half of their forces, for it does
-/// not keep the invariants of the motion; that is on short runs, since its error grows like T², and on motions with
-/// short violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at
-/// its stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon
-/// as a pilot shows that a higher order must be cheaper.
+/// An adaptive method (tolerance_search.h) is tried first: it can follow motions of every kind, and its cost bounds
+/// that of the search among the others. It is taken if it needs less than half of their forces, for it does not keep
+/// the invariants of the motion; that is on short runs, since its error grows like T², and on motions with short
+/// violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at its
+/// stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon as a
+/// pilot shows that a higher order must be cheaper.
 
 #include <Eigen/Core>
 #include <optional>

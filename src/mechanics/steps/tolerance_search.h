@@ -8,8 +8,8 @@
 /// Geometric Numerical Integration, X.3). Then e ~ τ gives the tolerance.
 ///
 /// Round-off grows with the motion, near an unstable point like e^{λt}, and two pilots that leave such a point on the
-/// same side by the same error of rounding say nothing of it. So two more are kicked by round-off after every step, one
-/// against the other (kicked_method.h), and what they leave the first by is part of the estimate. If that is more
+/// same side by the same rounding error do not show it. So two more pilots are perturbed by round-off after every step,
+/// in opposite directions (kicked_method.h), and their distance from the first is part of the estimate. If that is more
 /// than the tolerance, and a thousand times what kicks add up to on a regular motion, the run says from which time on.
 /// On a regular motion it grows like t^(3/2), since kicks are as often one way as the other.
 ///
