@@ -190,7 +190,7 @@ Needs needs(const Scene& scene) {
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;
   needs.surface_watch = needs.discretized && needs.constraint;
   needs.quadrature_error =
-      scene.analysis == Analysis::motion && scene.sweep.empty() &&
+      scene.analysis == Analysis::motion && (scene.sweep.empty() || needs.comparison) &&
       std::ranges::any_of(needs.models, [](const ModelDescription* m) { return m->has_nonaffine && !m->discretized; });
   if (nonaffine) needs.sector = sector(scene);
   describe_models(scene, needs);
