@@ -40,7 +40,8 @@
 namespace pseudorigid::analysis {
 
 /// √10 / 2.665622189236: pulsation of the pseudo-rigid ball over the exact one (Lamb 1882) of an incompressible elastic
-/// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity.
+/// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity. With gravity:
+/// app/run/small_pulsation.h.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
 struct ComparisonOptions {

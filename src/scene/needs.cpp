@@ -226,6 +226,7 @@ std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + summary(scene, needs) + "\n";
   if (!needs.system) text += list("Scales:", scale_lines(scene));
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
+  if (!needs.expected.empty()) text += list("Expected:", needs.expected);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }
 

@@ -25,6 +25,7 @@ struct Needs {
   Quantities quantities;       ///< the observables to evaluate
   Sector sector;               ///< of the models that may bend
   std::vector<std::string> needed, skipped;  ///< one line each, for people
+  std::vector<std::string> expected;         ///< a line each: errors that can be told beforehand
   std::vector<std::string> warnings;         ///< a sentence each: what is allowed but seldom meant
 };
 

@@ -9,6 +9,7 @@
 
 #include "analysis/comparison_report.h"
 #include "analysis/motion.h"
+#include "app/run/small_pulsation.h"
 #include "io/csv.h"
 #include "io/files.h"
 #include "io/standard_streams.h"
@@ -70,10 +71,10 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  const bool is_free_ball = scene.body.incompressible && scene::is_free(scene) && !scene::has_mesh_file(scene);
-  // The exact value is that of nine unknowns beside all.
-  if (is_free_ball && !run.model->has_nonaffine && reference.model->discretized)
-    options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
+  // The exact value is that of nine unknowns against all. A compressible ball may pulsate in its volume.
+  if (const auto small = small_pulsation(scene);
+      small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
+    options.exact_frequency_ratio = small->ratio();
   options.surface_limit_time = counter(reference.statistics, "surface_limit_time");
   const auto named = [&](const RunOfModel& r) {
     return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, r.statistics, others)};

@@ -147,7 +147,10 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
   for (const scene::ModelDescription* model : context.needs.models) {
     ModelOutcome outcome = executable.model(*model).run(context);
-    if (outcome.end == mechanics::Outcome::interrupted) return {.end = outcome.end};
+    if (outcome.end == mechanics::Outcome::interrupted) {
+      results.end = outcome.end;
+      return results;
+    }
     for (const scene::ModelRun& run : scene::runs_of(*model, context.scene)) {
       const auto& statistics = run.name == model->name ? outcome.statistics : outcome.of_rungs[run.name];
       io::Table& table = tables[run.name];

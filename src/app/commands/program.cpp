@@ -11,6 +11,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/disk_use.h"
+#include "app/commands/expected_error.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
@@ -173,6 +174,7 @@ int dispatch(const Options& options, int argc, char** argv, Process& process) {
       const scene::ReadScene read = read_and_validate(options, catalogue, process.n_ranks()).read;
       scene::Needs needs = needs_with_effort(read.scene);
       describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
+      describe_expected_error(read.scene, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
       io::print(scene::describe(read.scene, needs));
       return exit_done;
