@@ -1,4 +1,4 @@
-"""python3 -m pseudorigid COMMAND …: draws the results of runs."""
+"""python3 -m pseudorigid COMMAND …: draws and joins the results of runs."""
 
 import argparse
 import importlib
@@ -7,7 +7,7 @@ import sys
 
 from pseudorigid.errors import exit_code_of
 
-# name: (module, what it draws); a module is imported when its command is used.
+# name: (module, what it makes); a module is imported when its command is used.
 COMMANDS = {
     "plot": ("plot", "curves of a run: deformation over time, difference of the models, energies"),
     "render": ("render", "the bodies of a run at one time, with their stress, as a picture"),
@@ -15,6 +15,7 @@ COMMANDS = {
     "paraview": ("paraview_view", "the bodies of a run in ParaView: a window, a picture or an animation"),
     "cells": ("cells", "a body with linear cells and with Lagrange cells"),
     "equilibria": ("equilibria", "figures of equilibrium, computed by the program: tables, or a picture"),
+    "merge": ("merge", "the tables of the parts of a sweep, joined to one"),
     "map": ("stability_map", "the map of stability of the stress suite"),
 }
 
@@ -22,7 +23,7 @@ COMMANDS = {
 def main() -> None:
     listed = "\n".join(f"  {name:12}{text}" for name, (_, text) in COMMANDS.items())
     parser = argparse.ArgumentParser(prog="python3 -m pseudorigid", formatter_class=argparse.RawDescriptionHelpFormatter,
-                                     description=f"Draws the results of runs of pseudorigid.\n\ncommands:\n{listed}")
+                                     description=f"Draws and joins the results of runs of pseudorigid.\n\ncommands:\n{listed}")
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help="COMMAND --help says more")
     command = parser.parse_args(sys.argv[1:2]).command
     os.environ.setdefault("MPLBACKEND", "Agg")  # into files, without a screen

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 # Columns that number the rows of a table; of other tables it is the time.
 INDICES = {"sweep": ["run"], "connections": ["curve"], "trajectories": ["run", "time"], "manifolds": ["curve", "time"]}
 OF_ALL_TABLES = {"time": "time", "frequency": "1/time"}  # units that the manifest need not say
+# The same of the end of a column, in a sweep of several models.
+OF_COMPARED = {"_time": "time", "_frequency": "1/time", "_frequency_error": "1/time", "_tenth_of_period_after": "time"}
 # What the columns of a sweep add to the name of a column.
 OF_A_RUN = ("_end", "_min", "_max", "_drift")
 
@@ -159,6 +161,9 @@ class Run:
                          self.described(file.removesuffix(".csv")).items()}
 
         def unit(column: str) -> str:
+            for end, dimension in OF_COMPARED.items():
+                if name == "sweep" and column.endswith(end):
+                    return dimension
             of_motion = next((column.removesuffix(end) for end in OF_A_RUN if column.endswith(end)), column)
             return OF_ALL_TABLES.get(column) or described.get(column, described.get(of_motion, {})).get("unit", "")
 

@@ -180,6 +180,24 @@ void compare_energies(Workshop& w) {
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
+/// Of loads and dissipation, if any was dissipated.
+void compare_dissipation(Workshop& w) {
+  if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
+  const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");
+  if (const double reference = std::max(largest(r), largest(c)); reference > 0)
+    w.add("dissipated_difference", reference, each(std::minus{}, c, r));
+}
+
+/// Anywhere in the body; the pseudo-rigid body has the same everywhere.
+void compare_stretches(Workshop& w) {
+  for (const auto& [name, of_mean] : {std::pair{"max_stretch", "stretch1"}, std::pair{"min_stretch", "stretch3"}}) {
+    const std::string of_model = w.r.has_column(name) ? name : of_mean;
+    if (!w.r.has_column(of_model) || !w.c.has_column(name)) continue;
+    w.add(fmt::format("{}_difference", name), 1,
+          each([](double c, double r) { return ratio_or_zero(c - r, r); }, w.c.column(name), w.r.column(of_model)));
+  }
+}
+
 using Drift = std::optional<double> ModelSummary::*;
 
 void compare_momentum(Workshop& w, const std::string& name, const Columns& columns, Drift drift_of) {
@@ -225,6 +243,8 @@ Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, c
   compare_states(w);
   compare_axes(w);
   compare_energies(w);
+  compare_dissipation(w);
+  compare_stretches(w);
   compare_momentum(w, "angular_momentum", {"J1", "J2", "J3"}, &ModelSummary::angular_momentum_drift);
   compare_momentum(w, "circulation", {"Z1", "Z2", "Z3"}, &ModelSummary::circulation_drift);
   compare_multipliers(w);

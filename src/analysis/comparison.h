@@ -15,6 +15,9 @@
 ///   energy_difference           (E_c − E_r) / E₀,   E₀ = max_t (kinetic + elastic) of the model that has more: without
 ///                               gravity, loads and growth by error this is the initial mechanical energy. If nothing
 ///                               moves, E₀ is the largest energy that there is (energy_reference)
+///   dissipated_difference       (D_c − D_r) / max_t D, D the energy dissipated, of the model that dissipates more
+///   max_stretch_difference,
+///   min_stretch_difference      (λ_c − λ_r) / λ_r, λ the largest or the least principal stretch anywhere in the body
 ///   angular_momentum_difference,
 ///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|, or, if that is round-off, m̄|Q||Q̇|, the bound
 ///                               of |J| and |Z| up to a factor √2, where |Q̇| is largest
@@ -37,7 +40,8 @@
 namespace pseudorigid::analysis {
 
 /// √10 / 2.665622189236: pulsation of the pseudo-rigid ball over the exact one (Lamb 1882) of an incompressible elastic
-/// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity.
+/// ball of any law with a shear modulus, at small amplitude, at rest in the mean, without gravity. With gravity:
+/// app/run/small_pulsation.h.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
 struct ComparisonOptions {

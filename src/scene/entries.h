@@ -320,11 +320,18 @@ void visit_sweep(S& scene, Visit& visit) {
       About{
           "Sweep/Parameters", "",
           "Runs the scene for every combination of these values, without files for the single runs, and writes "
-          "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". Other entries use the "
+          "sweep.csv with one row per run. Example: \"l: 1.1 .. 2 in 100; w: 0, 1\". A range \"in 5 logarithmic\" "
+          "has equal ratios. Ranges \"in 200 latin 7\" make one Latin hypercube of 200 runs, from the seed 7. Each row "
+          "of a sweep of several models compares each with the last of them. Other entries use the "
           "parameters as $(expression), for instance $(1/sqrt(l)). Every parameter is used by some entry, and none has "
           "the "
-          "name of a function or a constant of expressions or of another column of sweep.csv. It is for every model "
-          "but the continuum, and for the other systems."});
+          "name of a function or a constant of expressions or of another column of sweep.csv. It is for motions of "
+          "every model and of the other systems."});
+  visit(scene.sweep_part, SweepPartKind{},
+        About{"Sweep/Part", "",
+              "The part of the runs to make, such as 2 of 8: the runs are divided into 8 parts in their order. Parts "
+              "can run at the same time, on several machines, with directories of their own. python3 -m pseudorigid "
+              "merge joins their tables."});
   visit(scene.sweep_threads, AutoOrInteger{{1, 1024}},
         About{"Sweep/Threads", "", "Number of runs at the same time. auto: one per core."});
   visit(scene.sweep_trajectories, Boolean{},

@@ -191,7 +191,7 @@ Needs needs(const Scene& scene) {
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;
   needs.surface_watch = needs.discretized && needs.constraint;
   needs.quadrature_error =
-      scene.analysis == Analysis::motion && scene.sweep.empty() &&
+      scene.analysis == Analysis::motion && (scene.sweep.empty() || needs.comparison) &&
       std::ranges::any_of(needs.models, [](const ModelDescription* m) { return m->has_nonaffine && !m->discretized; });
   if (nonaffine) needs.sector = sector(scene);
   describe_models(scene, needs);
@@ -227,6 +227,7 @@ std::string describe(const Scene& scene, const Needs& needs) {
   std::string text = (scene.title.empty() ? "" : scene.title + "\n") + summary(scene, needs) + "\n";
   if (!needs.system) text += list("Scales:", scale_lines(scene));
   text += list("Needed:", needs.needed) + list("Skipped:", needs.skipped);
+  if (!needs.expected.empty()) text += list("Expected:", needs.expected);
   return needs.warnings.empty() ? text : text + list("Warnings:", needs.warnings);
 }
 

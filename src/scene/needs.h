@@ -25,6 +25,7 @@ struct Needs {
   Quantities quantities;       ///< the observables to evaluate
   Sector sector;               ///< sector of the models that are not affine
   std::vector<std::string> needed, skipped;  ///< one line each, for people
+  std::vector<std::string> expected;         ///< a line each: errors that can be told beforehand
   std::vector<std::string> warnings;         ///< a sentence each: valid input that is seldom intended
 };
 

@@ -138,6 +138,7 @@ struct Scene {
     bool report = false;
   } output;
   Sweep sweep;                       ///< empty: one run
+  SweepPart sweep_part;              ///< the runs to make
   std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
   bool sweep_lanes = true;           ///< similar runs are integrated together
   bool sweep_trajectories = false;   ///< samples of all runs are kept (app/commands/kept_trajectories.h)

@@ -2,28 +2,34 @@
 /// A sweep: parameters that run over values, one run of the scene for every combination of them. Other entries use the
 /// parameters in expressions (scene/expressions.h).
 ///
-///     set Parameters = l: 1.1 .. 2 in 100; w: 0, 0.5, 1
+///     set Parameters = l: 1.1 .. 2 in 100; w: 0, 0.5, 1; g: 0.1 .. 100 in 4 logarithmic
 ///
-/// `first .. last in n` are n values at equal distances, both ends among them. The last parameter varies fastest.
+/// `first .. last in n` are n values at equal distances, both ends among them; with `logarithmic` their logarithms have
+/// equal distances. The last parameter varies fastest.
+///
+/// With `latin S` the n values belong to n runs of a Latin hypercube: all parameters of that kind vary together, and
+/// each has one value in every n-th part of its range, in an order and at a place within the part that S decides.
+/// Combinations of other parameters are run with each of these n.
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace pseudorigid::scene {
 
 struct SweepParameter {
   std::string name;
-  std::vector<double> values;   ///< values of a list; ends of a range
-  std::optional<int> n_values;  ///< of a range
+  std::vector<double> values;           ///< values of a list; ends of a range
+  std::optional<int> n_values{};        ///< of a range
+  bool logarithmic = false;             ///< of a range
+  std::optional<std::uint32_t> seed{};  ///< of a parameter of a Latin hypercube
 
   int size() const { return n_values ? *n_values : static_cast<int>(values.size()); }
-  double operator[](int i) const {
-    if (!n_values) return values[static_cast<std::size_t>(i)];
-    return i + 1 == *n_values ? values[1] : values[0] + (values[1] - values[0]) * i / (*n_values - 1);
-  }
+  double operator[](int i) const;
 };
 
 using Sweep = std::vector<SweepParameter>;
@@ -31,6 +37,15 @@ using ParameterValues = std::map<std::string, double>;
 
 inline constexpr int largest_number_of_runs = 10'000'000;
 
+/// The runs of one of several equal parts, which may run at the same time in directories of their own.
+struct SweepPart {
+  int part = 1, n_parts = 1;
+};
+/// The first run of a part, and the one after its last.
+std::pair<int, int> runs_of_part(const SweepPart& part, int n_runs);
+
+/// The number of runs of the Latin hypercube; 1 without one.
+int n_latin(const Sweep& sweep);
 /// 0 without parameters.
 int n_runs(const Sweep& sweep);
 /// The values of run k = 0 … n_runs − 1.
@@ -42,8 +57,18 @@ struct SweepParameters {
   std::optional<std::string> read(std::string_view text, Sweep& value) const;
   std::string print(const Sweep& value) const;
   std::string expected() const {
-    return "nothing, or parameters \"name: first .. last in n\" or \"name: value, value\" separated by \";\"";
+    return "nothing, or parameters \"name: first .. last in n\", with \"logarithmic\" or \"latin SEED\" after it if "
+           "wanted, or \"name: value, value\", separated by \";\"";
   }
+  std::vector<std::string_view> words() const { return {}; }
+};
+
+/// The kind of the entry Sweep/Part.
+struct SweepPartKind {
+  static constexpr std::string_view type = "part";
+  std::optional<std::string> read(std::string_view text, SweepPart& value) const;
+  std::string print(const SweepPart& value) const;
+  std::string expected() const { return "a part such as \"2 of 8\""; }
   std::vector<std::string_view> words() const { return {}; }
 };
 

@@ -97,10 +97,8 @@ class Validator {
   void check_sweep() const {
     if (scene_.sweep.empty()) return;
     const bool is_ball = scene_.system == ball;
-    if (is_ball && is_discretized(scene_))
-      refuse({"Models", "a sweep, of one model, is", {}, names_where(scene_, &without_elements)});
-    if (is_ball && scene_.models.size() > 1)
-      refuse({"Models", "a sweep runs one model", {{{"Models", scene_.models.front()}}}});
+    if (is_ball && scene_.models.size() > 1 && scene_.sweep_trajectories)
+      refuse({"Sweep/Trajectories", "a sweep keeps the samples of one model", {{{"Sweep/Trajectories", "false"}}}});
     if (scene_.analysis != Analysis::motion)
       refuse({"Analysis", "a sweep is offered for motions", {{{"Analysis", "motion"}}}});
     if (is_ball && scene_.output.graphics != Graphics::none)

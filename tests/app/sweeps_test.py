@@ -160,7 +160,6 @@ class Sweeps(ReducedTest):
 
     def test_what_a_sweep_refuses(self):
         sweep = {**BALL, "Sweep/Parameters": "l: 1 .. 2 in 3"}
-        self.refuse({**sweep, "Models": "reduced, continuum"}, "Models", "sweep")
         self.refuse({**sweep, "Sweep/Parameters": "l: 1 .. 2"}, "Sweep/Parameters", "expected")
         self.refuse({**sweep, "Sweep/Parameters": "l: 1; l: 2"}, "occurs twice")
         self.refuse({**sweep, "Sweep/Parameters": "2l: 1, 2"}, "Sweep/Parameters")

@@ -6,6 +6,7 @@ import numpy as np
 
 from program_test import ProgramTest, SOURCE, main
 from pseudorigid import Run, WrongInput
+from pseudorigid.merge import merged_rows
 
 SCENE = {"Models": "reduced, continuum", "Continuum/Degree": 2, "Continuum/Error estimate": "none", "Time/End": 0.5,
          "Output/Samples": 10, "Initial state/Velocity": "0.1, 0.2, 0; 0, -0.2, 0; 0, 0, 0.1",
@@ -50,6 +51,18 @@ class Reading(ProgramTest):
         self.assertIn(run.comparison["summary"], printed)
         self.assertIn(f"{len(run.frames('continuum')[-1].read().points)} points", printed)
         self.assertTrue((run.directory / "phase_portrait.svg").is_file())
+
+    def test_parts_of_a_sweep(self):
+        sweep = {"Models": "reduced", "Initial state/Deformation": "$(1/sqrt(l)), 0, 0; 0, $(1/sqrt(l)), 0; 0, 0, $(l)",
+                 "Sweep/Parameters": "l: 1.02 .. 1.4 in 19", "Time/End": 1, "Output/Samples": 10}
+        for name, part in (("whole", "1 of 1"), ("a", "1 of 3"), ("b", "2 of 3"), ("c", "3 of 3")):
+            self.scene({**sweep, "Sweep/Part": part, "Sweep/Lanes": "false"})
+            self.run_done("run", "scene.prm", "--output", name)
+        parts = [self.scratch / name for name in ("c", "a", "b")]
+        self.assertEqual(merged_rows(parts), (self.scratch / "whole/sweep.csv").read_text().splitlines())
+        for wrong in (parts[:2] + parts[:1], [parts[0], parts[1]], [self.scratch]):
+            with self.assertRaises(WrongInput):
+                merged_rows(wrong)
 
     def test_three_models(self):
         self.scene({**SCENE, "Models": "reduced, polynomial, continuum", "Polynomial/Degree": 2, "Output/Graphics": "none"})

@@ -9,6 +9,7 @@
 
 #include "analysis/comparison_report.h"
 #include "analysis/motion.h"
+#include "app/run/small_pulsation.h"
 #include "io/csv.h"
 #include "io/files.h"
 #include "io/standard_streams.h"
@@ -17,33 +18,23 @@
 namespace pseudorigid::app {
 namespace {
 
-struct Run {
-  const scene::ModelDescription* model;
-  std::string name;  ///< of its files
-  std::string adjective;
-  const io::Manifest::Model* statistics;
-  io::Table table;
-};
-
-/// The adjective of the ball of a run, with the degree that the run has found.
-std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics) {
-  const auto degree = statistics.counters.find("degree");
-  if (!run.finds_degree || degree == statistics.counters.end()) return run.adjective;
-  return fmt::format("{} N = {}", run.adjective, degree->second);
-}
-
-/// Models with a trajectory file, truncated to the samples common to all; a model that stopped early has fewer.
-std::vector<Run> runs_to_compare(const RunContext& context, const io::Manifest& manifest) {
-  std::vector<Run> runs;
+/// Models with a trajectory file.
+std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Manifest& manifest) {
+  std::vector<RunOfModel> runs;
   for (const scene::ModelDescription* model : context.needs.models)
     for (const scene::ModelRun& run : scene::runs_of(*model, context.scene))
       if (const auto ran = manifest.models.find(run.name); ran != manifest.models.end())
-        runs.push_back({model, run.name, adjective_of(run, ran->second), &ran->second,
+        runs.push_back({model, run.name, adjective_of(run, ran->second), ran->second,
                         io::read_csv(context.directory.csv(run.name))});
+  return runs;
+}
+
+/// A model that stopped early has fewer samples.
+void truncate_to_common_samples(std::vector<RunOfModel>& runs) {
   std::size_t n_common = runs.empty() ? 0 : runs.front().table.n_rows();
-  for (const Run& run : runs) n_common = std::min(n_common, run.table.n_rows());
-  for (Run& run : runs) run.table.values.resize(n_common * run.table.columns.size());
-  return n_common < 2 ? std::vector<Run>{} : runs;
+  for (const RunOfModel& run : runs) n_common = std::min(n_common, run.table.n_rows());
+  for (RunOfModel& run : runs) run.table.values.resize(n_common * run.table.columns.size());
+  if (n_common < 2) runs.clear();
 }
 
 std::optional<double> counter(const io::Manifest::Model& statistics, const char* name) {
@@ -76,22 +67,38 @@ analysis::SceneFacts facts_of(const RunContext& context) {
           .load_frequencies = loads::angular_frequencies(scene.loads)};
 }
 
-analysis::Comparison compare(const RunContext& context, const Run& run, const Run& reference,
+analysis::Comparison compare(const RunContext& context, const RunOfModel& run, const RunOfModel& reference,
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  const bool is_free_ball = scene.body.incompressible && scene::is_free(scene) && !scene::has_mesh_file(scene);
-  // The exact value belongs to the pseudo-rigid model compared with the elastic ball.
-  if (is_free_ball && !run.model->has_nonaffine && reference.model->discretized)
-    options.exact_frequency_ratio = analysis::incompressible_ball_ratio;
-  options.surface_limit_time = counter(*reference.statistics, "surface_limit_time");
-  const auto named = [&](const Run& r) {
-    return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, *r.statistics, others)};
+  // The exact value belongs to the pseudo-rigid model compared with the elastic ball. A compressible ball may pulsate
+  // in its volume.
+  if (const auto small = small_pulsation(scene);
+      small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
+    options.exact_frequency_ratio = small->ratio();
+  options.surface_limit_time = counter(reference.statistics, "surface_limit_time");
+  const auto named = [&](const RunOfModel& r) {
+    return analysis::ModelRunTable{r.name, r.adjective, r.table, errors_of(*r.model, r.statistics, others)};
   };
   return analysis::compare(named(run), named(reference), options);
 }
 
 }  // namespace
+
+std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics) {
+  const auto degree = statistics.counters.find("degree");
+  if (!run.finds_degree || degree == statistics.counters.end()) return run.adjective;
+  return fmt::format("{} N = {}", run.adjective, degree->second);
+}
+
+std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
+                                                 const OtherResolutions& others) {
+  truncate_to_common_samples(runs);
+  std::vector<analysis::Comparison> comparisons;
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+    comparisons.push_back(compare(context, runs[i], runs.back(), others));
+  return comparisons;
+}
 
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others) {
   const bool is_system = context.needs.system != nullptr;
@@ -119,15 +126,13 @@ std::string summarize_run(const RunContext& context, const io::Manifest& manifes
 
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet) {
-  const std::vector<Run> runs = runs_to_compare(context, manifest);
-  if (runs.size() < 2) return {};
+  const std::vector<analysis::Comparison> comparisons =
+      comparisons_of(context, runs_with_files(context, manifest), others);
+  if (comparisons.empty()) return {};
   const std::filesystem::path& folder = context.directory.path();
-  const bool is_pair = runs.size() == 2;
-  std::vector<analysis::Comparison> comparisons;
-  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
-    comparisons.push_back(compare(context, runs[i], runs.back(), others));
-    const analysis::Comparison& comparison = comparisons.back();
-    analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + runs[i].name, comparison);
+  const bool is_pair = comparisons.size() == 1;
+  for (const analysis::Comparison& comparison : comparisons) {
+    analysis::write_comparison(folder, is_pair ? "comparison" : "comparison-" + comparison.model.name, comparison);
     warn_of_energy(context, comparison.model);
     context.log->debug("{}", analysis::summary_sentence(comparison));
     if (comparison.has_state) context.log->debug("{}", analysis::model_difference(comparison));

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "app/commands/compared_runs.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/run/mesh_file.h"
 #include "app/search/effort.h"
@@ -34,8 +35,10 @@ struct DiskUse {
 double n_samples(const scene::Scene& scene) { return scene.output.samples + 1.0; }
 
 double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
+  const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
+  const auto n_runs = static_cast<double>(end - first);
+  if (needs.comparison) return n_runs * static_cast<double>(columns_of_compared_runs(scene, needs).size());
   const auto n_columns = static_cast<double>(columns_of_run(scene, needs).size());
-  const auto n_runs = static_cast<double>(scene::n_runs(scene.sweep));
   constexpr double per_column = 3, more = 10;  // at the end, least, greatest; parameters, steps, frequency
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }

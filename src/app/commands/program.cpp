@@ -11,6 +11,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/disk_use.h"
+#include "app/commands/expected_error.h"
 #include "app/commands/kept_trajectories.h"
 #include "app/commands/report_command.h"
 #include "app/commands/resume.h"
@@ -148,6 +149,11 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
           "have not been compared with it, which needs the library of the finite elements");
     return run_scene(input.raw, read, options, {argv, argv + argc}, process.executable);
   }
+  if (!read.scene.sweep.empty() && process.launch.n_ranks != 1)
+    throw UserError(
+        fmt::format("{}: Sweep/Parameters: a sweep with finite elements uses the cores of one machine by "
+                    "itself, without mpirun; Sweep/Part divides it among several",
+                    read.origins.of("Sweep/Parameters")));
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
@@ -168,6 +174,7 @@ int dispatch(const Options& options, int argc, char** argv, Process& process) {
       const scene::ReadScene read = read_and_validate(options, catalogue, process.n_ranks()).read;
       scene::Needs needs = needs_with_effort(read.scene);
       describe_disk_use(read.scene, {read.scene.output.directory, options.scene, options.output}, needs);
+      describe_expected_error(read.scene, needs);
       needs.warnings.insert(needs.warnings.begin(), read.warnings.begin(), read.warnings.end());
       io::print(scene::describe(read.scene, needs));
       return exit_done;

@@ -101,9 +101,7 @@ int run_models(const RunContext& context, const Executable& executable, io::Mani
 int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                     io::ManifestFile& manifest, bool shows_progress) {
   using enum mechanics::Outcome;
-  const BallModel* model = context.needs.system ? nullptr : &executable.model(*context.needs.models.front());
-  const ModelOutcome sweep =
-      run_sweep(raw, model ? model->run : run_system, model ? model->together : nullptr, context, shows_progress);
+  const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
   // A sweep fails where the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);

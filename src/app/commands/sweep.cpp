@@ -6,6 +6,7 @@
 #include <atomic>
 #include <exception>
 #include <iterator>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -14,8 +15,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/commands/compared_runs.h"
+#include "app/commands/row_processes.h"
 #include "app/commands/sweep_rows.h"
 #include "app/commands/sweep_run.h"
+#include "app/run/run_models.h"
+#include "app/search/effort.h"
+#include "io/available_memory.h"
 #include "io/signals.h"
 #include "scene/expressions.h"
 #include "scene/needs.h"
@@ -42,7 +48,9 @@ void require_own_names(const scene::ReadScene& raw) {
   std::vector<std::string> taken = columns_of_frequencies();
   for (const auto& conserved :
        {std::set<std::string>{}, needs.system ? std::set<std::string>{} : names_conserved(true, true)})
-    std::ranges::copy(columns_of_sweep(scene, needs, conserved), std::back_inserter(taken));
+    std::ranges::copy(
+        needs.comparison ? columns_of_compared_runs(scene, needs) : columns_of_sweep(scene, needs, conserved),
+        std::back_inserter(taken));
   for (const auto& parameter : parameters)
     if (std::ranges::find(taken, parameter.name) != taken.end())
       refuse_parameter(
@@ -65,13 +73,14 @@ void require_used(const scene::ReadScene& raw) {
 /// group to the others; the last goes on alone.
 class Workers {
  public:
-  Workers(const SweepRun& sweep, const scene::Sweep& parameters, const RunContext& context, SweepRows& rows)
-      : sweep_(sweep),
+  /// `end` is the run after the last.
+  Workers(const SweepTask& task, const scene::Sweep& parameters, int end, const RunContext& context, SweepRows& rows)
+      : task_(task),
         parameters_(parameters),
         context_(context),
         rows_(rows),
-        first_(rows.n_written()),
-        n_runs_(scene::n_runs(parameters)),
+        first_(rows.next_run()),
+        end_(end),
         next_(first_ / group * group) {}
 
   /// Returns the number of threads that the system has given.
@@ -111,9 +120,9 @@ class Workers {
       left_.pop_back();
       return taken;
     }
-    if (next_ >= n_runs_) return {};
+    if (next_ >= end_) return {};
     const int begin = std::exchange(next_, next_ + group);
-    return Group{begin, std::max(begin, first_), std::min(begin + group, n_runs_)};
+    return Group{begin, std::max(begin, first_), std::min(begin + group, end_)};
   }
 
   void take_groups(bool has_others) {
@@ -138,14 +147,14 @@ class Workers {
 
   void work_on(Group& mine) {
     int& k = mine.next;
-    if (const auto results = sweep_.run_together(mine.begin, mine.end)) {
+    if (auto together = task_.run_together(mine.begin, mine.end)) {
       n_together_ += mine.end - mine.begin;
-      for (; k < mine.end; ++k) deliver(k, (*results)[k - mine.begin]);
+      for (; k < mine.end; ++k) deliver(k, std::move((*together)[k - mine.begin]));
     }
     for (; k < mine.end && !io::interrupt_requested(); ++k) {
-      const RunResult result = sweep_.run(k);
-      if (result.outcome.end == mechanics::Outcome::interrupted) return;
-      deliver(k, result);
+      FinishedRun run = task_.run(k);
+      if (run.end == mechanics::Outcome::interrupted) return;
+      deliver(k, std::move(run));
     }
   }
 
@@ -153,12 +162,12 @@ class Workers {
   void end_with(std::exception_ptr error) {
     if (!error_) error_ = std::move(error);
     left_.clear();
-    next_ = n_runs_;
+    next_ = end_;
   }
 
-  void deliver(int k, const RunResult& result) {
-    if (result.outcome.end == mechanics::Outcome::failed) note_failure(k, result.outcome.message);
-    rows_.deliver(k, {sweep_.row(k, result), rows_.keeps_samples() ? result.rows : io::Table{}});
+  void deliver(int k, FinishedRun run) {
+    if (run.end == mechanics::Outcome::failed) note_failure(k, run.message);
+    rows_.deliver(k, std::move(run));
   }
 
   void note_failure(int k, const std::string& message) {
@@ -168,12 +177,12 @@ class Workers {
                          n_failed_ == 10 ? " (further failures are only in the column finished)" : "");
   }
 
-  const SweepRun& sweep_;
+  const SweepTask& task_;
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
   int first_;  ///< run without a row
-  int n_runs_;
+  int end_;
   std::mutex mutex_;         ///< of what follows
   int next_;                 ///< first run of the next group
   std::vector<Group> left_;  ///< by threads without memory
@@ -183,9 +192,26 @@ class Workers {
   std::atomic<int> n_together_ = 0;
 };
 
-int n_threads_of(const scene::Scene& scene) {
-  if (scene.sweep_threads) return *scene.sweep_threads;
-  return static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+int n_threads_of(const scene::Scene& scene, int n_runs) {
+  const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  return std::min(n_runs, scene.sweep_threads.value_or(n_cores));
+}
+
+/// So many processes as there is memory for, each with the discretisation of the first run.
+int n_processes_of(const scene::Scene& scene, int n_threads) {
+  const auto discretization = scene::fixed_discretization(scene);
+  if (!discretization || scene::has_mesh_file(scene)) return n_threads;
+  const double room = io::available_memory() / effort_of(scene, *discretization, 0).bytes;
+  return std::clamp(static_cast<int>(std::min(room, 1e6)), 1, n_threads);
+}
+
+std::unique_ptr<SweepTask> task_of(const scene::ReadScene& raw, const RunContext& context,
+                                   const Executable& executable) {
+  const scene::Needs& needs = context.needs;
+  if (needs.comparison) return std::make_unique<ComparedRuns>(raw, executable, context);
+  if (needs.system) return std::make_unique<SweepRun>(raw, run_system, nullptr, context);
+  const BallModel& model = executable.model(*needs.models.front());
+  return std::make_unique<SweepRun>(raw, model.run, model.together, context);
 }
 
 }  // namespace
@@ -201,14 +227,21 @@ void check_sweep(const scene::ReadScene& raw) {
   require_own_names(raw);
 }
 
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
+ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress) {
   const auto start = std::chrono::steady_clock::now();
-  const int n = scene::n_runs(raw.scene.sweep);
-  const SweepRun sweep(raw, run, together, context);
-  SweepRows rows(context, sweep.columns(), n, shows_progress);
-  Workers workers(sweep, raw.scene.sweep, context, rows);
-  const int n_threads = workers.work(std::min(n, n_threads_of(raw.scene)));
+  const auto [first, end] = scene::runs_of_part(raw.scene.sweep_part, scene::n_runs(raw.scene.sweep));
+  const int n = end - first;
+  std::unique_ptr<SweepTask> task = task_of(raw, context, executable);
+  std::unique_ptr<SweepTask> in_processes;
+  int n_threads = n_threads_of(raw.scene, n);
+  if (context.needs.discretized) {
+    n_threads = n_processes_of(context.scene, n_threads);
+    in_processes = std::make_unique<TaskInProcesses>(*task, n_threads);
+  }
+  SweepRows rows(context, task->columns(), first, n, shows_progress);
+  Workers workers(in_processes ? *in_processes : *task, raw.scene.sweep, end, context, rows);
+  n_threads = workers.work(n_threads);
   rows.finish();
 
   ModelOutcome outcome;

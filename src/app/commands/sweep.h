@@ -14,7 +14,8 @@
 /// last row.
 ///
 /// Runs 8k + 1 … 8k + 8 move together in SIMD lanes if they can (app/reduced/reduced_in_lanes.h). The others run one
-/// by one, each the whole path of a single run.
+/// by one, each the whole path of a single run. Runs with finite elements have processes of their own
+/// (row_processes.h). Several models are compared: compared_runs.h has the columns.
 
 #include "app/commands/program.h"
 #include "scene/read_scene.h"
@@ -26,9 +27,8 @@ namespace pseudorigid::app {
 /// comes: one that cannot run ends the sweep as failed, and the rows before it are kept.
 void check_sweep(const scene::ReadScene& raw);
 
-/// `context` is that of the first run; `run` runs one model, and `together` several runs at once (null if it does not
-/// exist).
-ModelOutcome run_sweep(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context,
+/// `context` is that of the first run.
+ModelOutcome run_sweep(const scene::ReadScene& raw, const RunContext& context, const Executable& executable,
                        bool shows_progress);
 
 }  // namespace pseudorigid::app

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/commands/kept_trajectories.h"
+#include "app/commands/sweep_task.h"
 #include "app/run/model_checkpoint.h"
 #include "app/run/run_context.h"
 #include "io/checkpoint.h"
@@ -19,19 +20,16 @@
 
 namespace pseudorigid::app {
 
-/// Output of one run.
-struct RunRows {
-  std::vector<double> row;  ///< of sweep.csv
-  io::Table samples;
-};
-
 class SweepRows {
  public:
   static constexpr const char* name = "sweep";
 
-  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int n_runs, bool shows_progress)
+  /// Of the runs first_run, …, first_run + n_runs − 1.
+  SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
+            bool shows_progress)
       : identity_(run_identity(context.scene)),
         checkpoint_path_(context.directory.checkpoint(name)),
+        first_run_(first_run),
         n_runs_(n_runs),
         progress_(name, shows_progress, "runs") {
     const auto path = context.directory.csv(name);
@@ -49,12 +47,13 @@ class SweepRows {
   }
 
   int n_written() const { return n_written_; }
-  bool keeps_samples() const { return samples_.has_value(); }
+  /// The first run without a row.
+  int next_run() const { return first_run_ + n_written_; }
 
-  void deliver(int run, RunRows rows) {
+  void deliver(int run, FinishedRun finished) {
     const std::lock_guard lock(mutex_);
-    waiting_.emplace(run, std::move(rows));
-    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == n_written_;
+    waiting_.emplace(run, std::move(finished));
+    for (auto first = waiting_.begin(); first != waiting_.end() && first->first == next_run();
          first = waiting_.erase(first), ++n_written_) {
       csv_->append(first->second.row);
       if (samples_) append_samples(run_number(first->first), first->second.samples);
@@ -118,10 +117,10 @@ class SweepRows {
 
   RunIdentity identity_;
   std::filesystem::path checkpoint_path_;
-  int n_runs_, n_written_ = 0;
+  int first_run_, n_runs_, n_written_ = 0;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
-  std::map<int, RunRows> waiting_;  ///< rows whose predecessors are still at work
+  std::map<int, FinishedRun> waiting_;  ///< rows whose predecessors are still at work
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

@@ -51,12 +51,15 @@ scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterVal
 
 std::set<int> corners(const scene::Sweep& sweep) {
   std::set<int> runs{0};
-  for (const scene::SweepParameter& parameter : sweep) {
+  const auto vary = [&runs](int size) {
     std::set<int> with_this_one;
     for (const int k : runs)
-      for (const int i : {0, parameter.size() - 1}) with_this_one.insert(k * parameter.size() + i);
+      for (const int i : {0, size - 1}) with_this_one.insert(k * size + i);
     runs = std::move(with_this_one);
-  }
+  };
+  for (const scene::SweepParameter& parameter : sweep)
+    if (!parameter.seed) vary(parameter.size());
+  vary(scene::n_latin(sweep));
   return runs;
 }
 
@@ -92,16 +95,23 @@ SweepRun::SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether togeth
       conserved_(conserved_columns(raw)),
       silent_(io::make_logger(io::Verbosity::silent, {})) {}
 
-RunResult SweepRun::run(int k) const {
-  RunResult result;
+FinishedRun SweepRun::run(int k) const {
+  Result result;
   const scene::Scene scene = scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k));
   result.outcome = run_(context_of(scene, result));
-  return result;
+  return finished(k, std::move(result));
 }
 
-std::optional<std::vector<RunResult>> SweepRun::run_together(int first, int last) const {
+FinishedRun SweepRun::finished(int k, Result result) const {
+  return {.row = row(k, result),
+          .samples = raw_.scene.sweep_trajectories ? std::move(result.rows) : io::Table{},
+          .end = result.outcome.end,
+          .message = std::move(result.outcome.message)};
+}
+
+std::optional<std::vector<FinishedRun>> SweepRun::run_together(int first, int last) const {
   if (!together_) return {};
-  std::vector<RunResult> results(static_cast<std::size_t>(last - first));
+  std::vector<Result> results(static_cast<std::size_t>(last - first));
   std::vector<scene::Scene> scenes;
   try {
     for (int k = first; k < last; ++k) scenes.push_back(scene_of_run(raw_, scene::values_of_run(raw_.scene.sweep, k)));
@@ -112,11 +122,15 @@ std::optional<std::vector<RunResult>> SweepRun::run_together(int first, int last
   for (std::size_t i = 0; i < scenes.size(); ++i) contexts.push_back(context_of(scenes[i], results[i]));
   auto outcomes = together_(contexts);
   if (!outcomes) return {};
-  for (std::size_t i = 0; i < scenes.size(); ++i) results[i].outcome = std::move((*outcomes)[i]);
-  return results;
+  std::vector<FinishedRun> runs;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    results[i].outcome = std::move((*outcomes)[i]);
+    runs.push_back(finished(first + static_cast<int>(i), std::move(results[i])));
+  }
+  return runs;
 }
 
-std::vector<double> SweepRun::row(int k, const RunResult& result) const {
+std::vector<double> SweepRun::row(int k, const Result& result) const {
   std::vector<double> row{k + 1.0};
   const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
   for (const auto& parameter : raw_.scene.sweep) row.push_back(values.at(parameter.name));
@@ -144,7 +158,7 @@ std::vector<double> SweepRun::row(int k, const RunResult& result) const {
   return row;
 }
 
-RunContext SweepRun::context_of(const scene::Scene& scene, RunResult& result) const {
+RunContext SweepRun::context_of(const scene::Scene& scene, Result& result) const {
   return {.scene = scene,
           .needs = context_.needs,
           .directory = context_.directory,

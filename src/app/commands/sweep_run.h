@@ -1,5 +1,5 @@
 #pragma once
-/// One run of a sweep, and its row of sweep.csv (sweep.h).
+/// The runs of a sweep of one model or system, and their rows of sweep.csv (sweep.h).
 
 #include <memory>
 #include <optional>
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/sweep_task.h"
 #include "app/models/ball_models.h"
 #include "app/run/model_sink.h"
 #include "app/run/run_context.h"
@@ -31,29 +32,30 @@ std::set<std::string> names_conserved(bool is_free, bool incompressible);
 /// Columns of the frequencies of the ball.
 std::vector<std::string> columns_of_frequencies();
 
-/// The columns of sweep.csv.
+/// The columns of sweep.csv of one model or system.
 std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
                                           const std::set<std::string>& conserved);
 
-/// The samples of a run, and its end.
-struct RunResult {
-  io::Table rows;
-  ModelOutcome outcome;
-};
-
-class SweepRun {
+class SweepRun : public SweepTask {
  public:
   SweepRun(const scene::ReadScene& raw, RunModel run, RunTogether together, const RunContext& context);
 
-  RunResult run(int k) const;
-  /// The runs first, …, last − 1 at once, or no value if each has to run by itself.
-  std::optional<std::vector<RunResult>> run_together(int first, int last) const;
-
-  std::vector<std::string> columns() const { return columns_of_sweep(context_.scene, context_.needs, conserved_); }
-  std::vector<double> row(int k, const RunResult& result) const;
+  std::vector<std::string> columns() const override {
+    return columns_of_sweep(context_.scene, context_.needs, conserved_);
+  }
+  FinishedRun run(int k) const override;
+  std::optional<std::vector<FinishedRun>> run_together(int first, int last) const override;
 
  private:
-  RunContext context_of(const scene::Scene& scene, RunResult& result) const;
+  /// The samples of a run, and its end.
+  struct Result {
+    io::Table rows;
+    ModelOutcome outcome;
+  };
+
+  RunContext context_of(const scene::Scene& scene, Result& result) const;
+  FinishedRun finished(int k, Result result) const;
+  std::vector<double> row(int k, const Result& result) const;
   void add_frequency(const io::Table& table, std::vector<double>& row) const;
 
   const scene::ReadScene& raw_;

@@ -49,8 +49,8 @@ class FieldModel : public RunnableModelOf<S> {
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
-  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A force that depends on time
-  /// can act later; it is followed for about three pulsations.
+  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A force that depends on
+  /// time can act later; it is followed for about three pulsations.
   double pilot_window(double end) const final {
     return std::min(end, mechanics::time_dependent(this->system()) ? 10.0 : 1.0);
   }

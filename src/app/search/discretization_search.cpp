@@ -130,14 +130,14 @@ bool DiscretizationSearch::settles() const {
 /// The files belong to a run that is not the final one.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
-    if (context_.ranks->is_first()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
+    if (keeps_states()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
   });
   save();
 }
 
 void DiscretizationSearch::save() const {
   on_all_ranks(*context_.ranks, [this] {
-    if (context_.ranks->is_first()) write_checkpoint();
+    if (keeps_states()) write_checkpoint();
   });
 }
 

@@ -47,6 +47,8 @@ class DiscretizationSearch {
   // The number for one rank.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
+  /// On the first rank; sweeps keep none.
+  bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;
   ContinuumRun run_;

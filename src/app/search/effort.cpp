@@ -94,6 +94,14 @@ void describe_small_model(const scene::Scene& scene, scene::Needs& needs) {
                                      (*model)->name, n, n * seconds_of_force));
 }
 
+void describe_effort_of_sweep(const scene::Scene& scene, double seconds_of_run, scene::Needs& needs) {
+  if (scene.sweep.empty()) return;
+  const auto [first, end] = scene::runs_of_part(scene.sweep_part, scene::n_runs(scene.sweep));
+  needs.needed.push_back(
+      fmt::format("effort of the sweep: roughly {:.1g} s on one core, if all {} runs are like the first",
+                  seconds_of_run * (end - first), end - first));
+}
+
 }  // namespace
 
 std::string in_bytes(double bytes) {
@@ -147,16 +155,18 @@ scene::Needs needs_with_effort(const scene::Scene& scene) {
   needs.needed.back() += fmt::format("; {} is stable at rest up to a step of about {:.3g}", name, limit);
   if (!method || !scene.time.step) {
     const double usual = usual_part_of_limit * limit, n_steps = std::ceil(scene.time.end / usual);
-    needs.needed.back() += fmt::format("; roughly {:.1g} steps and {:.1g} s on one core", n_steps,
-                                       seconds_of_continuum(scene, needs, n_steps, usual));
+    const double seconds = seconds_of_continuum(scene, needs, n_steps, usual);
+    needs.needed.back() += fmt::format("; roughly {:.1g} steps and {:.1g} s on one core", n_steps, seconds);
+    describe_effort_of_sweep(scene, seconds, needs);
     return needs;
   }
   const mechanics::SampleTimes times{scene.time.end, scene.output.samples};
   const double n_steps = static_cast<double>(times.steps_per_interval(*scene.time.step));
   const double step = times.interval() / n_steps;
   needs.needed.back() += fmt::format(" and takes {} steps of {:.3g}", count(n_steps * scene.output.samples), step);
-  needs.needed.back() += fmt::format(", roughly {:.1g} s on one core",
-                                     seconds_of_continuum(scene, needs, n_steps * scene.output.samples, step));
+  const double seconds = seconds_of_continuum(scene, needs, n_steps * scene.output.samples, step);
+  needs.needed.back() += fmt::format(", roughly {:.1g} s on one core", seconds);
+  describe_effort_of_sweep(scene, seconds, needs);
   if (step > limit)
     needs.warnings.push_back(
         fmt::format("Time/Step: steps of {:.3g} are above the stability limit of the continuum, about {:.3g} for small "

@@ -11,6 +11,7 @@ function sweptUnit(name) {
 // What the runs have to show: {title, base: the column of a single run, y: a value for each run, NaN where there is none}.
 // What is conserved or does not change within any run is shown once.
 function sweptQuantities(t) {
+  if (t.has("compared")) return comparedQuantities(t);
   const list = [], add = (base, y, words = base) => list.push({base, y, title: withUnit(words, sweptUnit(base))});
   if (t.has("frequency")) {
     add("frequency", t.columns.frequency.map(v => v > 0 ? v : NaN), "frequency of C = QᵀQ");
@@ -26,6 +27,24 @@ function sweptQuantities(t) {
   }
   return list;
 }
+
+// Of a sweep of several models, the comparison of each with the last. −1 and, of a ratio, 0 stand for "not known".
+const COMPARED = [["frequency_ratio", "ratio of frequencies"], ["frequency_ratio_error", "error bar of the ratio"], ["strain_difference_max", "difference of C, over its amplitude"], ["q_difference_max", "difference of Q, relative"], ["elastic_difference_max", "difference of the elastic energy, over E₀"], ["max_stretch_difference_max", "difference of the largest stretch, relative"], ["dissipated_difference_max", "difference of the dissipated energy, relative"], ["tenth_of_period_after", "time until a tenth of a period apart"]];
+function comparedQuantities(t) {
+  const list = [], known = c => t.columns[c].map((v, i) => t.at("compared", i) && v > 0 ? v : NaN);
+  for (const [end, words] of COMPARED)
+    for (const name of t.names) {
+      const model = name.slice(0, -end.length - 1);
+      if (name === `${model}_${end}` && known(name).some(Number.isFinite)) list.push({base: name, y: known(name), title: withUnit(`${model}: ${words}`, end === "tenth_of_period_after" ? "time" : ""), isMap: end === "frequency_ratio" || end === "strain_difference_max"});
+    }
+  if (known("nonaffine_displacement").some(Number.isFinite)) list.push({base: "nonaffine_displacement", y: known("nonaffine_displacement"), title: "largest non-affine part of the position"});
+  return list;
+}
+
+// The columns between the number of the run and what it has brought.
+const sweptNames = t => t.names.slice(1, t.names.indexOf(t.has("compared") ? "compared" : "finished"));
+// Whether all models of a run came to its end.
+const hasFinished = (t, i) => t.names.filter(n => n === "finished" || n.endsWith("_finished")).every(n => t.at(n, i) === 1);
 
 // Whether values jump from run to run by no more than where the samples fall: the least of an energy that vanishes for a
 // moment, the largest axis at the moment when two are equal.
@@ -53,7 +72,7 @@ function linesOver(t, x, others) {
 function sweepSections() {
   const t = tables.sweep;
   if (!t) return [];
-  const swept = t.names.slice(1, t.names.indexOf("finished")), n_values = name => new Set(t.columns[name]).size;
+  const swept = sweptNames(t), n_values = name => new Set(t.columns[name]).size;
   const x = swept.reduce((a, b) => n_values(b) > n_values(a) ? b : a), others = swept.filter(name => name !== x);
   const all = linesOver(t, x, others), n_lines = Math.min(all.length, MOST_LINES);
   const lines = Array.from({length: n_lines}, (_, k) => ({...all[n_lines > 1 ? Math.round(k * (all.length - 1) / (n_lines - 1)) : 0], style: `line${k}`}));
@@ -73,7 +92,7 @@ function sweepSections() {
   }).join("; ");
   const lineWords = others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : "";
   return [...mapSections(t, swept, x, quantities, drawn),
-    ...section("Sweep", `Values of each run over ${x}${lineWords}: what is conserved, and the least and the greatest value of all else within the run.`,
+    ...section("Sweep", t.has("compared") ? `Each model against the last, over ${x}${lineWords}.` : `Values of each run over ${x}${lineWords}: what is conserved, and the least and the greatest value of all else within the run.`,
       others.length ? legend(lines) : null, make("div", {class: "charts"}, drawn.map(draws)),
       level.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${named(level)}.`) : null,
       jumping.length ? make("p", {class: "note"}, `Not drawn, for it varies little and only by where the samples fall: ${named(jumping)}.`) : null),
@@ -81,10 +100,10 @@ function sweepSections() {
 }
 
 function runsSection(t) {
-  const failed = [...Array(t.n).keys()].filter(i => t.at("finished", i) === 0), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
-  const head = t.names.slice(0, t.names.findIndex(n => /_(end|min|max|drift)$/.test(n))).filter(n => !t.has(`${n}_drift`));
+  const failed = [...Array(t.n).keys()].filter(i => !hasFinished(t, i)), listed = (failed.length ? failed : [...Array(t.n).keys()]).slice(0, MOST_RUNS);
+  const head = t.has("compared") ? ["run", ...sweptNames(t), ...t.names.filter(n => /_(finished|frequency_ratio|frequency_ratio_error)$/.test(n))] : t.names.slice(0, t.names.findIndex(n => /_(end|min|max|drift)$/.test(n))).filter(n => !t.has(`${n}_drift`));
   const words = {finished: "to its end", estimated_time_error: "estimated time error", frequency: withUnit("frequency", "1/time")};
-  const cell = (c, i) => c === "finished" ? (t.at(c, i) ? "yes" : "no") : c === "frequency" && !t.at(c, i) ? "none" : show(t.at(c, i), 5);
+  const cell = (c, i) => /(^|_)finished$/.test(c) ? (t.at(c, i) ? "yes" : "no") : c === "frequency" && !t.at(c, i) ? "none" : show(t.at(c, i), 5);
   return section(failed.length ? "Runs that stopped early" : "Runs", `${listed.length} of ${failed.length || t.n}; the file sweep.csv has all, with the values at the end.`, tableOf(head.map(c => words[c] || c), listed.map(i => head.map(c => cell(c, i)))));
 }
 
@@ -95,12 +114,12 @@ function mapSections(t, swept, x, quantities, drawn) {
   if (swept.length !== 2) return [];
   const y = swept.find(name => name !== x);
   if ([x, y].some(name => new Set(t.columns[name]).size < 3)) return [];
-  let maps = quantities.filter(q => q.base === "frequency" || q.base === "amplitude");
+  let maps = quantities.filter(q => q.isMap || q.base === "frequency" || q.base === "amplitude");
   if (t.has("energy_drift")) {
     const size = largest(t.columns.energy) || 1;
     maps.push({title: "drift of the energy, over its largest value", y: t.columns.energy_drift.map(v => v / size)});
   }
-  maps = maps.concat(drawn.filter(q => !maps.includes(q))).slice(0, MOST_MAPS);
+  maps = maps.concat(drawn.filter(q => !maps.includes(q))).slice(0, Math.max(MOST_MAPS, maps.filter(q => q.isMap).length));
   return section("Map", `Over ${x} and ${y}: a cell for each run. Grey: the run has no such value.`, make("div", {class: "charts"}, maps.map(m => mapChart({title: m.title, x: t.columns[x], y: t.columns[y], values: m.y, xLabel: x, yLabel: y}))));
 }
 

@@ -1,0 +1,144 @@
+"""The maps of docs/adequacy.md from the sweeps of params/adequacy. Needs Debian's python3-matplotlib.
+
+    python3 -m pseudorigid adequacy output/adequacy --output docs/images --data docs/data/adequacy
+
+reads output/adequacy/<family>/sweep.csv, draws the maps, and writes the columns behind them as CSV.
+"""
+import argparse
+import csv
+import math
+import pathlib
+from typing import Any
+
+from pseudorigid.errors import WrongInput, needs
+from pseudorigid.figures import STYLES, plt, save
+
+with needs("python3-numpy"):
+    import numpy as np
+
+Rows = dict[str, np.ndarray]
+TITLES = {"reduced": "pseudo-rigid", "polynomial_3": "N = 3", "polynomial": "N = 5"}
+STARTS = {0: "stretched", 1: "flattened", 2: "set in motion", 3: "pure shear", 4: "simple shear"}
+LAWS = ("neo-hookean", "mooney-rivlin", "gent", "saint-venant-kirchhoff", "ciarlet-geymonat")
+# Columns that the pages and the pictures use, after the parameters.
+KEPT = ("compared", "_finished", "_frequency", "_frequency_error", "_amplitude", "_frequency_ratio", "_frequency_ratio_error",
+        "_strain_difference_max", "_q_difference_max", "_q_difference_error", "_elastic_difference_max", "_dissipated_difference_max",
+        "_max_stretch_difference_max", "_tenth_of_period_after", "nonaffine_displacement", "surface_limit_time")
+
+
+def read(folder: pathlib.Path, family: str) -> Rows:
+    path = folder / family / "sweep.csv"
+    if not path.is_file():
+        raise WrongInput(f"{path} does not exist; run params/adequacy/{family.split('-')[0]}.prm first")
+    with open(path, newline="") as file:
+        header, *rows = csv.reader(file)
+    values = np.array(rows, dtype=float)
+    return dict(zip(header, values.T))
+
+
+def known(rows: Rows, column: str) -> np.ndarray:
+    """The values of a column; NaN if there is none."""
+    return np.where((rows["compared"] == 1) & (rows[column] > 0), rows[column], np.nan)
+
+
+def excess(rows: Rows, model: str) -> np.ndarray:
+    """Relative error of a model's frequency."""
+    return known(rows, f"{model}_frequency_ratio") - 1
+
+
+def keep(rows: Rows, path: pathlib.Path) -> None:
+    names = list(rows)
+    parameters = names[:names.index("compared")]
+    kept = parameters + [name for name in names if name not in parameters and name.endswith(KEPT)]
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with open(path, "w", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(kept)
+        for k in range(len(rows["run"])):
+            writer.writerow(f"{rows[name][k]:.6g}" for name in kept)
+
+
+def map_of_gravity(folder: pathlib.Path, output: pathlib.Path) -> None:
+    """Frequency error over amplitude and self-gravity for N = 1, 3, 5."""
+    rows = read(folder, "gravity")
+    a, g = np.unique(rows["a"]), np.unique(rows["g"])
+    figure, grid = plt.subplots(1, 3, figsize=(9.6, 3.6), sharey=True)
+    figure.subplots_adjust(left=0.075, right=0.89, top=0.88, bottom=0.16, wspace=0.08)
+    for axes, model in zip(grid, TITLES):
+        error = 100 * np.abs(excess(rows, model)).reshape(len(a), len(g)).T
+        bar = 100 * rows[f"{model}_frequency_ratio_error"].reshape(len(a), len(g)).T
+        mesh = axes.pcolormesh(a, g, np.log10(np.maximum(error, 1e-3)), cmap="viridis", vmin=-3, vmax=1.5, shading="nearest")
+        # Cells whose error is within the bar of the comparison.
+        unresolved = np.argwhere(error <= bar)
+        axes.plot(a[unresolved[:, 1]], g[unresolved[:, 0]], marker="x", color="white", linestyle="none", markersize=4)
+        axes.set(xscale="log", yscale="log", title=TITLES[model], xlabel="amplitude a")
+    grid[0].set_ylabel(r"self-gravity $\gamma = \rho g r/\mu$")
+    scale = figure.colorbar(mesh, cax=figure.add_axes([0.905, 0.16, 0.018, 0.72]))
+    scale.set_ticks([-3, -2, -1, 0, 1], labels=["0.001", "0.01", "0.1", "1", "10"])
+    scale.set_label("frequency error, %")
+    save(figure, output / "adequacy_map.svg")
+
+
+def lines_over(axes: Any, rows: Rows, x: str, other: str, y: dict[str, np.ndarray], names: dict[str, str]) -> None:
+    """A line for each model and each value of another parameter, the lighter the smaller it is."""
+    others = np.unique(rows[other])
+    for model, values in y.items():
+        for k, value in enumerate(others):
+            mine = rows[other] == value
+            style = {**STYLES[model.split("_")[0]], "alpha": 0.35 + 0.65 * (k + 1) / len(others)}
+            axes.plot(rows[x][mine], values[mine], label=names[model] if k + 1 == len(others) else None, **style)
+
+
+def curves(folder: pathlib.Path, output: pathlib.Path) -> None:
+    figure, grid = plt.subplots(2, 3, figsize=(10.8, 6.6))
+    figure.subplots_adjust(left=0.065, right=0.985, top=0.94, bottom=0.085, wspace=0.3, hspace=0.36)
+    names = {"reduced": "pseudo-rigid", "polynomial_3": "N = 3", "polynomial": "N = 3"}
+
+    axes, rows = grid[0][0], read(folder, "amplitude")
+    lines_over(axes, rows, "a", "s", {"reduced": 100 * np.abs(excess(rows, "reduced")),
+                                      "polynomial_3": 100 * np.abs(excess(rows, "polynomial_3"))}, names)
+    axes.axhline(18.6318, color="black", linewidth=0.8)
+    axes.set(xscale="log", yscale="log", xlabel="amplitude a", ylabel="frequency error, %", title="amplitude, five kinds of start")
+
+    axes, rows = grid[0][1], read(folder, "compressibility")
+    lines_over(axes, rows, "l", "a", {m: 100 * np.abs(excess(rows, m)) for m in ("reduced", "polynomial")}, names)
+    axes.set(xscale="log", yscale="log", xlabel=r"$\lambda/\mu$", ylabel="frequency error, %", title="compressibility")
+
+    axes, rows = grid[0][2], read(folder, "viscosity")
+    lines_over(axes, rows, "eta", "a", {m: 100 * known(rows, f"{m}_strain_difference_max") for m in ("reduced", "polynomial")}, names)
+    axes.set(xscale="log", xlabel=r"$\eta c/(\mu r)$", ylabel="difference of C, % of its amplitude", title="viscosity")
+
+    axes = grid[1][0]
+    for law in LAWS:
+        rows = read(folder, f"law-{law}")
+        for model in ("reduced", "polynomial"):
+            axes.plot(rows["l"], 100 * known(rows, f"{model}_max_stretch_difference_max"), **STYLES[model], alpha=0.7)
+    axes.set(yscale="log", xlabel="stretch of the release", ylabel="error of the largest stretch, %", title="five laws")
+
+    axes, rows = grid[1][1], read(folder, "shape")
+    lines_over(axes, rows, "p", "a", {"reduced": 100 * np.abs(excess(rows, "reduced")),
+                                      "polynomial_3": 100 * np.abs(excess(rows, "polynomial_3"))}, names)
+    axes.set(xscale="log", yscale="log", xlabel="polar over equatorial axis", ylabel="frequency error, %", title="shape of the body")
+
+    axes, rows = grid[1][2], read(folder, "tide")
+    lines_over(axes, rows, "f", "eta", {m: rows[f"{m}_amplitude"] for m in ("reduced", "polynomial", "continuum")},
+               {**names, "continuum": "finite elements"})
+    axes.set(xlabel="angular frequency of the tide, c/r", ylabel="amplitude of C", title="periodic tide", yscale="log")
+    for axes in grid.flat:
+        axes.legend(fontsize=8, frameon=False)
+    save(figure, output / "adequacy_curves.svg")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("sweeps", type=pathlib.Path, help="folder with a folder for each family")
+    parser.add_argument("--output", type=pathlib.Path, required=True, help="folder of the pictures")
+    parser.add_argument("--data", type=pathlib.Path, help="folder of the columns behind them")
+
+
+def main(options: argparse.Namespace) -> None:
+    map_of_gravity(options.sweeps, options.output)
+    curves(options.sweeps, options.output)
+    if options.data:
+        for folder in sorted(options.sweeps.iterdir()):
+            if (folder / "sweep.csv").is_file():
+                keep(read(options.sweeps, folder.name), options.data / f"{folder.name}.csv")

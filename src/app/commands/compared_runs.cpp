@@ -1,0 +1,242 @@
+#include "app/commands/compared_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "app/commands/compare_models.h"
+#include "app/commands/sweep_run.h"
+#include "app/run/model_sink.h"
+#include "app/run/scene_to_model.h"
+#include "scene/needs.h"
+
+namespace pseudorigid::app {
+namespace {
+
+using analysis::Comparison, analysis::ModelSummary;
+
+constexpr double none = 0, unknown = -1;
+
+/// Columns of comparison.csv that tell of both models, with the group of quantities that they need.
+struct Difference {
+  const char* name;
+  bool mechanics::Quantities::*group;
+};
+constexpr std::array differences{
+    Difference{"q_difference", &mechanics::Quantities::state},
+    Difference{"q_difference_of_departure", &mechanics::Quantities::state},
+    Difference{"strain_difference", &mechanics::Quantities::state},
+    Difference{"a1_difference", &mechanics::Quantities::axes},
+    Difference{"a2_difference", &mechanics::Quantities::axes},
+    Difference{"a3_difference", &mechanics::Quantities::axes},
+    Difference{"volume_ratio_difference", &mechanics::Quantities::axes},
+    Difference{"kinetic_difference", &mechanics::Quantities::energies},
+    Difference{"elastic_difference", &mechanics::Quantities::energies},
+    Difference{"energy_difference", &mechanics::Quantities::energies},
+    Difference{"dissipated_difference", &mechanics::Quantities::energies},
+    Difference{"max_stretch_difference", &mechanics::Quantities::stretches},
+    Difference{"min_stretch_difference", &mechanics::Quantities::stretches},
+    Difference{"angular_momentum_difference", &mechanics::Quantities::momenta},
+    Difference{"circulation_difference", &mechanics::Quantities::momenta},
+    Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
+};
+
+/// All that a run of the models has brought.
+struct Results {
+  std::vector<RunOfModel> runs;
+  std::vector<bool> finished;  ///< of each run
+  OtherResolutions others;
+  mechanics::Outcome end = mechanics::Outcome::finished;
+  std::string message;
+};
+
+double counter(const io::Manifest::Model& statistics, const char* name, double otherwise) {
+  const auto found = statistics.counters.find(name);
+  return found == statistics.counters.end() ? otherwise : found->second;
+}
+
+/// A column of a model's run: its name after "m_", and its value. The summary is null if the runs are not compared.
+struct ColumnOfRun {
+  const char* name;
+  double (*value)(const RunOfModel& run, const ModelSummary* summary);
+};
+constexpr std::array columns_of_model{
+    ColumnOfRun{"time",
+                [](const RunOfModel& r, const ModelSummary*) {
+                  return r.table.n_rows() > 0 ? r.table.row(r.table.n_rows() - 1)[0] : none;
+                }},
+    ColumnOfRun{"steps", [](const RunOfModel& r, const ModelSummary*) { return counter(r.statistics, "steps", none); }},
+    ColumnOfRun{"forces",
+                [](const RunOfModel& r, const ModelSummary*) { return counter(r.statistics, "forces", none); }},
+    ColumnOfRun{"time_error",
+                [](const RunOfModel& r, const ModelSummary*) {
+                  return counter(r.statistics, "estimated_time_error", unknown);
+                }},
+    ColumnOfRun{"space_error",
+                [](const RunOfModel& r, const ModelSummary*) {
+                  return r.model->has_nonaffine ? counter(r.statistics, "relative_space_error", unknown) : 0;
+                }},
+    ColumnOfRun{"frequency",
+                [](const RunOfModel&, const ModelSummary* s) {
+                  return s && s->frequency ? s->frequency.dominant().frequency : none;
+                }},
+    ColumnOfRun{"frequency_error",
+                [](const RunOfModel&, const ModelSummary* s) {
+                  return s && s->frequency ? s->frequency_error.total().value_or(unknown) : unknown;
+                }},
+    ColumnOfRun{"amplitude", [](const RunOfModel&, const ModelSummary* s) { return s ? s->strain_amplitude : none; }},
+    ColumnOfRun{"energy_drift", [](const RunOfModel&,
+                                   const ModelSummary* s) { return s ? s->energy_drift.value_or(unknown) : unknown; }},
+};
+
+double tenth_of_period_after(const Comparison& c) {
+  if (!c.ratio) return unknown;
+  const double apart = std::abs(c.model.frequency.dominant().frequency - c.reference.frequency.dominant().frequency);
+  return apart > 0 ? 0.2 * std::numbers::pi / apart : unknown;
+}
+
+struct ColumnOfPair {
+  const char* name;
+  double (*value)(const Comparison&);
+};
+constexpr std::array columns_of_pair{
+    ColumnOfPair{"frequency_ratio", [](const Comparison& c) { return c.ratio ? c.ratio->value : none; }},
+    ColumnOfPair{"frequency_ratio_error",
+                 [](const Comparison& c) { return c.ratio ? c.ratio->error.total().value_or(unknown) : unknown; }},
+    ColumnOfPair{"tenth_of_period_after", &tenth_of_period_after},
+    ColumnOfPair{"q_difference_error", [](const Comparison& c) { return c.error.total().value_or(unknown); }},
+};
+
+constexpr std::array columns_of_reference{
+    ColumnOfPair{"nonaffine_kinetic_fraction",
+                 [](const Comparison& c) { return c.mean_nonaffine_kinetic_fraction.value_or(none); }},
+    ColumnOfPair{"nonaffine_displacement",
+                 [](const Comparison& c) {
+                   const auto* series = c.find("nonaffine_displacement");
+                   return series ? series->max : none;
+                 }},
+    ColumnOfPair{"min_jacobian", [](const Comparison& c) { return c.min_jacobian.value_or(none); }},
+    ColumnOfPair{"surface_limit_time", [](const Comparison& c) { return c.surface_limit_time.value_or(unknown); }},
+};
+
+std::vector<scene::ModelRun> runs_of_models(const scene::Scene& scene, const scene::Needs& needs) {
+  std::vector<scene::ModelRun> runs;
+  for (const scene::ModelDescription* model : needs.models) {
+    const auto of_model = scene::runs_of(*model, scene);
+    runs.insert(runs.end(), of_model.begin(), of_model.end());
+  }
+  return runs;
+}
+
+std::string prefix(const std::string& run) {
+  std::string name = run + "_";
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+/// Runs the models one after the other. One that breaks off leaves its samples, and the others run all the same.
+Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
+  Results results;
+  const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
+  for (const scene::ModelDescription* model : context.needs.models) {
+    ModelOutcome outcome = executable.model(*model).run(context);
+    if (outcome.end == mechanics::Outcome::interrupted) {
+      results.end = outcome.end;
+      return results;
+    }
+    for (const scene::ModelRun& run : scene::runs_of(*model, context.scene)) {
+      const auto& statistics = run.name == model->name ? outcome.statistics : outcome.of_rungs[run.name];
+      io::Table& table = tables[run.name];
+      results.finished.push_back(table.n_rows() == n_samples);
+      results.runs.push_back({model, run.name, adjective_of(run, statistics), statistics, std::move(table)});
+    }
+    if (outcome.other) results.others.emplace(model->name, std::move(*outcome.other));
+    if (outcome.end != mechanics::Outcome::failed) continue;
+    results.end = outcome.end;
+    results.message += (results.message.empty() ? "" : "; ") + outcome.message;
+  }
+  return results;
+}
+
+/// The row after the parameters.
+void add_results(const RunContext& context, const Results& results, std::vector<double>& row) {
+  const std::vector<Comparison> comparisons = comparisons_of(context, results.runs, results.others);
+  row.push_back(!comparisons.empty());
+  for (std::size_t i = 0; i < results.runs.size(); ++i) {
+    const RunOfModel& run = results.runs[i];
+    const ModelSummary* summary = comparisons.empty()      ? nullptr
+                                  : i < comparisons.size() ? &comparisons[i].model
+                                                           : &comparisons.front().reference;
+    row.push_back(results.finished[i]);
+    for (const ColumnOfRun& column : columns_of_model) row.push_back(column.value(run, summary));
+  }
+  for (std::size_t i = 0; i + 1 < results.runs.size(); ++i) {
+    const Comparison* comparison = comparisons.empty() ? nullptr : &comparisons[i];
+    for (const ColumnOfPair& column : columns_of_pair) row.push_back(comparison ? column.value(*comparison) : none);
+    for (const Difference& difference : differences) {
+      if (!(context.needs.quantities.*difference.group)) continue;
+      const auto* series = comparison ? comparison->find(difference.name) : nullptr;
+      row.insert(row.end(), {series ? series->max : none, series ? series->rms : none});
+    }
+  }
+  for (const ColumnOfPair& column : columns_of_reference)
+    row.push_back(comparisons.empty() ? none : column.value(comparisons.back()));
+}
+
+}  // namespace
+
+std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs) {
+  std::vector<std::string> names{"run"};
+  for (const auto& parameter : scene.sweep) names.push_back(parameter.name);
+  names.emplace_back("compared");
+  const auto runs = runs_of_models(scene, needs);
+  for (const scene::ModelRun& run : runs) {
+    names.push_back(prefix(run.name) + "finished");
+    for (const ColumnOfRun& column : columns_of_model) names.push_back(prefix(run.name) + column.name);
+  }
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
+    for (const ColumnOfPair& column : columns_of_pair) names.push_back(prefix(runs[i].name) + column.name);
+    for (const Difference& difference : differences)
+      if (needs.quantities.*difference.group)
+        for (const char* what : {"_max", "_rms"}) names.push_back(prefix(runs[i].name) + difference.name + what);
+  }
+  for (const ColumnOfPair& column : columns_of_reference) names.emplace_back(column.name);
+  return names;
+}
+
+ComparedRuns::ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context)
+    : raw_(raw), executable_(executable), context_(context), silent_(io::make_logger(io::Verbosity::silent, {})) {}
+
+std::vector<std::string> ComparedRuns::columns() const {
+  return columns_of_compared_runs(context_.scene, context_.needs);
+}
+
+FinishedRun ComparedRuns::run(int k) const {
+  const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
+  const scene::Scene scene = scene_of_run(raw_, values);
+  const scene::Needs needs = scene::needs(scene);  // sector and estimates are those of this run
+  std::map<std::string, io::Table> tables;
+  const RunContext context{.scene = scene,
+                           .needs = needs,
+                           .directory = context_.directory,
+                           .units = units_of(scene),
+                           .log = silent_,
+                           .sink_of = [&tables](const RunContext&, const char* name) {
+                             return std::make_unique<RowsInMemory>(tables[name]);
+                           }};
+  Results results = run_models(context, executable_, tables);
+  FinishedRun run{.row = {k + 1.0}, .samples = {}, .end = results.end, .message = results.message};
+  if (results.end == mechanics::Outcome::interrupted) return run;
+  for (const auto& parameter : raw_.scene.sweep) run.row.push_back(values.at(parameter.name));
+  add_results(context, results, run.row);
+  return run;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,45 @@
+#pragma once
+/// The runs of a sweep of several models: each runs all of them and compares each with the last, the richest in
+/// motions. With m the name of the files of a model's run, "_" for "-", sweep.csv has
+///
+///   run, the parameters, compared (1 or 0);
+///   of every m   m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
+///                m_frequency_error, m_amplitude (of C = QᵀQ), m_energy_drift, as in comparison.json;
+///   of every m but the last
+///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_q_difference_error, and
+///                m_c_max, m_c_rms of every column c of comparison.csv that tells of both models;
+///   of the last  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, and
+///                surface_limit_time.
+///
+/// A number that there is not is 0; an error that is not known, and a time that has not come, is −1. The phases of two
+/// motions of angular frequencies ω and ω' are a tenth of a period apart after  t = 0.2 π/|ω − ω'|.
+
+#include <string>
+#include <vector>
+
+#include "app/commands/program.h"
+#include "app/commands/sweep_task.h"
+#include "app/run/run_context.h"
+#include "scene/read_scene.h"
+
+namespace pseudorigid::app {
+
+/// The columns of sweep.csv of several models.
+std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs);
+
+class ComparedRuns : public SweepTask {
+ public:
+  /// `context` is that of the first run.
+  ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
+
+  std::vector<std::string> columns() const override;
+  FinishedRun run(int k) const override;
+
+ private:
+  const scene::ReadScene& raw_;
+  const Executable& executable_;
+  const RunContext& context_;
+  std::shared_ptr<io::Logger> silent_;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,61 @@
+#include "app/commands/expected_error.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/polynomial/body_setup.h"
+#include "app/run/small_pulsation.h"
+#include "materials/rest_moduli.h"
+#include "polynomial/rest_modes.h"
+
+namespace pseudorigid::app {
+namespace {
+
+constexpr double largest_amplitude = 0.25, largest_rate = 0.75, no_spin = 1e-9;
+
+/// Whether the start is one of those that were tried.
+bool is_moderate(const scene::Scene& scene) {
+  const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
+  const Eigen::Matrix3d L = loads::to_eigen(scene.initial_state.velocity) * Q.inverse() * units_of(scene).time;
+  const Eigen::Vector3d stretches = Eigen::JacobiSVD<Eigen::Matrix3d>(Q).singularValues();
+  return stretches.array().log().abs().maxCoeff() <= largest_amplitude && L.norm() <= 2 * largest_rate &&
+         (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
+}
+
+/// Of the polynomial body of degree N, in units of internal time; none if it cannot be found.
+std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) {
+  constexpr std::size_t n_frequencies = 6;
+  std::vector<polynomial::RestFrequency> found;
+  if (!polynomial::rest_frequencies(body_setup(scene, {}, N), scene.body.incompressible, n_frequencies, found))
+    return {};
+  for (const polynomial::RestFrequency& f : found)
+    if (f.spheroidal && f.degree == 2 && f.overtone == 0) return f.omega;
+  return {};
+}
+
+std::string in_per_cent(double excess) {
+  return std::abs(excess) < 1e-7 ? "0.00001 % or less" : fmt::format("{:+.2g} %", 100 * excess);
+}
+
+}  // namespace
+
+void describe_expected_error(const scene::Scene& scene, scene::Needs& needs) {
+  if (needs.system || scene.analysis != scene::Analysis::motion || !is_moderate(scene)) return;
+  const auto small = small_pulsation(scene);
+  if (!small) return;
+  const double c = std::sqrt(materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear);
+  std::vector<std::string> errors{fmt::format("pseudo-rigid {}", in_per_cent(small->ratio() - 1))};
+  for (const int N : {3, 5})
+    if (const auto omega = pulsation_of_polynomial(scene, N))
+      errors.push_back(fmt::format("polynomial N = {} {}", N, in_per_cent(*omega / (c * small->exact) - 1)));
+  needs.expected.push_back(
+      fmt::format("error of the slowest pulsation's frequency: {} (docs/adequacy.md)", fmt::join(errors, ", ")));
+}
+
+}  // namespace pseudorigid::app

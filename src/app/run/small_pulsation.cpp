@@ -1,0 +1,46 @@
+#include "app/run/small_pulsation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "analysis/sphere_frequencies.h"
+#include "app/run/scene_to_model.h"
+#include "materials/rest_moduli.h"
+#include "scene/discretization.h"
+#include "scene/scales.h"
+
+namespace pseudorigid::app {
+namespace {
+
+bool is_sphere(const scene::Scene& scene) {
+  const auto is_one = [](double a) { return a == 1; };
+  return !scene.body.inertia && std::ranges::all_of(scene.body.semi_axes, is_one) && !scene::has_mesh_file(scene);
+}
+
+/// A compressible body whose law is stressed at F = Id is not at rest there.
+bool rests(const materials::AnyLaw& law, bool incompressible) {
+  return incompressible || materials::pressure_at_rest(law) == 0;
+}
+
+}  // namespace
+
+std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene) {
+  loads::Loads others = scene.loads;
+  others.get<loads::SelfGravity>() = {};
+  if (!is_sphere(scene) || scene::is_fluid(scene) || loads::any_present(others)) return {};
+  const bool incompressible = scene.body.incompressible;
+  const materials::AnyLaw law = internal_law(scene);
+  if (!rests(law, incompressible)) return {};
+  const materials::RestModuli moduli = materials::moduli_at_rest(law, incompressible);
+  const double gamma =
+      4 * std::numbers::pi / 3 * loads::constant_forcing(internal_loads(scene)).gravity_constant / moduli.shear;
+  constexpr double largest_gamma = 18;
+  if (gamma > largest_gamma) return {};
+  const double exact = incompressible ? analysis::sphere_frequency(true, 2, 0, gamma)
+                                      : analysis::compressible_sphere_frequency(
+                                            true, 2, 0, std::sqrt(moduli.shear / (moduli.lame + 2 * moduli.shear)));
+  return SmallPulsation{exact, std::sqrt(10 + 0.8 * gamma)};
+}
+
+}  // namespace pseudorigid::app

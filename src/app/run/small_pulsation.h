@@ -1,0 +1,22 @@
+#pragma once
+/// The slowest small pulsation of a homogeneous elastic ball about rest, spheroidal of degree 2, in units c/r:
+///
+///   exact                           x of analysis/sphere_frequencies.h
+///   pseudo-rigid   x² = 10 + 4γ/5,  γ = ρgr/μ, g = (4/3)πGρr
+
+#include <optional>
+
+#include "scene/scene.h"
+
+namespace pseudorigid::app {
+
+struct SmallPulsation {
+  double exact, pseudo_rigid;
+  double ratio() const { return pseudo_rigid / exact; }
+};
+
+/// None if the body is no elastic sphere at rest on which nothing but its gravity acts, and beyond γ = 18: there two
+/// frequencies share the pulsation of degree 2 (docs/adequacy.md).
+std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
+
+}  // namespace pseudorigid::app
