@@ -19,6 +19,7 @@ struct Needs {
   bool comparison = false;                      ///< of the others with the last of the models
   bool companion = false;                       ///< the reference has a run on another discretisation, for its error
   bool quadrature_error = false;                ///< an estimate of what the rule of a polynomial body does to Q
+  bool contact = false;                         ///< with rigid planes, and the columns about it
   bool surface_watch = false;  ///< of the discretized model: whether its surface reaches the limit of its law
   bool graphics = false;       ///< files for ParaView
   bool report = false;         ///< report.html, and shapes.csv of a discretized model
