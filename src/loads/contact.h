@@ -1,6 +1,6 @@
 #pragma once
-/// Contact of a surface with rigid planes (plane.h), as sums over the points of a quadrature of the reference surface:
-/// with x the place of a point and w its weight,
+/// Contact of a surface with rigid planes (plane.h), as sums over the points of a quadrature of the reference surface.
+/// With x the place of a point and w its weight, they are
 ///
 ///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
 ///
@@ -19,7 +19,7 @@
 
 namespace pseudorigid::loads {
 
-/// What one plane does to a body. Damping is left out.
+/// Contact with one plane, without damping.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
   double height = std::numeric_limits<double>::infinity();  ///< the least n·x − z₀

@@ -12,8 +12,8 @@
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
 ///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
 ///
-/// The area that touches is 2πδ/G, so that a rigid ball has the contact radius √(2δ) of its cut, and N = πkδ² is smooth
-/// at the first contact but for a jump of its second derivative. The damping force of β has the moments
+/// The area that touches is 2πδ/G, so that a rigid ball has the contact radius √(2δ) of its cut. At the first contact the
+/// second derivative of N = πkδ² jumps. The damping force of β has the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ).
 

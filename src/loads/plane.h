@@ -4,8 +4,8 @@
 ///
 ///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
 ///
-/// without friction. Its energy k d²/2 is that of a penalty for the inequality n·x ≥ z₀, which k → ∞ enforces. β is the
-/// damping of Hunt and Crossley (1975), 0 in a conservative contact; the power β k d ḋ² is taken from the body.
+/// without friction. Its energy k d²/2 is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. β is the damping of Hunt and
+/// Crossley (1975), 0 in a conservative contact. It takes the power β k d ḋ² from the body.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -40,8 +40,8 @@ struct Planes : std::vector<Plane> {
       if (plane.damping != 0) return true;
     return false;
   }
-  /// A bound for the stiffness along any direction if every point of the surface touched all planes, of which parallel
-  /// ones count once: the norm of Σ k n nᵀ, bounded by that of Frobenius and by the largest sum of a row.
+  /// A bound for the stiffness along any direction if every point of the surface touched all planes. Parallel planes
+  /// count once. It is the norm of Σ k n nᵀ, bounded by that of Frobenius and by the largest sum of a row.
   double stiffness_of_all() const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < size(); ++i) {

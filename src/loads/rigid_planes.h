@@ -43,7 +43,7 @@ struct RigidPlanes {
   std::string needed(const BodyFacts&) const {
     return "contact with rigid planes: " + std::to_string(forcing().planes.size());
   }
-  /// Nor at rest.
+  /// Bodies at rest on a plane are not looked for.
   static constexpr bool has_static_equilibria = false;
 
   /// Rows without a partner and normals without a direction, which scene/contact.h refuses, are left out.

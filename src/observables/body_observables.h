@@ -152,8 +152,8 @@ inline constexpr BodyColumn<O> common_columns[] = {
     {"largest_force", &Quantities::contact, "mass*length/time^2", "largest contact_force at the ends of steps so far",
      [](const O& o) { return o.contact.largest_force; }},
     {"restitution", &Quantities::contact, "",
-     "normal velocity of the centre of mass at the end of the last contact, over the opposite of that at the begin of "
-     "the first contact; 0 before the end of a contact",
+     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one; "
+     "0 before the end of a contact",
      [](const O& o) { return o.contact.restitution; }},
 };
 

@@ -1,11 +1,11 @@
 #pragma once
-/// Contact of a polynomial body with rigid planes (loads/plane.h), by the sum over q² points of each octant of the
-/// sphere ξ, whose area is that of the integrals:
+/// Contact of a polynomial body with rigid planes (loads/plane.h), by the sum over q² points of each octant of the sphere
+/// ξ. Areas are those of this sphere:
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
-/// Of degree 1, it is that of the pseudo-rigid body in closed form (loads/ellipsoid_contact.h), to which the sum of a
-/// higher degree tends on affine motions as q rises. A plane that a bound for the body does not reach costs no sum:
+/// The body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). The sum of a higher
+/// degree tends to it on affine motions as q rises. A plane that a bound for the body does not reach costs no sum:
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and more.
 
@@ -46,7 +46,7 @@ class BodyContact {
   Field positions(const Eigen::VectorXd& q) const;
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
-  /// Of the computed part, plane by plane.
+  /// The contacts of the computed part, plane by plane.
   std::vector<loads::PlaneContact> of_points(const Field& x) const;
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;

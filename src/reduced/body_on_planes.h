@@ -1,12 +1,12 @@
 #pragma once
-/// The pseudo-rigid body that may touch rigid planes: x = c + Q X, with the contact energy V_c(Q, c) of
-/// loads/ellipsoid_contact.h, which couples the centre of mass to Q,
+/// The pseudo-rigid body x = c + Q X that may touch rigid planes. The contact energy V_c(Q, c) of
+/// loads/ellipsoid_contact.h couples the centre of mass to Q,
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
-/// As in dissipative_body.h, the energies D and W that dissipation has taken and that loads have given are velocities
-/// of further coordinates: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// As in dissipative_body.h, the velocities of further coordinates are the energies D and W that dissipation has taken
+/// and that loads have given: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"

@@ -5,7 +5,7 @@
 ///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first one),
 ///
 /// n the normal of the plane that is nearest. The times are those at which the height of the body above the nearest
-/// plane, interpolated linearly between the ends of a step, is zero. All in internal units.
+/// plane, interpolated linearly between the ends of a step, is zero. Numbers are in internal units.
 
 #include <algorithm>
 #include <array>

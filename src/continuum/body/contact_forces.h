@@ -4,9 +4,8 @@
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// w the reference area of a point. Face by face, one direction after the other. A face whose nodes are so far from a
-/// plane that no polynomial between them reaches it is left out: with the Lebesgue constant Λ of the nodes at the
-/// points,
+/// w the reference area of a point. The sums are factorised on each face. Faces that no polynomial through their nodes
+/// brings to the plane are left out. With the Lebesgue constant Λ of the nodes at the points,
 ///
 ///   n·x ≥ (max + min)/2 − Λ² (max − min)/2   over the nodes of the face.
 ///
@@ -33,7 +32,7 @@ class ContactForces {
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
   /// f ← f − ∂/∂x of ½k∮|x|². Collective.
   void add_pressed(const Vector& x, Vector& f) const;
-  /// Of the whole ball. Collective.
+  /// The contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;
 
  private:
