@@ -46,6 +46,7 @@ PARTS = [
     Part("self-gravity", "self-gravity: Gravity/Constant is 0", {"Gravity/Constant": ZERO}),
     Part("external potential", "external potential: Loads", {"Loads/Tidal matrix": ONE_ENTRY}),
     Part("traction", "traction: Loads", {"Loads/Nominal traction": ONE_ENTRY}),
+    Part("contact", "contact: Loads", {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1e6"}),
     Part("viscosity", "dissipation: neither", {"Material/Viscosity": ZERO, "Time/Method": "auto"}),
     Part("pictures", "Output/Graphics is none", {"Output/Graphics": "vtu"}),
     Part("quantities", "not among Output/Quantities)", {"Output/Quantities": "all"}),

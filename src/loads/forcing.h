@@ -7,12 +7,14 @@
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
+///   at planes      the pressure of contact with rigid planes (plane.h)
 ///
 /// The holder decides whether it is in the user's units or in internal ones.
 
 #include <Eigen/Core>
 
 #include "entries/matrix3.h"
+#include "loads/plane.h"
 #include "mechanics/core/by_name.h"
 
 namespace pseudorigid::loads {
@@ -25,12 +27,13 @@ struct Forcing {
   Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress
   double pressure = 0;                                         ///< p
   double viscosity = 0, drag = 0;                              ///< η, c
+  Planes planes{};                                             ///< that the body may touch
 
   /// Calls visit(of a, of b) with every number of both. One that is not listed does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
-    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a] = a;
-    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b] = b;
+    auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;
+    auto& [name_b, G_b, T_b, b_b, P_b, p_b, eta_b, c_b, planes_b] = b;
     visit(G_a, G_b);
     visit(T_a, T_b);
     visit(b_a, b_b);
@@ -38,6 +41,7 @@ struct Forcing {
     visit(p_a, p_b);
     visit(eta_a, eta_b);
     visit(c_a, c_b);
+    visit(planes_a, planes_b);
   }
 
   Forcing& operator+=(const Forcing& other) {
@@ -45,7 +49,7 @@ struct Forcing {
     return *this;
   }
 
-  bool dissipative() const { return viscosity != 0 || drag != 0; }
+  bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped(); }
   /// Whether a load other than a pressure acts; a body of constant volume does not react to a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
@@ -59,8 +63,8 @@ struct Forcing {
     return any;
   }
 
-  /// The energy without self-gravity, of a body with ∫ρ x xᵀ, ∫ρ x, ∫F dX and the volume V; of the rate of a forcing,
-  /// the power that its change gives to the body.
+  /// The energy without self-gravity and contact, of a body with ∫ρ x xᵀ, ∫ρ x, ∫F dX and the volume V; of the rate of
+  /// a forcing, the power that its change gives to the body.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

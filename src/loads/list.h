@@ -10,6 +10,7 @@
 #include "loads/load.h"
 #include "loads/periodic_tide.h"
 #include "loads/pressure.h"
+#include "loads/rigid_planes.h"
 #include "loads/self_gravity.h"
 #include "loads/tide.h"
 #include "loads/traction.h"
@@ -25,7 +26,8 @@ using LoadList = std::tuple<Viscosity,     //
                             PeriodicTide,  //
                             Acceleration,  //
                             Traction,      //
-                            Pressure>;
+                            Pressure,      //
+                            RigidPlanes>;
 
 namespace detail {
 template <class L, class... Known>

@@ -67,6 +67,23 @@ struct BodyColumn {
       value;
 };
 
+/// Contact with rigid planes, 0 without: at the state (loads/contact.h), and of the run so far.
+struct ContactObservables {
+  double energy = 0, force = 0, penetration = 0, radius = 0;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  double first = 0, last = 0, largest_force = 0, restitution = 0;
+
+  /// Of a loads::Contact, the part of the state.
+  template <class Contact>
+  void take(const Contact& now) {
+    energy = now.energy;
+    force = now.force;
+    penetration = now.penetration();
+    radius = now.radius;
+    point = now.point;
+  }
+};
+
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q (reduced) or the mass moment Q_M (continuum)
   Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< its rate
@@ -80,8 +97,9 @@ struct BodyObservables {
   double multiplier = not_observed;  ///< λ of (5.120) per m̄; continuum: (1/m̄)∫λ_h dV
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);  ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
   std::vector<double> over_points{};                                    ///< as many as were asked for
+  ContactObservables contact{};
 
-  double energy() const { return kinetic + elastic + gravitational + external + dissipated; }
+  double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }
 };
 
 template <class O>
@@ -114,6 +132,29 @@ inline constexpr BodyColumn<O> common_columns[] = {
      "Kirchhoff pressure per tr E0/3. Positive is pressure",
      [](const O& o) { return o.multiplier; }},
     {"a", &Quantities::axes, "length", "semi-axes of Q, in descending order", [](const O& o) { return o.semi_axes; }},
+    {"contact", &Quantities::contact, "mass*length^2/time^2",
+     "energy of the contact with rigid planes, if the scene has planes, as the columns after it",
+     [](const O& o) { return o.contact.energy; }},
+    {"contact_force", &Quantities::contact, "mass*length/time^2", "normal force of the plane that presses most",
+     [](const O& o) { return o.contact.force; }},
+    {"contact_point", &Quantities::contact, "length", "its centre of pressure; 0 without contact",
+     [](const O& o) { return o.contact.point; }},
+    {"contact_radius", &Quantities::contact, "length",
+     "radius of a circle with the undeformed area of the surface that touches this plane",
+     [](const O& o) { return o.contact.radius; }},
+    {"penetration", &Quantities::contact, "length", "largest distance of the surface behind a plane",
+     [](const O& o) { return o.contact.penetration; }},
+    {"first_contact", &Quantities::contact, "time",
+     "begin of the first contact, interpolated between steps; 0 before it", [](const O& o) { return o.contact.first; }},
+    {"last_contact", &Quantities::contact, "time",
+     "end of the last contact so far, interpolated between steps; 0 before it",
+     [](const O& o) { return o.contact.last; }},
+    {"largest_force", &Quantities::contact, "mass*length/time^2", "largest contact_force at the ends of steps so far",
+     [](const O& o) { return o.contact.largest_force; }},
+    {"restitution", &Quantities::contact, "",
+     "normal velocity of the centre of mass after the last contact, over that towards the plane before the first one; "
+     "0 before the end of a contact",
+     [](const O& o) { return o.contact.restitution; }},
 };
 
 /// Observables of the reduced body only.

@@ -15,6 +15,8 @@ struct Quantities {
   /// A group of models with non-affine motions, which has no keyword: it is written with the energies if the volumetric
   /// stabilisation is on.
   bool volumetric = false;
+  /// Likewise: it is written if the scene has planes.
+  bool contact = false;
 };
 
 struct QuantityGroup {
@@ -41,8 +43,8 @@ inline constexpr QuantityGroup quantity_groups[] = {
     {"stretches", &Quantities::stretches,
      "the principal stretches of the mean deformation, and of a body that bends the largest and the least anywhere"},
 };
-static_assert(sizeof(Quantities) == std::size(quantity_groups) + 1,
-              "every group but `volumetric` has one line of quantity_groups");
+static_assert(sizeof(Quantities) == std::size(quantity_groups) + 2,
+              "every group but `volumetric` and `contact` has one line of quantity_groups");
 
 /// How many of the groups are true by default.
 inline constexpr std::size_t n_default_groups = [] {

@@ -8,11 +8,15 @@ namespace pseudorigid::polynomial {
 
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
+  struct Workspace : mechanics::Unconstrained::Workspace {
+    bool pressed = false;  ///< PolynomialBody::applied_force
+  };
   using PolynomialBody::PolynomialBody;
 
-  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(t, q, v, f);
+  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
+    return applied_force(t, q, v, workspace.pressed, f);
   }
+  Workspace make_workspace() const { return {}; }
 };
 
 }  // namespace pseudorigid::polynomial

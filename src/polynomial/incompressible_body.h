@@ -21,6 +21,7 @@ class IncompressibleBody : public PolynomialBody {
   struct Workspace {
     GramSolver gram;
     double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, maximum norm
+    bool pressed = false;        ///< PolynomialBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -31,8 +32,8 @@ class IncompressibleBody : public PolynomialBody {
 
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
-  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(t, q, v, f);
+  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
+    return applied_force(t, q, v, workspace.pressed, f);
   }
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const double least = polynomial::constraint(space(), q, g);

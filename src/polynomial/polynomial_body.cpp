@@ -29,7 +29,7 @@ std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
 }
 
 bool depends_on_direction(const loads::Forcing& f) {
-  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0);
+  return !f.quadratic.isZero(0) || !f.nominal_traction.isZero(0) || !f.acceleration.isZero(0) || !f.planes.empty();
 }
 
 double sum_of_products(const std::vector<double>& w, const double* y, int n) {
@@ -50,6 +50,9 @@ PolynomialBody::PolynomialBody(const BodySetup& s)
   if (!depends_on_direction(constant_) && !driven_) turns_ = free_turns(s.reflect);
   if (const double G = constant_.gravity_constant; G > 0)
     gravity_ = std::make_shared<BodyGravity>(G, space_, s.n_gravity_points);
+  if (!constant_.planes.empty())
+    contact_ =
+        std::make_shared<BodyContact>(constant_.planes, space_, s.n_contact_points.value_or(BodyContact::usual_points));
 }
 
 PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const {
@@ -58,7 +61,8 @@ PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Ei
   return x;
 }
 
-mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, Vector& f) const {
+mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, bool pressed,
+                                                Vector& f) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
   space_->gradients().evaluate(space_->blocks(), 3, q.data(), F);
@@ -72,7 +76,7 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
     for (int i = 0; i < n; ++i) wJ[i] *= p * space_->weights()[i];
     dense().add_multiple(n, wJ, A, T);
   }
-  const double taken = constant_.viscosity != 0 ? add_dissipation(v, F, T) : 0;
+  double taken = constant_.viscosity != 0 ? add_dissipation(v, F, T) : 0;
   const double given = driven_ ? external_energy(loads::driving_rate(loads_, t), q, F) : 0;
   f.setZero();
   space_->gradients().add_transposed(space_->blocks(), 3, T, f.data());
@@ -80,6 +84,11 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   add_loads(constant_, q, f);
   if (driven_) add_loads(now, q, f);
   if (gravity_) gravity_->add_force(q, f);
+  if (contact_ && pressed) contact_->add_pressed_force(q, f);
+  if (contact_ && !pressed) {
+    contact_->add_force(q, f);
+    taken += contact_->add_damping(q, v, f);
+  }
   if (n_accounts() == 0) return {};
   const int n_unknowns = space_->n_unknowns();
   f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
@@ -140,6 +149,7 @@ void PolynomialBody::add_damping(const Vector& q, const Vector& v, Vector& f) co
     space_->gradients().add_transposed(space_->blocks(), 3, T, taken.data());
     f -= taken;
   }
+  if (contact_) contact_->add_damping(q, v, f);
   f.head(n_unknowns) -= constant_.drag * v.head(n_unknowns);
 }
 
@@ -152,6 +162,7 @@ PotentialEnergies PolynomialBody::potential_energies(double t, const Vector& q) 
   if (gravity_) V.gravitational = gravity_->energy(q);
   V.external = external_energy(constant_, q, F);
   if (driven_) V.external += external_energy(loads::driving(loads_, t), q, F);
+  if (contact_) V.contact = contact_->energy(q);
   return V;
 }
 
@@ -183,6 +194,7 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
   linear.quadratic = constant_.quadratic;
   add_loads(linear, u, f);
   if (gravity_) gravity_->add_force_rate(q, u, f);
+  if (contact_) contact_->add_force_rate(q, u, f);
 }
 
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {

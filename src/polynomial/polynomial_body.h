@@ -11,6 +11,7 @@
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
+///   rigid planes             body_contact.h
 ///
 /// With dissipation, or with loads that depend on time, two numbers more, s and s', obey s̈ = the power that dissipation
 /// takes, s̈' = the power that a change of the loads gives: their velocities are the energies taken and given.
@@ -26,6 +27,7 @@
 #include "loads/list.h"
 #include "materials/law_table.h"
 #include "mechanics/core/constrained_system.h"
+#include "polynomial/body_contact.h"
 #include "polynomial/body_gravity.h"
 #include "polynomial/polynomial_space.h"
 
@@ -41,12 +43,13 @@ struct BodySetup {
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
   std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
+  std::optional<int> n_contact_points{};  ///< the same of contact on the surface
 };
 
 struct PotentialEnergies {
   double elastic = 0;  ///< with the volumetric part
-  double volumetric = 0, gravitational = 0, external = 0;
-  double total() const { return elastic + gravitational + external; }
+  double volumetric = 0, gravitational = 0, external = 0, contact = 0;
+  double total() const { return elastic + gravitational + external + contact; }
 };
 
 class PolynomialBody {
@@ -80,6 +83,8 @@ class PolynomialBody {
   const materials::AnyLaw& law() const { return law_; }
   /// Null without self-gravity.
   const BodyGravity* gravity() const { return gravity_.get(); }
+  /// Contact with rigid planes at q; none without planes.
+  loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 
@@ -97,8 +102,9 @@ class PolynomialBody {
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// f of all but reactions.
-  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, Vector& f) const;
+  /// f of all but reactions. `pressed`: as if every point of the surface touched planes on all sides, as a bound for
+  /// the stiffness.
+  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, bool pressed, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
@@ -115,6 +121,7 @@ class PolynomialBody {
   bool driven_;              ///< there are others
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
+  std::shared_ptr<const BodyContact> contact_;  ///< null without planes
 };
 
 }  // namespace pseudorigid::polynomial

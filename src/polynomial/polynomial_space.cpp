@@ -100,6 +100,10 @@ PointTables PolynomialSpace::surface_tables(int q) const {
   return {degree_, Fields::surface, semi_axes_, {{1.0}, octant_surface_points(q)}, free_axes_, blocks_};
 }
 
+PointTables PolynomialSpace::surface_values(int q) const {
+  return {degree_, Fields::value, semi_axes_, {{1.0}, octant_surface_points(q)}, free_axes_, blocks_};
+}
+
 std::vector<Jet> PolynomialSpace::functions_at(const std::array<double, 3>& xi) const {
   std::vector<Jet> jets = evaluate_ball_polynomials(degree_, xi);
   const double scale = 1 / std::sqrt(semi_axes_.prod());

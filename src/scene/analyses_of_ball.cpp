@@ -56,7 +56,10 @@ std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
     return Refusal{"Equilibrium/Family", "static is", {}, names_where(scene, finds)};
-  if (auto refusal = refuses_load(scene, []<class Load>(const Load&) { return loads::DependsOnTime<Load>; }))
+  if (auto refusal = refuses_load(scene, []<class Load>(const Load&) {
+        if constexpr (requires { Load::has_static_equilibria; }) return !Load::has_static_equilibria;
+        return loads::DependsOnTime<Load>;
+      }))
     return refusal;
   const loads::Forcing forcing = loads::constant_forcing(scene.loads);
   const bool shaped = forcing.gravity_constant != 0 || !forcing.quadratic.isZero(0) ||

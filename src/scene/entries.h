@@ -207,7 +207,7 @@ void visit_time(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_polynomial(S& scene, Visit& visit) {
-  auto& [degrees, tolerance, gravity_points, quadrature_points] = scene.polynomial;
+  auto& [degrees, tolerance, gravity_points, quadrature_points, contact_points] = scene.polynomial;
   visit(degrees, AutoOrIntegers{{1, largest_polynomial_degree}},
         About{"Polynomial/Degree", "",
               "Degree N of the polynomials in which the positions are written; degree 1 is the pseudo-rigid body. "
@@ -230,11 +230,16 @@ void visit_polynomial(S& scene, Visit& visit) {
           "taken, or as many as a Time/Tolerance below 1e-6 asks for if the step is found from it. The log has their "
           "estimated "
           "error of Q. The cost grows as the third power."});
+  visit(contact_points, AutoOrInteger{{2, 128}},
+        About{"Polynomial/Contact points", "",
+              "Points per direction on an octant of the surface, at which contact with rigid planes is found. With "
+              "auto, there are 24. Degree 1 does not use them: its contact is known in closed form."});
 }
 
 template <SceneOrConst S, class Visit>
 void visit_continuum(S& scene, Visit& visit) {
-  auto& [degree, refinements, tolerance, error_estimate, gravity_points, stiffness, mesh, symmetry] = scene.continuum;
+  auto& [degree, refinements, tolerance, error_estimate, gravity_points, stiffness, mesh, symmetry, contact_points,
+         grading] = scene.continuum;
   visit(degree, AutoOrInteger{{1, largest_degree}},
         About{"Continuum/Degree", "",
               "Polynomial degree of the positions; the pressure has one degree less. Degree 1 is for compressible "
@@ -275,6 +280,16 @@ void visit_continuum(S& scene, Visit& visit) {
               "the ball is computed (octant: all three; none: the full ball). With auto, they are every plane that the "
               "initial state and the loads admit, and none if the mesh is from a file. Motions that would "
               "break the symmetry are then excluded."});
+  visit(contact_points, AutoOrInteger{{2, 64}},
+        About{"Continuum/Contact points", "",
+              "Gauss points per direction on each face of the surface, at which contact with rigid planes is found. "
+              "With auto, there are 2 (Degree + 1)."});
+  visit(grading, Number{.low = 0.05, .high = 1},
+        About{"Continuum/Grading", "",
+              "Size of the cells of the builtin mesh at two opposite poles of the ball, over their size without "
+              "grading, along the surface and inwards. The cells elsewhere are larger. The poles are on the "
+              "coordinate axis that is nearest to the normal of the first plane, and on the z axis without planes. The "
+              "stable step falls in proportion."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -187,6 +187,8 @@ Needs needs(const Scene& scene) {
   needs.comparison = n_runs_of_models(scene, needs) > 1 && scene.analysis == Analysis::motion;
   needs.graphics = scene.output.graphics != Graphics::none;
   needs.quantities = scene.output.quantities;
+  needs.contact = loads::present(scene.loads.get<loads::RigidPlanes>());
+  needs.quantities.contact = needs.contact && scene.analysis == Analysis::motion;
   const bool nonaffine = std::ranges::any_of(needs.models, &ModelDescription::has_nonaffine);
   needs.quantities.nonaffine = needs.quantities.nonaffine && nonaffine;
   needs.surface_watch = needs.discretized && needs.constraint;

@@ -19,6 +19,7 @@ struct Needs {
   bool comparison = false;                      ///< comparison of the other models with the last model
   bool companion = false;                       ///< the reference has a run on another discretisation, for its error
   bool quadrature_error = false;                ///< estimate of the error of Q by the quadrature of a polynomial body
+  bool contact = false;                         ///< contact with rigid planes, and its columns
   bool surface_watch = false;  ///< check of the finite-element model: whether its surface reaches Biot's limit
   bool graphics = false;       ///< files for ParaView
   bool report = false;         ///< report.html, and shapes.csv of a discretized model

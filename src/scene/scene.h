@@ -117,6 +117,7 @@ struct Scene {
     double tolerance = 1e-3;
     std::optional<int> gravity_points;     ///< empty: auto (polynomial/body_gravity.h)
     std::optional<int> quadrature_points;  ///< empty: auto (app/polynomial/run_quadrature.h)
+    std::optional<int> contact_points;     ///< empty: auto (polynomial/body_contact.h)
   } polynomial;
   struct Continuum {
     std::optional<int> degree = 4, refinements = 0;  ///< empty: auto
@@ -126,6 +127,8 @@ struct Scene {
     std::optional<double> volumetric_stiffness;  ///< empty: auto (scene/stabilization.h)
     std::string mesh{builtin_mesh};              ///< or an absolute path
     Symmetry symmetry = Symmetry::automatic;
+    std::optional<int> contact_points;  ///< empty: auto (continuum/body/contact_forces.h)
+    double grading = 1;                 ///< of the builtin mesh towards the poles (continuum/mesh/ball_mesh.h)
   } continuum;
   struct Output {
     std::string directory = "output";

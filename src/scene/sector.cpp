@@ -21,12 +21,21 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
-/// The values of an entry type of the loads, by path.
+/// Whether a load has its own say about planes of symmetry, in place of that of its entries.
+template <class Load>
+inline constexpr bool judges_planes = requires(const Load& load) {
+  load.breaks_plane(0);
+};
+
+/// The values of an entry type of the loads, by path, of those whose entries say which planes they admit.
 template <class Value>
 std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& scene) {
   std::vector<std::pair<std::string_view, const Value*>> found;
-  loads::visit_entries(scene.loads, [&](const auto& member, const auto&, const About& about) {
+  const auto note = [&](const auto& member, const auto&, const About& about) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Value>) found.emplace_back(about.path, &member);
+  };
+  scene.loads.for_each([&]<class Load>(const Load& load) {
+    if constexpr (!judges_planes<Load>) Load::visit_entries(load, note);
   });
   return found;
 }
@@ -43,7 +52,7 @@ std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
     for (int j = 0; matrix && j < 3; ++j)
       for (const auto& [row, column] : {std::pair{i, j}, std::pair{j, i}})
         if (const double entry = (*matrix)[row][column]; row != column && entry != 0)
-          return fmt::format("entry ({},{}) of {} is {}", row + 1, column + 1, path, print_number(entry));
+          return fmt::format("entry ({},{}) of {} is {} and not 0", row + 1, column + 1, path, print_number(entry));
   return std::nullopt;
 }
 
@@ -94,8 +103,13 @@ std::optional<std::string> breaks_plane(const Scene& scene, int i) {
   vectors.insert(vectors.end(), of_load.begin(), of_load.end());
   for (const auto& [path, vector] : vectors)
     if (const double entry = (*vector)[i]; entry != 0)
-      return fmt::format("entry {} of {} is {}", i + 1, path, print_number(entry));
-  return std::nullopt;
+      return fmt::format("entry {} of {} is {} and not 0", i + 1, path, print_number(entry));
+  std::optional<std::string> reason;
+  scene.loads.for_each([&]<class Load>(const Load& load) {
+    if constexpr (judges_planes<Load>)
+      if (!reason) reason = load.breaks_plane(i);
+  });
+  return reason;
 }
 
 bool keeps_diagonal(const Scene& scene) {

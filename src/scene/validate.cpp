@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +15,7 @@
 #include "entries/units.h"
 #include "scene/advice.h"
 #include "scene/analyses_of_ball.h"
+#include "scene/contact.h"
 #include "scene/entries.h"
 #include "scene/initial_state.h"
 #include "scene/models.h"
@@ -65,6 +67,7 @@ class Validator {
     check_loads();
     check_output();
     if (const auto refusal = refuses_initial_state(scene_)) refuse(*refusal);
+    if (const auto refusal = refuses_planes(scene_)) refuse(*refusal);
     if (scene_.body.incompressible)
       if (const auto refusal = make_isochoric(scene_)) refuse(*refusal);
     check_models();
@@ -237,8 +240,11 @@ class Validator {
   }
 
   static double largest(double value) { return std::abs(value); }
+  static double largest(const std::optional<double>& value) { return std::abs(value.value_or(0)); }
   static double largest(const std::vector<double>& v) {
-    return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    double most = 0;
+    for (const double value : v) most = std::max(most, std::abs(value));
+    return most;
   }
   static double largest(const Matrix3& A) { return largest_entry(A); }
 

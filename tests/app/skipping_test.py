@@ -115,6 +115,20 @@ class Skipping(ProgramTest):
         self.assertIn("self-gravity", needed)
         self.close("reduced.csv", "without", "with")
 
+    def test_planes_that_are_not_reached(self):
+        """The centre of mass of the pseudo-rigid body is then a part of its state."""
+        self.scene(RELEASE)
+        _, skipped = self.run_scene("without")
+        self.assertIn("contact: Loads/Plane normals is empty", skipped)
+        needed, _ = self.run_scene("with", {"Loads/Plane normals": "0, 0, 1; 0, 0, -1",
+                                            "Loads/Plane points": "0, 0, -9; 0, 0, 9"})
+        self.assertIn("contact with rigid planes: 2", needed)
+        for name in "reduced.csv", "continuum.csv":
+            free, loaded = self.table("without", name), self.table("with", name)
+            for column in free.header:
+                for a, b in zip(free.column(column), loaded.column(column)):
+                    self.assertAlmostEqual(a, b, delta=ROUND_OFF, msg=f"{column} of {name}")
+
     def test_loads_and_dissipation(self):
         self.scene(RELEASE)
         _, skipped = self.run_scene("free")

@@ -73,7 +73,8 @@ inline bool admits_entry(const Sector& sector, int i, int j) {
   return i == j || !(sector.reflect[i] || sector.reflect[j]);
 }
 
-/// Every load of the list that finite elements know, with irregular values; of them what a sector admits.
+/// Every load of the list that finite elements know but planes (contact_test.cpp), with irregular values; of them what
+/// a sector admits.
 inline loads::Loads all_loads(const Sector& sector = whole) {
   loads::Loads loads;
   int n = 0;
@@ -90,8 +91,8 @@ inline loads::Loads all_loads(const Sector& sector = whole) {
       if (kind.symmetric)
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < i; ++j) member[i][j] = member[j][i];
-    } else {
-      for (int i = 0; i < 3; ++i) member[i] = sector.reflect[i] ? 0 : 0.3 * next();
+    } else if constexpr (std::is_same_v<Value, std::vector<double>>) {
+      for (std::size_t i = 0; i < member.size(); ++i) member[i] = sector.reflect[i] ? 0 : 0.3 * next();
     }
   });
   loads.get<loads::SelfGravity>() = {};

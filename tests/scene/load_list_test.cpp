@@ -79,7 +79,7 @@ TEST(EveryLoad, IsKnownToEquilibriaOrRefused) {
   EXPECT_GE(n_refused, 3);
 }
 
-/// Bodies rest under every load but those that depend on time.
+/// Bodies rest under every load but those that depend on time, and planes.
 TEST(EveryLoad, IsKnownToEquilibriaAtRestUnlessItDependsOnTime) {
   for_each_load([&]<class L>(const L&, const L& filled) {
     Scene scene = test::ball_scene();
@@ -88,7 +88,11 @@ TEST(EveryLoad, IsKnownToEquilibriaAtRestUnlessItDependsOnTime) {
     scene.equilibria.family = Family::at_rest;
     EXPECT_NO_THROW(validate(scene, {}));
     scene.loads.get<L>() = filled;
-    if (loads::DependsOnTime<L>)
+    constexpr bool is_known = [] {
+      if constexpr (requires { L::has_static_equilibria; }) return L::has_static_equilibria;
+      return !loads::DependsOnTime<L>;
+    }();
+    if (!is_known)
       EXPECT_THROW(validate(scene, {}), UserError);
     else
       EXPECT_NO_THROW(validate(scene, {}));
@@ -116,6 +120,10 @@ Eigen::VectorXd numbers(const loads::Forcing& forcing) {
   loads::Forcing::visit_pairs(forcing, forcing, [&]<class Value>(const Value& value, const Value&) {
     if constexpr (std::is_same_v<Value, double>)
       values.push_back(value);
+    else if constexpr (std::is_same_v<Value, loads::Planes>)
+      for (const loads::Plane& plane : value)
+        values.insert(values.end(), {plane.normal[0], plane.normal[1], plane.normal[2], plane.position, plane.stiffness,
+                                     plane.damping});
     else
       values.insert(values.end(), value.data(), value.data() + value.size());
   });
@@ -181,6 +189,8 @@ TEST(EveryLoad, HasInternalValuesByTheUnitsOfItsEntries) {
       using Value = std::decay_t<decltype(member)>;
       if constexpr (std::is_same_v<Value, double>)
         in_these_units(member);
+      else if constexpr (std::is_same_v<Value, std::optional<double>>)
+        in_these_units(*member);
       else if constexpr (std::is_same_v<Value, Matrix3>)
         for (auto& row : member) std::ranges::for_each(row, in_these_units);
       else

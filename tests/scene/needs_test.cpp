@@ -75,7 +75,7 @@ TEST(SectorOfLoads, IsWhatEachOfThemAdmits) {
 }
 
 /// Whatever the list holds: numbers break no plane, entries (i, j) of matrices those with the normals i and j, entries
-/// i of vectors that with the normal i.
+/// i of vectors that with the normal i. Rigid planes, of which there are none at first, are below.
 TEST(SectorOfLoads, FollowsFromTheKindsOfTheirEntries) {
   Scene scene = test::ball_scene();
   const auto broken = [&] {
@@ -100,7 +100,7 @@ TEST(SectorOfLoads, FollowsFromTheKindsOfTheirEntries) {
           member = before;
         }
     } else if constexpr (std::is_same_v<std::decay_t<decltype(member)>, std::vector<double>>) {
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < static_cast<int>(member.size()); ++i) {
         member[i] = 1;
         Planes expected{};
         expected[i] = true;
@@ -115,6 +115,30 @@ TEST(SectorOfLoads, FollowsFromTheKindsOfTheirEntries) {
     }
   });
   EXPECT_GE(n_entries, 6);
+}
+
+/// Rigid planes admit a reflection that takes every plane to one of them.
+TEST(SectorOfLoads, OfRigidPlanesNeedsTheirMirrorImages) {
+  const auto name = [](std::vector<double> normals, std::vector<double> points) {
+    Scene scene = test::ball_scene();
+    scene.loads.get<loads::RigidPlanes>() = {.normals = std::move(normals), .points = std::move(points)};
+    return sector(scene).name();
+  };
+  EXPECT_EQ(name({0, 0, 1}, {0, 0, -2}), "quarter (planes x, y)");
+  EXPECT_EQ(name({0, 0, 1, 0, 0, -1}, {0, 0, -2, 0, 0, 2}), "octant");
+  EXPECT_EQ(name({0, 0, 1, 0, 0, -1}, {0, 0, -2, 0, 0, 3}), "quarter (planes x, y)");
+  EXPECT_EQ(name({1, 0, 1, -1, 0, 1}, {-2, 0, 0, 2, 0, 0}), "quarter (planes x, y)");
+  EXPECT_EQ(name({1, 0, 1}, {-2, 0, 0}), "half (plane y)");
+  EXPECT_EQ(name({0.1, 0.2, 1}, {0, 0, -3}), "full ball");
+}
+
+TEST(Contact, HasItsColumnsOnlyWithPlanes) {
+  Scene scene = test::ball_scene();
+  EXPECT_FALSE(needs(scene).contact);
+  EXPECT_FALSE(needs(scene).quantities.contact);
+  scene.loads.get<loads::RigidPlanes>() = {.normals = {0, 0, 1}, .points = {0, 0, -2}};
+  EXPECT_TRUE(needs(scene).contact);
+  EXPECT_TRUE(needs(scene).quantities.contact);
 }
 
 TEST(DiscretizationErrorOfNeeds, IsACompanionWhereTheModelsAreComparedOnAGivenMesh) {

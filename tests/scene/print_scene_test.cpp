@@ -69,6 +69,8 @@ Scene any_scene(std::mt19937_64& random) {
       member = kind.low == 0 ? positive_number() : any_number(random);
     else if constexpr (std::is_same_v<Kind, Matrix>)
       for (auto& row : member) row = {any_number(random), any_number(random), any_number(random)};
+    else if constexpr (std::is_same_v<Kind, AutoOrNumber>)
+      member = positive_number();
     else
       member = {any_number(random), any_number(random), any_number(random)};
   });

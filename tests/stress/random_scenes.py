@@ -119,13 +119,37 @@ def ball(rng, with_continuum):
             entries["Continuum/Volumetric stiffness"] = repr(modulus * 10 ** rng.uniform(-2, 1))
     if rng.random() < 0.15:
         entries.update({"Output/Graphics": "vtu", "Output/Frames": 2})
-    if reduced_only and rng.random() < 0.15:
+    planes = rng.random() < 0.15
+    if planes:
+        put_planes(rng, entries, radius, rate, modulus, Q)
+    if reduced_only and not planes and rng.random() < 0.15:
         look_for_equilibria(rng, entries, rate)
     elif rng.random() < 0.3:
         bend(rng, entries)
     choose_method(rng, entries, 1 / rate, reduced_only)
     ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
     return entries, ranks
+
+
+def put_planes(rng, entries, radius, rate, modulus, Q):
+    """One to three planes near the body, now and then through it, towards which it flies."""
+    axes = [float(a) for a in entries.get("Body/Semi-axes", "1, 1, 1").split(",")]
+    normals, points = [], []
+    for _ in range(rng.randint(1, 3)):
+        n = rng.choice(((0, 0, 1), (0, 0, -1), (1, 0, 0), tuple(rng.gauss(0, 1) for _ in range(3))))
+        length = math.sqrt(sum(x * x for x in n))
+        reach = math.sqrt(sum((axes[k] * sum(Q[i][k] * n[i] for i in range(3)))**2 for k in range(3))) / length
+        distance = radius * reach * rng.choice((0.99, 1.0001, 1.05, 1.2))
+        normals.append(n)
+        points.append([-distance * x / length for x in n])
+    entries.update({
+        "Loads/Plane normals": "; ".join(", ".join(map(repr, n)) for n in normals),
+        "Loads/Plane points": "; ".join(", ".join(map(repr, p)) for p in points),
+        "Initial state/Center velocity": ", ".join(repr(-0.5 * radius * rate * x) for x in normals[0])})
+    if rng.random() < 0.5:
+        entries["Loads/Plane stiffness"] = repr(modulus / radius * 10 ** rng.uniform(0, 4))
+    if rng.random() < 0.3:
+        entries["Loads/Plane damping"] = repr(10 ** rng.uniform(-2, 1) / (radius * rate))
 
 
 def bend(rng, entries):

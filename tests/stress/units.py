@@ -12,7 +12,10 @@ SAME = 1e-10
 ENERGY = "mass*length^2/time^2"
 COLUMNS = {"time": "time", "Qdot": "1/time", "x": "length", "v": "length/time", "J": "mass*length^2/time",
            "Z": "mass*length^2/time", "multiplier": "1/time^2", "a": "length",
-           **dict.fromkeys(("kinetic", "elastic", "gravitational", "external", "dissipated", "energy", "volumetric"), ENERGY)}
+           "contact_force": "mass*length/time^2", "largest_force": "mass*length/time^2", "contact_point": "length",
+           "contact_radius": "length", "penetration": "length", "first_contact": "time", "last_contact": "time",
+           **dict.fromkeys(("kinetic", "elastic", "gravitational", "external", "dissipated", "energy", "volumetric",
+                            "contact"), ENERGY)}
 START = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)), "Initial state/Velocity": "0, 0.4, 0; -0.3, 0, 0; 0, 0, 0",
          "Time/End": 2, "Output/Samples": 10}
 RELEASE = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)),
@@ -23,12 +26,15 @@ RELEASE = {"Initial state/Deformation": text(diagonal(1.25, 1, 0.8)),
 POLYNOMIAL = {"Models": "polynomial", "Polynomial/Degree": 3, "Time/Constraint tolerance": 1e-13}
 LOADS = {"Loads/Tidal matrix": text(diagonal(0.2, 0.1, -0.3)), "Loads/Nominal traction": text(diagonal(0.1, 0, -0.2)),
          "Loads/Acceleration": "0.1, 0.2, -0.1", "Material/Viscosity": 0.02, "Material/Drag": 0.01}
+IMPACT = {"Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1.2", "Loads/Plane damping": 0.5,
+          "Initial state/Center velocity": "0.1, 0, -0.5"}
 SCENES = {
     "reduced": {"Models": "reduced", **START},
     "reduced with gravity": {"Models": "reduced", **START, "Gravity/Constant": 1.5},
     "reduced fluid": {"Models": "reduced", **START, "Gravity/Constant": 1, "Material/Law": "none"},
     "reduced with loads and dissipation": {"Models": "reduced", **START, **LOADS},
     "reduced, compressible": {"Models": "reduced", **START, "Body/Incompressible": "false", "Material/Lame lambda": 2.5},
+    "reduced on a plane": {"Models": "reduced", **START, **IMPACT},
     "polynomial": {**POLYNOMIAL, **START},
     "polynomial with gravity": {**POLYNOMIAL, **START, "Gravity/Constant": 1.5},
     "polynomial with loads and dissipation": {**POLYNOMIAL, **RELEASE, **LOADS},
@@ -37,6 +43,7 @@ SCENES = {
     "both models with gravity": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1.5},
     "both models, a fluid": {"Models": "reduced, continuum", **RELEASE, "Gravity/Constant": 1, "Material/Law": "none"},
     "both models, loads and dissipation": {"Models": "reduced, continuum", **RELEASE, **LOADS},
+    "both models on a plane": {"Models": "reduced, continuum", **RELEASE, **IMPACT},
     "both models, compressible": {"Models": "reduced, continuum", **RELEASE, "Body/Incompressible": "false"},
 }
 SYSTEMS = {

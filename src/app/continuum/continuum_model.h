@@ -34,7 +34,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
       : Base(context, "continuum", 1, task.trace),
         law_(internal_law(context.scene)),
         ball_(mesh_of(context, task.discretization.refinements), task.discretization.degree,
-              stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points),
+              stored_energy(context.scene), internal_loads(context.scene), context.scene.continuum.gravity_points,
+              context.scene.continuum.contact_points),
         rank_order_(ball_.space()),
         wrinkling_(context, law_) {}
 
@@ -93,6 +94,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     return ball_.affine_field(A, c);
   }
   Eigen::Matrix3d affine_part(const continuum::Vector& x) const override { return ball_.mass_moment(x); }
+  Eigen::Vector3d mean(const continuum::Vector& x) const override { return ball_.mean(x); }
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
@@ -108,7 +110,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
 
   static continuum::BallMesh mesh_of(const RunContext& context, int n_refinements) {
     const MPI_Comm communicator = context.ranks->size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF;
-    if (!scene::has_mesh_file(context.scene)) return {{context.needs.sector.reflect}, n_refinements, communicator};
+    if (!scene::has_mesh_file(context.scene))
+      return {{context.needs.sector.reflect}, n_refinements, communicator, grading_of(context.scene)};
     const CenteredMesh body = read_mesh_file(context.scene);
     if (body.is_moved)
       context.log->info(
@@ -119,6 +122,13 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     for (const auto& X : body.mesh.vertices) mesh.vertices.emplace_back(X[0], X[1], X[2]);
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
+  }
+  /// Towards the poles that the first plane touches.
+  static continuum::Grading grading_of(const scene::Scene& scene) {
+    continuum::Grading grading{.size = scene.continuum.grading};
+    const auto planes = loads::constant_forcing(internal_loads(scene)).planes;
+    if (!planes.empty()) planes.front().normal.cwiseAbs().maxCoeff(&grading.axis);
+    return grading;
   }
   materials::AnyLaw law_;
   System ball_;

@@ -49,6 +49,8 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
                    "auto is offered for motions; for modes give a number (the column spread measures the error of "
                    "the mesh)"};
+  if (scene.continuum.grading != 1)
+    return Refusal{"Continuum/Grading", "modes are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
   return {};
 }
 
@@ -56,6 +58,8 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   if (scene.body.incompressible && scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for an incompressible body, got 1"};
   if (!scene::has_mesh_file(scene)) return {};
+  if (scene.continuum.grading != 1)
+    return Refusal{"Continuum/Grading", "a mesh from a file is taken as it is", {{{"Continuum/Grading", "1"}}}};
   if (scene.continuum.degree == 1)
     return Refusal{"Continuum/Degree", "expected a whole number from 2 to 8 for a mesh from a file, got 1"};
   if (scene.continuum.symmetry != scene::Symmetry::automatic && scene.continuum.symmetry != scene::Symmetry::none)
@@ -100,8 +104,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
     const auto broken = scene::breaks_plane(scene, i);
     if (!broken) continue;
     return Refusal{"Continuum/Symmetry",
-                   fmt::format("the plane with normal {} is no symmetry plane of this motion, as {} and "
-                               "not 0",
+                   fmt::format("the plane with normal {} is no symmetry plane of this motion, as {}",
                                scene::axis_names[i], *broken),
                    {{{"Continuum/Symmetry", "auto"}}}};
   }

@@ -25,6 +25,8 @@ std::optional<scene::Refusal> refuses_body(const scene::Scene& scene) {
       return refuses_method(scene, system_of<ReducedForm::diagonal, incompressible>(s));
     case ReducedForm::dissipative:
       return refuses_method(scene, system_of<ReducedForm::dissipative, incompressible>(s));
+    case ReducedForm::touching:
+      return refuses_method(scene, system_of<ReducedForm::touching, incompressible>(s));
   }
   return {};
 }

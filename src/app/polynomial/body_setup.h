@@ -36,7 +36,8 @@ inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::ar
           .volumetric_stiffness = scene::volumetric_stiffness(scene) / units_of(scene).stress(),
           .loads = internal_loads(scene),
           .n_gravity_points = scene.polynomial.gravity_points,
-          .n_points = quadrature_points(scene, degree)};
+          .n_points = quadrature_points(scene, degree),
+          .n_contact_points = scene.polynomial.contact_points};
 }
 
 }  // namespace pseudorigid::app

@@ -32,7 +32,8 @@ bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunCont
 /// Whether the law of the material is all that acts on a body that keeps its volume.
 bool is_plain(const RunContext& context, const ReducedScene& s) {
   return context.scene.body.incompressible && form_of(s) != ReducedForm::dissipative &&
-         s.forcing.gravity_constant == 0 && !reduced::ExternalPotential(s.forcing).present();
+         form_of(s) != ReducedForm::touching && s.forcing.gravity_constant == 0 &&
+         !reduced::ExternalPotential(s.forcing).present();
 }
 
 /// Q or Q̇ of all bodies; `entry(body)` is that of one.

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "app/reduced/reduced_scene.h"
+#include "app/run/contact_watch.h"
+#include "app/run/flight.h"
 #include "app/run/picture.h"
 #include "app/run/run_context.h"
 #include "app/run/runnable_model.h"
@@ -47,7 +49,23 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
 
   const System& system() const override { return system_; }
   State initial_state() const override { return start_; }
-  Eigen::MatrixXd configuration(const State& state) const override { return Q_of(state); }
+  /// On planes, the centre of mass is a part of it.
+  Eigen::MatrixXd configuration(const State& state) const override {
+    if constexpr (on_planes)
+      return state.q.template leftCols<4>();
+    else
+      return Q_of(state);
+  }
+  State start_of_pilot(const State& state) const override {
+    State start = state;
+    if constexpr (on_planes)
+      if (const auto flight =
+              flight_to_contact(system_.contact(state.q), System::center(state.v), system_.constant_forcing())) {
+        start.q.col(3) += flight->displacement;
+        start.v.col(3) += flight->velocity_change;
+      }
+    return start;
+  }
   double rate(const State& state) const override {
     const auto motion = system_.motion(state);
     return mechanics::affine_rate(motion.q, motion.v);
@@ -64,7 +82,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     if (request_.bipolar)
       if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
         return status;
-    if (auto status = add_center_of_mass(state.t); !status) return status;
+    if (auto status = add_center_of_mass(state); !status) return status;
+    contacts_.write(observables_.contact);
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     note_motion(Q_of(state));
     trajectory_.row(time, observables_, row);
@@ -74,7 +93,8 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   /// Checked after every step. The least singular value of Q is its distance from the nearest singular matrix (Eckart
   /// and Young). If the tolerance of Q is as large, the computed motion may have passed a collapse of the exact one. A
   /// body that preserves its volume cannot collapse.
-  mechanics::Status judge(const State& state) const override {
+  mechanics::Status judge(const State& state) override {
+    if constexpr (on_planes) contacts_.look(state.t, system_.contact(state.q), System::center(state.v));
     if constexpr (!mechanics::unconstrained<System>) return {};
     const Eigen::Matrix3d Q = Q_of(state);
     const double tolerance = context_.scene.time.tolerance;
@@ -106,6 +126,15 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     tension_.take_up(rows);
   }
 
+  std::vector<double> remarks() const override {
+    if constexpr (!on_planes) return {};
+    const auto numbers = contacts_.numbers();
+    return {numbers.begin(), numbers.end()};
+  }
+  void take_remarks(std::span<const double> remarks) override {
+    if constexpr (on_planes) contacts_.take_numbers(remarks.first<ContactWatch::n_numbers>());
+  }
+
   mechanics::Status write_frame(const std::filesystem::path& path, double time, const State& state,
                                 Workspace& workspace) override {
     double Lambda = 0;
@@ -122,14 +151,23 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   }
 
  private:
+  /// The centre of mass is a part of the state.
+  static constexpr bool on_planes = requires(const System& s, const State& state) { s.contact(state.q); };
+
   Eigen::Matrix3d Q_of(const State& state) const { return system_.motion(state).q; }
+  reduced::CenterOfMass::Motion center_at(const State& state) {
+    if constexpr (on_planes)
+      return {System::center(state.q), System::center(state.v)};
+    else
+      return center_.at(state.t);
+  }
 
   /// Fields are homogeneous except for positions and velocities.
   mechanics::BodyFields fields(const State& state, double Lambda) {
     const auto& body = system_.body();
     const auto motion = system_.motion(state);
     const Eigen::Matrix3d &Q = motion.q, &Qdot = motion.v;
-    const auto center = center_.at(state.t);
+    const auto center = center_at(state);
     const Eigen::Matrix3d stress = body.cauchy_stress(Q, Lambda / body.m_bar());
     const double energy = std::visit([&](const auto& law) { return law.energy(materials::to_tensor(Q)); }, law_);
     mechanics::BodyFields fields;
@@ -172,8 +210,9 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     return mechanics::Status::failure("the body is stretched more than 1e12 times, which numbers do not resolve");
   }
 
-  mechanics::Status add_center_of_mass(double t) {
-    const auto motion = center_.at(t);
+  mechanics::Status add_center_of_mass(const State& state) {
+    const double t = state.t;
+    const auto motion = center_at(state);
     if (!motion.x.allFinite() || !motion.v.allFinite())
       return mechanics::Status::failure("the external potential has carried the centre of mass beyond all numbers");
     const double mass = system_.body().reference().mass;
@@ -182,6 +221,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
     const reduced::CenterOfMass& law = center_.law();
     observables_.kinetic += mass * law.kinetic(motion);
     observables_.external += mass * law.potential(motion);
+    if constexpr (on_planes) return {};  // the accounts of the system have the rest
     if (center_is_driven_) observables_.external += mass * law.driven(motion, t);
     if (drag_on_center_) {
       const reduced::CenterOfMass::Motion start{law.position, law.velocity};
@@ -205,6 +245,7 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
   bool knows_motion_ = true;      ///< false if a resumed run has rows without Q
   long n_noted_ = 0;
   mechanics::ReducedObservables observables_;
+  ContactWatch contacts_;
   std::optional<reduced::Bipolar> bipolar_;  ///< at the sample before
   std::optional<io::BallBlocks> ball_;       ///< blocks of the pictures, from the first picture on
 };

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "materials/law_table.h"
+#include "reduced/body_on_planes.h"
 #include "reduced/center_of_mass.h"
 #include "reduced/diagonal_body.h"
 #include "reduced/dissipative_body.h"
@@ -28,10 +29,11 @@ ReducedScene reduced_scene(const scene::Scene& scene);
 
 /// The forms of the same body, each without the parts that only other forms need.
 enum class ReducedForm {
-  elastic,     ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
-  general,     ///< any sum of potentials
-  diagonal,    ///< neither turns nor circulates: three unknowns
-  dissipative  ///< viscosity or drag, or loads that depend on time, and the energy that they take or give
+  elastic,      ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
+  general,      ///< any sum of potentials
+  diagonal,     ///< neither turns nor circulates: three unknowns
+  dissipative,  ///< viscosity or drag, or loads that depend on time, and the energy that they take or give
+  touching      ///< rigid planes, which couple the centre of mass to Q, with all of the above
 };
 
 template <bool incompressible>
@@ -59,14 +61,18 @@ auto system_of(const ReducedScene& s) {
     return general_body<incompressible>(s);
   else if constexpr (form == ReducedForm::diagonal)
     return reduced::DiagonalBody<Body>(general_body<incompressible>(s));
-  else
+  else if constexpr (form == ReducedForm::dissipative)
     return reduced::DissipativeBody<Body>(general_body<incompressible>(s), s.dissipation, s.loads);
+  else
+    return reduced::BodyOnPlanes<Body>(general_body<incompressible>(s), s.loads);
 }
 
 /// The start in the coordinates of a form.
 template <class System>
 mechanics::State<System> start_of(const ReducedScene& s) {
-  if constexpr (requires { System::state_of(s.start); })
+  if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })
+    return System::state_of(s.start, s.center.position, s.center.velocity);
+  else if constexpr (requires { System::state_of(s.start); })
     return System::state_of(s.start);
   else
     return s.start;

@@ -20,6 +20,8 @@ ModelOutcome run_reduced(const RunContext& context) {
       return run_reduced_form<ReducedForm::diagonal>(scene, context);
     case ReducedForm::dissipative:
       return run_reduced_form<ReducedForm::dissipative>(scene, context);
+    case ReducedForm::touching:
+      return run_reduced_form<ReducedForm::touching>(scene, context);
   }
   return {};
 }

@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/run/contact_watch.h"
 #include "app/run/deformation_trace.h"
+#include "app/run/flight.h"
 #include "app/run/nonaffine_watch.h"
 #include "app/run/runnable_model.h"
 #include "app/run/scene_to_model.h"
@@ -45,19 +47,37 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  Eigen::MatrixXd configuration(const State& state) const final { return affine_part(state.q); }
+  /// On planes, the centre of mass is a part of it.
+  Eigen::MatrixXd configuration(const State& state) const final {
+    if (!context_.needs.contact) return affine_part(state.q);
+    Eigen::MatrixXd configuration(3, 4);
+    configuration << affine_part(state.q), mean(state.q);
+    return configuration;
+  }
+  State start_of_pilot(const State& state) const final {
+    State start = state;
+    if (!context_.needs.contact) return start;
+    const loads::Forcing forcing = loads::constant_forcing(internal_loads(context_.scene));
+    if (const auto flight = flight_to_contact(this->system().contact(state.q), mean(state.v), forcing)) {
+      mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->displacement), start.q);
+      mechanics::axpy(1.0, affine(Eigen::Matrix3d::Zero(), flight->velocity_change), start.v);
+    }
+    return start;
+  }
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
-  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A force that depends on
-  /// time can act later; it is followed for about three pulsations.
+  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A contact of a fast body
+  /// takes three times as long. A force that depends on time can act later; it is followed for about three pulsations.
   double pilot_window(double end) const final {
-    return std::min(end, mechanics::time_dependent(this->system()) ? 10.0 : 1.0);
+    const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
+    return std::min(end, window);
   }
   std::vector<std::string> columns() const final { return trajectory_.names(); }
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
+    contacts_.write(observables_.contact);
     trajectory_.row(time, observables_, row);
     if (trace_) (*trace_)[sample_at(time)] = affine_part(state.q);
     nonaffine_.look(time, observables_.nonaffine_displacement);
@@ -75,11 +95,19 @@ class FieldModel : public RunnableModelOf<S> {
     std::vector<double> remarks;
     for (const auto& part : {nonaffine_.remarks(), own_remarks()})
       remarks.insert(remarks.end(), part.begin(), part.end());
+    const auto of_contacts = contacts_.numbers();
+    if (context_.needs.contact) remarks.insert(remarks.end(), of_contacts.begin(), of_contacts.end());
     return remarks;
   }
   void take_remarks(std::span<const double> remarks) final {
     nonaffine_.take_remarks(remarks.first<3>());
     take_own_remarks(remarks.subspan<3, 3>());
+    if (context_.needs.contact) contacts_.take_numbers(remarks.subspan<6, ContactWatch::n_numbers>());
+  }
+  /// Collective.
+  mechanics::Status judge(const State& state) final {
+    if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
+    return {};
   }
 
   std::vector<std::string> shape_columns() const final {
@@ -119,6 +147,7 @@ class FieldModel : public RunnableModelOf<S> {
   /// The field c + A X, of positions or velocities.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
+  virtual Eigen::Vector3d mean(const Vector& x) const = 0;
   virtual std::array<double, 3> own_remarks() const = 0;
   virtual void take_own_remarks(std::span<const double, 3> remarks) = 0;
 
@@ -135,6 +164,7 @@ class FieldModel : public RunnableModelOf<S> {
   mechanics::ContinuumObservables observables_;
   NonaffineWatch nonaffine_;
   TensionWatch tension_;
+  ContactWatch contacts_;
   mutable std::optional<Faces> faces_;  ///< empty until the first shape
 };
 

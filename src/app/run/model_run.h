@@ -186,7 +186,7 @@ class ModelRun final : public ModelRunBase {
   void estimate_quadrature() override { model_.estimate_quadrature(state_, position_.looks.stable_step); }
 
   mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const override {
-    State from_zero = state_;
+    State from_zero = model_.start_of_pilot(state_);
     if (!mechanics::time_dependent(model_.system())) from_zero.t = 0;
     const auto Q_of = [this](const State& s) { return model_.configuration(s); };
     if constexpr (traits.has_costly_force)
@@ -198,7 +198,10 @@ class ModelRun final : public ModelRunBase {
   Status rattle_limit([[maybe_unused]] double safety, [[maybe_unused]] double& limit) const override {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       auto workspace = model_.system().make_workspace();
+      // A contact that comes later must not be too stiff for the step.
+      if constexpr (requires { workspace.pressed; }) workspace.pressed = true;
       const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace, n_lanczos, accuracy);
+      if constexpr (requires { workspace.pressed; }) workspace.pressed = false;
       if (!frequency.status) return frequency.status;
       limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state_), safety);
       if constexpr (!mechanics::LinearlyDamped<System>) {

@@ -54,7 +54,7 @@ class NonaffineWatch {
   /// Tractions and viscous stress at the surface are not a pressure, so the motion of the fluid is not affine.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::constant_forcing(scene.loads);
-    return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0;
+    return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();
   }
 
   const RunContext& context_;

@@ -61,7 +61,9 @@ class RunnableModelOf : public RunnableModel {
   /// Kinetic and potential energy, for methods that need not keep their sum; of systems with a costly force.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }
   /// A failure ends the run. Called after every step.
-  virtual mechanics::Status judge(const State&) const { return {}; }
+  virtual mechanics::Status judge(const State&) { return {}; }
+  /// The state with which pilot runs begin, if the run begins with this one.
+  virtual State start_of_pilot(const State& state) const { return state; }
   /// Chooses the rule of quadrature before the search for the step, and estimates the error of the rule after it.
   /// `stable_step` is that of RATTLE, 0 if it is not known.
   virtual void choose_quadrature(const State&) {}

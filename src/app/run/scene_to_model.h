@@ -3,6 +3,7 @@
 /// scene/scales.h).
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "entries/units.h"
@@ -40,6 +41,9 @@ inline Eigen::Vector3d initial_center_velocity(const scene::Scene& scene, const 
 
 namespace detail {
 inline void convert(const io::Units& units, scene::Unit unit, double& value) { value = units.to_internal(value, unit); }
+inline void convert(const io::Units& units, scene::Unit unit, std::optional<double>& value) {
+  if (value) convert(units, unit, *value);
+}
 template <class Entries>
 void convert(const io::Units& units, scene::Unit unit, Entries& values) {
   for (auto& value : values) convert(units, unit, value);

@@ -16,7 +16,7 @@ BallBody::BallBody(const Sector& sector, int degree, int n_refinements, const St
     : BallBody(BallMesh(sector, n_refinements, communicator), degree, stored, loads) {}
 
 BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads,
-                   std::optional<int> n_points)
+                   std::optional<int> n_points, std::optional<int> contact_points)
     : space_(std::move(mesh), degree, loads::depend_on_time(loads) || loads::constant_forcing(loads).dissipative()),
       limit_(materials::limit_of(stored.law)),
       is_fluid_(std::holds_alternative<materials::Fluid>(stored.law)),
@@ -25,6 +25,8 @@ BallBody::BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const 
       volume_(space_.mesh().sector().n_images() * sum_over_ranks(kernels_->reference_volume(), space_.communicator())) {
   if (const double G = loads::constant_forcing(loads).gravity_constant; G > 0)
     gravity_.emplace(G, space_, n_points.value_or(n_gravity_points(space_, is_fluid_)));
+  if (const auto planes = loads::constant_forcing(loads).planes; !planes.empty())
+    contact_.emplace(planes, space_, contact_points.value_or(n_contact_points(space_)));
   E0_ = nodal_moment(space_.reference_positions(), space_.reference_positions());
 }
 
@@ -54,14 +56,22 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
   return mechanics::Status::failure(reason + ("an element is turned inside out: " + in_words(jacobian)));
 }
 
-mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, Vector& f) const {
-  return complete_force(t, x, v, kernels_->force(x, f), f);
+mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, bool pressed, Vector& f) const {
+  return complete_force(t, x, v, kernels_->force(x, f), pressed, f);
 }
 
-mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const {
+mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vector& v, double least, bool pressed,
+                                           Vector& f) const {
   if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
   if (gravity_) gravity_->add(x, f);
+  if (!contact_) return {};
+  if (pressed) {
+    contact_->add_pressed(x, f);
+    return {};
+  }
+  contact_->add(x, f);
+  add_taken(contact_->add_damping(x, v, f), f);
   return {};
 }
 

@@ -20,6 +20,7 @@
 #include <string_view>
 
 #include "continuum/body/ball_loads.h"
+#include "continuum/body/contact_forces.h"
 #include "continuum/body/surface_gravity_forces.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
@@ -39,16 +40,20 @@ class BallBody {
   /// refinements of the octant's 4 cells, over the ranks of a communicator.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The same for the body of a mesh file. `n_gravity_points`: see body/surface_gravity_forces.h.
+  /// The same for the body of a mesh file. `n_gravity_points`: see body/surface_gravity_forces.h; `n_contact_points`:
+  /// see body/contact_forces.h.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
-           std::optional<int> n_gravity_points = std::nullopt);
+           std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // its parts refer to one another
   BallBody& operator=(const BallBody&) = delete;
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
   void apply_mass(const Vector& v, Vector& f) const;
   /// f ← f + the viscous force and the drag, linear in v (mechanics/core/linear_damping.h).
-  void add_damping(const Vector& x, const Vector& v, Vector& f) const { loads_.add_dissipation(x, v, f); }
+  void add_damping(const Vector& x, const Vector& v, Vector& f) const {
+    loads_.add_dissipation(x, v, f);
+    if (contact_) contact_->add_damping(x, v, f);
+  }
   bool time_dependent() const { return loads_.time_dependent(); }
   bool velocity_dependent() const { return loads_.dissipative(); }
   bool dissipative() const { return loads_.dissipative(); }
@@ -66,6 +71,9 @@ class BallBody {
   /// The energy that dissipation has taken, and that loads which depend on time have given, from the velocity.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
+
+  /// Contact with rigid planes at x; none without planes. Collective.
+  loads::Contact contact(const Vector& x) const { return contact_ ? contact_->contact(x) : loads::Contact{}; }
 
   /// Inertia, volume and mass of the mesh, whole ball: E₀,h = Σ m_n X_n X_nᵀ.
   const Eigen::Matrix3d& E0() const { return E0_; }
@@ -96,11 +104,13 @@ class BallBody {
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
-  /// f of all but reactions.
-  mechanics::Status applied_force(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// Adds loads and gravity to the force of the stress; fails if `least`, which its kernel returned, is not
+  /// f of all but reactions. `pressed`: as if every point of the surface touched planes on all sides, as a bound for
+  /// the stiffness.
+  mechanics::Status applied_force(double t, const Vector& x, const Vector& v, bool pressed, Vector& f) const;
+  /// Adds loads, gravity and contact to the force of the stress; fails if `least`, which its kernel returned, is not
   /// positive.
-  mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, Vector& f) const;
+  mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, bool pressed,
+                                   Vector& f) const;
 
  private:
   double account_entry(const Vector& v, unsigned int component) const;
@@ -112,6 +122,7 @@ class BallBody {
   std::unique_ptr<CellKernels> kernels_;
   LoadForces loads_;
   std::optional<SurfaceGravityForces> gravity_;
+  std::optional<ContactForces> contact_;  ///< empty without planes
   Eigen::Matrix3d E0_;
   double volume_;
 };

@@ -12,11 +12,15 @@ namespace pseudorigid::continuum {
 
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
+  struct Workspace : mechanics::Unconstrained::Workspace {
+    bool pressed = false;  ///< BallBody::applied_force
+  };
   using BallBody::BallBody;
 
-  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(t, x, v, f);
+  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
+    return applied_force(t, x, v, workspace.pressed, f);
   }
+  Workspace make_workspace() const { return {}; }
 };
 
 }  // namespace pseudorigid::continuum

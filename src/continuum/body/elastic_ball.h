@@ -23,6 +23,7 @@ class ElasticBall : public BallBody {
   struct Workspace {
     GramSolver gram;
     double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, Euclidean norm
+    bool pressed = false;        ///< BallBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -35,19 +36,21 @@ class ElasticBall : public BallBody {
   ElasticBall(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
               const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
-      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, stored, loads, std::nullopt, gram_method) {}
+      : ElasticBall(BallMesh(sector, n_refinements, communicator), degree, stored, loads, std::nullopt, std::nullopt,
+                    gram_method) {}
   ElasticBall(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
-              std::optional<int> n_gravity_points = std::nullopt, std::optional<GramMethod> gram_method = std::nullopt)
-      : BallBody(std::move(mesh), degree, stored, loads::at_constant_volume(loads), n_gravity_points),
+              std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt,
+              std::optional<GramMethod> gram_method = std::nullopt)
+      : BallBody(std::move(mesh), degree, stored, loads::at_constant_volume(loads), n_gravity_points, n_contact_points),
         gram_method_(gram_method.value_or(fitting_gram_method(space()))),
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
-  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace&, Vector& f) const {
-    return applied_force(t, x, v, f);
+  mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
+    return applied_force(t, x, v, workspace.pressed, f);
   }
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {
-    return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), f);
+    return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.pressed, f);
   }
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }

@@ -85,13 +85,16 @@ dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
   return direction / direction.norm();
 }
 
+/// Vertices of the sphere have the distance 1 from the centre.
+bool is_on_sphere(const dealii::Point<3>& V) { return V.norm_square() > 0.999; }
+
 dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
   dealii::Point<3> inside, cube;
   double s = 0;
   for (unsigned int v = 0; v < 8; ++v) {
     const dealii::Point<3>& V = vertices[v];
     const double N = dealii::GeometryInfo<3>::d_linear_shape_function(xi, v);
-    if (V.norm_square() > 0.999) {
+    if (is_on_sphere(V)) {
       cube += N / std::max({std::abs(V[0]), std::abs(V[1]), std::abs(V[2])}) * V;
       s += N;
     } else
@@ -104,6 +107,26 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   dealii::Point<3> X;
   for (unsigned int v = 0; v < 8; ++v) X += dealii::GeometryInfo<3>::d_linear_shape_function(xi, v) * vertices[v];
   return X;
+}
+
+/// The small end of a local direction, from its edge at the first vertex: outwards it is on the sphere; from a plane
+/// x_c = 0 that contains the poles it is on that plane; along the axis of the poles there is none.
+int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
+  const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
+  if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
+  for (unsigned int c = 0; c < 3; ++c)
+    if ((a[c] == 0) != (b[c] == 0)) return c == axis ? -1 : (a[c] == 0 ? 0 : 1);
+  return -1;
+}
+
+/// β of the grading to a size 0 < g < 1, by bisection: β/(exp β − 1) falls.
+double growth_of(double size) {
+  double least = 0, most = 100;
+  for (int i = 0; i < 100; ++i) {
+    const double middle = 0.5 * (least + most);
+    (middle / std::expm1(middle) > size ? least : most) = middle;
+  }
+  return 0.5 * (least + most);
 }
 
 /// A mesh in one process does not need p4est, which requires MPI.
@@ -136,8 +159,15 @@ int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
 
 }  // namespace
 
-BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator)
-    : BallMesh(sector, sector_of_ball(sector), true, n_refinements, communicator) {}
+BallMesh::BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator, const Grading& grading)
+    : BallMesh(sector, sector_of_ball(sector), true, n_refinements, communicator) {
+  if (grading.size == 1) return;
+  growth_ = growth_of(grading.size);
+  for (const auto& vertices : coarse_vertices_) {
+    auto& ends = small_ends_.emplace_back();
+    for (unsigned int d = 0; d < 3; ++d) ends[d] = small_end(vertices, d, static_cast<unsigned int>(grading.axis));
+  }
+}
 
 BallMesh::BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator)
     : BallMesh(Sector{}, body, false, n_refinements, communicator) {}
@@ -172,6 +202,14 @@ dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterato
   const auto children = id.get_child_indices();
   for (std::size_t level = children.size(); level-- > 0;)
     for (unsigned int d = 0; d < 3; ++d) coarse_xi[d] = 0.5 * (coarse_xi[d] + (children[level] >> d & 1));
+  if (!small_ends_.empty())
+    for (unsigned int d = 0; d < 3; ++d) {
+      double& x = coarse_xi[d];
+      if (x == 0 || x == 1) continue;  // ends stay exactly what they are
+      const int end = small_ends_[coarse_index(cell)][d];
+      if (end == 0) x = std::expm1(growth_ * x) / std::expm1(growth_);
+      if (end == 1) x = 1 - std::expm1(growth_ * (1 - x)) / std::expm1(growth_);
+    }
   const auto& vertices = coarse_vertices_[coarse_index(cell)];
   return on_sphere_ ? transfinite(vertices, coarse_xi) : trilinear(vertices, coarse_xi);
 }

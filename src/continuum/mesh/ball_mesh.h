@@ -11,6 +11,13 @@
 /// which is exact on the sphere and on the planes (coordinates that are zero stay exactly zero). Other sectors are
 /// reflections of the octant, so that all of them are the same discretisation.
 ///
+/// A grading makes cells at the two poles ±e_p of an axis smaller by a factor g. Before the transfinite map, the local
+/// coordinates of a coarse cell that run outwards, or along the surface from a plane through the poles, become
+///
+///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,   the small end ξ = 0 at the sphere or at that plane,
+///
+/// the same on the faces of neighbours.
+///
 /// With several ranks the cells are distributed over them (p4est); every rank then holds its own and their neighbours.
 
 #include <deal.II/grid/tria.h>
@@ -33,10 +40,15 @@ struct CoarseMesh {
   std::vector<std::array<unsigned int, 8>> cells;
 };
 
+struct Grading {
+  double size = 1;  ///< g
+  int axis = 2;     ///< p
+};
+
 class BallMesh {
  public:
   /// The sector of the unit ball, refined `n_refinements` times, over the ranks of a communicator.
-  BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
+  BallMesh(const Sector& sector, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF, const Grading& grading = {});
   /// The body of these cells, with the same checks: right-handed, conforming, in one piece, its centre of mass at the
   /// origin.
   BallMesh(const CoarseMesh& body, int n_refinements, MPI_Comm communicator = MPI_COMM_SELF);
@@ -56,9 +68,12 @@ class BallMesh {
   BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
 
   Sector sector_;
-  bool on_sphere_;  ///< vertices at the distance 1 are on the sphere
+  bool on_sphere_;     ///< vertices at the distance 1 are on the sphere
+  double growth_ = 0;  ///< β
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
+  /// Of a coarse cell, the end of each local direction where cells are small: 0 or 1, or −1 if it is not graded.
+  std::vector<std::array<int, 3>> small_ends_;
 };
 
 }  // namespace pseudorigid::continuum

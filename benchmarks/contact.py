@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""The ball on rigid planes beside Hertz's theory and the loss by its modes (docs/contact.md).
+
+    benchmarks/contact.py build/release/bin/pseudorigid [--quick] [--only hertz|impact] > contact.csv
+
+hertz: the ball is pressed between two planes and brought to rest by a viscosity, for depths d/r and stiffnesses k of the
+planes, by finite elements. With the force F and radius a of Hertz, F = (16/3) mu sqrt(r) d^(3/2) and a = sqrt(r d):
+columns d, k, F/F_Hertz, a/a_Hertz, penetration/d.
+
+impact: the ball hits a plane with the speed v, by the pseudo-rigid ball, polynomial bodies and finite elements: columns
+model, v/c, e, (1 - e^2) c/v, the same by the sum over modes, T c/r, T by Hertz, F_max/(rho v^2 r^2), the same by Hertz,
+unknowns, seconds. Of a small v, the sum over the spheroidal modes n with the frequencies w_n and squared displacements
+p_n of the pole is
+
+    1 - e^2 = 5.72958 (v/c) sum p_n (1 + sin(w_n T))/w_n^5,   T = 2.922 (v/c)^(-1/5) r/c.
+"""
+import argparse
+import math
+import pathlib
+import sys
+import tempfile
+import time
+
+import program
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "tests/support"))
+from program_test import scene_text  # noqa: E402
+
+# Frequency and squared displacement of the pole: S2, S3, S4, the second of degree 2, S5.
+MODES = ((2.665622, 3.05478), (4.001937, 5.51828), (5.160819, 8.23429), (5.473040, 0.25155), (6.246420, 11.21871))
+FINE = {"Continuum/Degree": 4, "Continuum/Refinements": 1, "Continuum/Grading": 0.15, "Continuum/Error estimate": "none"}
+
+
+def hertz_time(v):
+    return 2.922 * v**-0.2
+
+
+def loss_by_modes(v):
+    return 5.72958 * sum(p * (1 + math.sin(w * hertz_time(v))) / w**5 for w, p in MODES)
+
+
+def press(run, depth, k, entries):
+    axis = 1 - depth
+    side = axis**-0.5
+    table = run({**entries, "Models": "continuum", "Loads/Plane normals": "0, 0, 1; 0, 0, -1",
+                 "Loads/Plane points": f"0, 0, {-axis!r}; 0, 0, {axis!r}", "Loads/Plane stiffness": k, "Material/Viscosity": 0.3,
+                 "Initial state/Deformation": f"{side!r}, 0, 0; 0, {side!r}, 0; 0, 0, {axis!r}", "Time/End": 10,
+                 "Time/Tolerance": 1e-3, "Output/Samples": 50}).table("continuum.csv")
+    force, radius = table["contact_force"][-1], table["contact_radius"][-1]
+    return (depth, k, force / (16 / 3 * depth**1.5), radius / math.sqrt(depth), table["penetration"][-1] / depth)
+
+
+def impact(run, model, v, entries):
+    start = time.perf_counter()
+    result = run({**entries, "Models": model, "Loads/Plane normals": "0, 0, 1", "Loads/Plane points": "0, 0, -1.001",
+                  "Initial state/Center velocity": f"0, 0, {-v!r}", "Time/End": 0.001 / v + hertz_time(v) + 1,
+                  "Time/Tolerance": 1e-2 * v**1.5, "Output/Samples": 400})
+    seconds = time.perf_counter() - start
+    table = result.table(f"{model}.csv")
+    e = table["restitution"][-1]
+    duration = table["last_contact"][-1] - table["first_contact"][-1]
+    unknowns = result.manifest["models"][model]["counters"].get("unknowns", 12)
+    return (v, e, (1 - e * e) / v, loss_by_modes(v), duration, hertz_time(v), table["largest_force"][-1] / v**2,
+            5.2747 * v**-0.8, unknowns, seconds)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--only", choices=("hertz", "impact"))
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        scene = pathlib.Path(folder) / "scene.prm"
+        scene.write_text(scene_text({}))
+
+        def run(entries):
+            return program.run(options.program, scene, pathlib.Path(folder) / "out", entries)
+
+        def show(*values):
+            print(*(value if isinstance(value, str) else f"{value:.6g}" for value in values), sep=",", flush=True)
+
+        if options.only != "impact":
+            show("depth", "stiffness", "force_ratio", "radius_ratio", "penetration_ratio")
+            for depth in (0.02,) if options.quick else (0.08, 0.04, 0.02, 0.01):
+                for k in (1e4,) if options.quick else (1e3, 1e4, 1e5):
+                    show(*press(run, depth, k, FINE))
+        if options.only != "hertz":
+            show("model", "v", "e", "loss", "loss_by_modes", "duration", "duration_hertz", "force", "force_hertz", "unknowns",
+                 "seconds")
+            for v in (0.1,) if options.quick else (2, 1, 0.5, 0.2, 0.1, 0.05, 0.03, 0.02, 0.01):
+                show("reduced", *impact(run, "reduced", v, {}))
+                for degree in (3, 5, 7):
+                    show(f"polynomial {degree}", *impact(run, "polynomial", v, {"Polynomial/Degree": degree}))
+                show("continuum", *impact(run, "continuum", v, {**FINE, "Loads/Plane stiffness": 1e4}))
+
+
+if __name__ == "__main__":
+    main()

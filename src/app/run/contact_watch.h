@@ -1,0 +1,76 @@
+#pragma once
+/// Contacts of a run with rigid planes, followed after every step: begin of the first one and end of the last one, the
+/// largest force, and the coefficient of restitution
+///
+///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first one),
+///
+/// n the normal of the plane that is nearest. The times are those at which the height of the body above the nearest
+/// plane, interpolated linearly between the ends of a step, is zero. Numbers are in internal units.
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "loads/contact.h"
+#include "observables/body_observables.h"
+
+namespace pseudorigid::app {
+
+class ContactWatch {
+ public:
+  /// At the end of a step, with the velocity of the centre of mass. A step that is repeated after a failure is the
+  /// same.
+  void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
+    if (is_begun_ && t <= t_) return;
+    const double v = now.normal.dot(velocity);
+    largest_force_ = std::max(largest_force_, now.force);
+    const bool was_touching = is_begun_ && height_ < 0, touches = now.height < 0;
+    const double crossing = is_begun_ ? t_ + (t - t_) * height_ / (height_ - now.height) : t;
+    if (touches && !was_touching && !has_touched_) {
+      has_touched_ = true;
+      first_ = crossing;
+      speed_before_ = is_begun_ ? -v_ : -v;
+    }
+    if (!touches && was_touching) {
+      last_ = crossing;
+      restitution_ = speed_before_ != 0 ? v / speed_before_ : 0;
+    }
+    is_begun_ = true;
+    t_ = t;
+    height_ = now.height;
+    v_ = v;
+  }
+
+  void write(mechanics::ContactObservables& o) const {
+    o.first = first_;
+    o.last = last_;
+    o.largest_force = std::max(largest_force_, o.force);
+    o.restitution = restitution_;
+  }
+
+  /// For checkpoints.
+  static constexpr std::size_t n_numbers = 10;
+  std::array<double, n_numbers> numbers() const {
+    return {is_begun_ ? 1.0 : 0.0, t_,    height_,        v_,          has_touched_ ? 1.0 : 0.0, first_,
+            speed_before_,         last_, largest_force_, restitution_};
+  }
+  void take_numbers(std::span<const double, n_numbers> numbers) {
+    is_begun_ = numbers[0] != 0;
+    t_ = numbers[1];
+    height_ = numbers[2];
+    v_ = numbers[3];
+    has_touched_ = numbers[4] != 0;
+    first_ = numbers[5];
+    speed_before_ = numbers[6];
+    last_ = numbers[7];
+    largest_force_ = numbers[8];
+    restitution_ = numbers[9];
+  }
+
+ private:
+  bool is_begun_ = false, has_touched_ = false;
+  double t_ = 0, height_ = 0, v_ = 0;  ///< at the end of the step before
+  double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0, restitution_ = 0;
+};
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,104 @@
+#pragma once
+/// Contact of a surface with rigid planes (plane.h), as sums over the points of a quadrature of the reference surface.
+/// With x the place of a point and w its weight, they are
+///
+///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
+///
+/// Every model has these sums for its computed part; those of the whole body follow by reflections, under which the
+/// planes as a whole do not change.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "loads/plane.h"
+
+namespace pseudorigid::loads {
+
+/// Contact with one plane, without damping.
+struct PlaneContact {
+  double energy = 0, force = 0, area = 0;
+  double height = std::numeric_limits<double>::infinity();  ///< the least n·x − z₀
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< of the pressure: ∫p x dA
+
+  void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
+    const double above = plane.height(x);
+    height = std::min(height, above);
+    if (above >= 0) return;
+    const double pressure = -weight * plane.stiffness * above;
+    energy -= 0.5 * pressure * above;
+    force += pressure;
+    area += weight;
+    moment += pressure * x;
+  }
+  void add(const PlaneContact& other, const Eigen::Vector3d& signs = Eigen::Vector3d::Ones()) {
+    energy += other.energy;
+    force += other.force;
+    area += other.area;
+    height = std::min(height, other.height);
+    moment += signs.cwiseProduct(other.moment);
+  }
+};
+
+/// Contact as the columns have it: its energy with all planes, and of the plane that presses most, or is nearest, the
+/// rest.
+struct Contact {
+  double energy = 0, force = 0;
+  double height = std::numeric_limits<double>::infinity();  ///< the least over all planes
+  double radius = 0;                                        ///< √(area/π)
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+
+  double penetration() const { return std::max(0.0, -height); }
+};
+
+/// A plane j touches the image R x of a point if the plane R j touches x.
+inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
+                                               const std::array<bool, 3>& reflect) {
+  std::vector<PlaneContact> whole(planes.size());
+  for (int image = 0; image < 8; ++image) {
+    Eigen::Vector3d signs;
+    bool belongs = true;
+    for (int i = 0; i < 3; ++i) {
+      const bool mirrored = (image >> i & 1) != 0;
+      belongs = belongs && (!mirrored || reflect[i]);
+      signs[i] = mirrored ? -1 : 1;
+    }
+    if (!belongs) continue;
+    for (std::size_t j = 0; j < planes.size(); ++j)
+      for (std::size_t k = 0; k < planes.size(); ++k)
+        if (planes[k].position == planes[j].position && planes[k].normal == signs.cwiseProduct(planes[j].normal)) {
+          whole[j].add(computed[k], signs);
+          break;
+        }
+  }
+  return whole;
+}
+
+inline Contact summary(const Planes& planes, const std::vector<PlaneContact>& contacts) {
+  Contact result;
+  const PlaneContact* pressing = nullptr;
+  for (std::size_t j = 0; j < planes.size(); ++j) {
+    const PlaneContact& one = contacts[j];
+    result.energy += one.energy;
+    const bool is_first = pressing == nullptr;
+    const bool presses_more = !is_first && one.force > pressing->force;
+    const bool is_nearer = !is_first && one.force == pressing->force && one.height < pressing->height;
+    if (is_first || presses_more || is_nearer) {
+      pressing = &one;
+      result.normal = planes[j].normal;
+    }
+    result.height = std::min(result.height, one.height);
+  }
+  if (pressing == nullptr || pressing->force <= 0) return result;
+  result.force = pressing->force;
+  result.radius = std::sqrt(pressing->area / std::numbers::pi);
+  result.point = pressing->moment / pressing->force;
+  return result;
+}
+
+}  // namespace pseudorigid::loads

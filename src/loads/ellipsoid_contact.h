@@ -1,0 +1,119 @@
+#pragma once
+/// Contact of an affine body x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form; dA is that of the sphere
+/// ξ. With
+///
+///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
+///
+/// the largest penetration is δ = h + G, and if the whole body is beyond the plane, the least one is μ = h − G, else
+/// μ = 0. The points u > −h/G touch, and with dA = 2π du after the turn about g
+///
+///   V = πk (δ³ − μ³)/(3G),
+///   ∂V/∂h = N = πk (δ² − μ²)/G,                 the force along n,
+///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
+///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
+///
+/// The area that touches is 2πδ/G, so that a rigid ball has the contact radius √(2δ) of its cut. At the first contact
+/// the second derivative of N = πkδ² jumps. The damping force of β has the moments
+///
+///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ).
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "loads/contact.h"
+
+namespace pseudorigid::loads {
+
+/// Forces on Q and c, or rates of them.
+struct AffineForce {
+  Eigen::Matrix3d on_Q = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d on_center = Eigen::Vector3d::Zero();
+};
+
+class EllipsoidContact {
+ public:
+  EllipsoidContact(const Plane& plane, const Eigen::Matrix3d& S, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c)
+      : plane_(plane), S_(S), Q_(Q), c_(c), h_(-plane.height(c)) {
+    const Eigen::Vector3d g = S.transpose() * (Q.transpose() * plane.normal);
+    G_ = g.norm();
+    direction_ = g / G_;
+    deepest_ = h_ + G_;
+    least_ = std::max(0.0, h_ - G_);
+  }
+
+  bool touches() const { return deepest_ > 0; }
+
+  PlaneContact contact() const {
+    PlaneContact result;
+    result.height = -deepest_;
+    if (!touches()) return result;
+    result.energy = strength() * (cube(deepest_) - cube(least_)) / (3 * G_);
+    result.force = by_h();
+    result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
+    // ∫p ξ dA = −ĝ ∂V/∂G, since ∂d/∂G = u.
+    result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
+    return result;
+  }
+
+  void add_force(AffineForce& f) const {
+    if (!touches()) return;
+    f.on_center += by_h() * plane_.normal;
+    f.on_Q -= by_G() * plane_.normal * (S_ * direction_).transpose();
+  }
+
+  /// The rate of that force along (dQ, dc).
+  void add_force_rate(const Eigen::Matrix3d& dQ, const Eigen::Vector3d& dc, AffineForce& f) const {
+    if (!touches()) return;
+    const Eigen::Vector3d dg = S_.transpose() * (dQ.transpose() * plane_.normal);
+    const double dh = -plane_.normal.dot(dc), dG = direction_.dot(dg);
+    const double by_hh = 2 * strength() * (deepest_ - least_) / G_;
+    const double by_hG = (2 * strength() * (deepest_ + least_) - by_h()) / G_;
+    const double by_GG = 2 * strength() / G_ *
+                         ((deepest_ - least_) - (square(deepest_) + square(least_)) / G_ +
+                          (cube(deepest_) - cube(least_)) / (3 * square(G_)));
+    f.on_center += (by_hh * dh + by_hG * dG) * plane_.normal;
+    f.on_Q -= (by_hG * dh + by_GG * dG) * plane_.normal * (S_ * direction_).transpose() +
+              by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
+  }
+
+  /// f ← f + the damping force of the velocities; returns the power that it takes.
+  double add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
+    if (!touches() || plane_.damping == 0) return 0;
+    const double factor = plane_.stiffness * plane_.damping;
+    const Eigen::Vector3d of_Q = S_.transpose() * (Qdot.transpose() * plane_.normal);  // ḋ = −n·ċ − of_Q·ξ
+    const Eigen::Vector3d I = moments();
+    const double of_c = plane_.normal.dot(cdot), along = direction_.dot(of_Q);
+    const double rate = -of_c * I[0] + along * I[1];  // ∫d ḋ dA
+    const Eigen::Vector3d rate_xi =                   // ∫d ḋ ξ dA
+        (of_c * I[1] - along * I[2]) * direction_ - 0.5 * (I[0] - I[2]) * (of_Q - along * direction_);
+    f.on_center += factor * rate * plane_.normal;
+    f.on_Q += factor * plane_.normal * (S_ * rate_xi).transpose();
+    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // ∫kβ d ḋ² dA
+  }
+
+ private:
+  static double square(double x) { return x * x; }
+  static double cube(double x) { return x * x * x; }
+  double strength() const { return std::numbers::pi * plane_.stiffness; }
+  double by_h() const { return strength() * (square(deepest_) - square(least_)) / G_; }
+  double by_G() const {
+    return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
+  }
+  /// (I₀, I₁, I₂), with t = 1 − u from 0 to T and ∫d t^j dt: small penetrations do not cancel.
+  Eigen::Vector3d moments() const {
+    const double T = std::min(2.0, deepest_ / G_);
+    Eigen::Vector3d of_t;
+    for (int j = 0; j < 3; ++j)
+      of_t[j] = 2 * std::numbers::pi * std::pow(T, j + 1) * (deepest_ / (j + 1) - G_ * T / (j + 2));
+    return {of_t[0], of_t[0] - of_t[1], of_t[0] - 2 * of_t[1] + of_t[2]};
+  }
+
+  const Plane& plane_;
+  const Eigen::Matrix3d& S_;
+  Eigen::Matrix3d Q_;
+  Eigen::Vector3d c_, direction_;
+  double h_, G_, deepest_, least_;
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,59 @@
+#pragma once
+/// Rigid planes n·x = z₀, on whose side n·x > z₀ the body is, and the law of contact with one of them. At a point of
+/// the surface with the penetration d = z₀ − n·x > 0 the plane presses with
+///
+///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
+///
+/// without friction. Its energy k d²/2 is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. β is the damping of Hunt
+/// and Crossley (1975), 0 in a conservative contact. It takes the power β k d ḋ² from the body.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pseudorigid::loads {
+
+struct Plane {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n, to the side of the body
+  double position = 0;                                ///< z₀
+  double stiffness = 0;                               ///< k
+  double damping = 0;                                 ///< β
+
+  double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
+  bool operator==(const Plane& other) const {
+    return normal == other.normal && position == other.position && stiffness == other.stiffness &&
+           damping == other.damping;
+  }
+};
+
+/// A sum of planes is the list of both.
+struct Planes : std::vector<Plane> {
+  using std::vector<Plane>::vector;
+
+  Planes& operator+=(const Planes& others) {
+    insert(end(), others.begin(), others.end());
+    return *this;
+  }
+  bool damped() const {
+    for (const Plane& plane : *this)
+      if (plane.damping != 0) return true;
+    return false;
+  }
+  /// A bound for the stiffness along any direction if every point of the surface touched all planes. Parallel planes
+  /// count once. It is the norm of Σ k n nᵀ, bounded by that of Frobenius and by the largest sum of a row.
+  double stiffness_of_all() const {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < size(); ++i) {
+      double k = (*this)[i].stiffness;
+      for (std::size_t j = 0; j < i; ++j) {
+        const bool parallel = std::abs((*this)[i].normal.dot((*this)[j].normal)) > 1 - 1e-12;
+        if (parallel) k = std::max(0.0, k - (*this)[j].stiffness);
+      }
+      sum += k * (*this)[i].normal * (*this)[i].normal.transpose();
+    }
+    return std::min(sum.norm(), sum.cwiseAbs().rowwise().sum().maxCoeff());
+  }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,76 @@
+#pragma once
+/// Rigid planes that the body may touch (plane.h).
+
+#include <algorithm>
+#include <optional>
+
+#include "loads/load.h"
+
+namespace pseudorigid::loads {
+
+struct RigidPlanes {
+  std::vector<double> normals, points;  ///< of each plane n, of any length, and a point; three numbers each
+  std::optional<double> stiffness;      ///< k; empty: `usual_stiffness`
+  double damping = 0;                   ///< β
+
+  /// In internal units: of an elastic body without self-gravity 1000 shear moduli per radius.
+  static constexpr double usual_stiffness = 1000;
+
+  template <class Self, class Visit>
+  static void visit_entries(Self& self, Visit& visit) {
+    visit(self.normals, scene::Rows{3, true},
+          scene::About{"Loads/Plane normals", "",
+                       "Normals of rigid planes that the body may touch, a row each; several planes make a wedge or a "
+                       "box. A normal points to the side of the body and has any length."});
+    visit(self.points, scene::Rows{3, true},
+          scene::About{"Loads/Plane points", "length",
+                       "A point of each plane, in the order of the normals. The body begins on the inner side of all "
+                       "planes."});
+    visit(self.stiffness, scene::AutoOrNumber{scene::positive},
+          scene::About{"Loads/Plane stiffness", "pressure/length",
+                       "Stiffness k of the contact. A point of the surface that is d behind a plane feels the pressure "
+                       "k d along the normal, per undeformed area. There is no friction. The penetration falls as 1/k, "
+                       "and the step falls as 1/sqrt(k). auto is 1000 density radius/t^2 with the unit of time t of "
+                       "the scene, which is 1000 shear moduli per radius without self-gravity."});
+    visit(self.damping, scene::not_negative,
+          scene::About{"Loads/Plane damping", "time/length",
+                       "b of a contact that takes energy: the pressure is k d (1 + b d') with the rate d' of the "
+                       "penetration (Hunt and Crossley 1975)."});
+  }
+
+  static constexpr std::string_view no_equilibria = "no body is looked for in equilibrium on a plane";
+  static constexpr std::string_view skipped = "contact: Loads/Plane normals is empty; no search for touching points";
+  std::string needed(const BodyFacts&) const {
+    return "contact with rigid planes: " + std::to_string(forcing().planes.size());
+  }
+  /// Bodies at rest on a plane are not looked for.
+  static constexpr bool has_static_equilibria = false;
+
+  /// Rows without a partner and normals without a direction, which scene/contact.h refuses, are left out.
+  Forcing forcing() const {
+    Forcing sum;
+    for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
+      const Eigen::Vector3d n(normals[i], normals[i + 1], normals[i + 2]), a(points[i], points[i + 1], points[i + 2]);
+      if (const double length = n.stableNorm(); length > 0)
+        sum.planes.push_back({.normal = n / length,
+                              .position = n.dot(a) / length,
+                              .stiffness = stiffness.value_or(usual_stiffness),
+                              .damping = damping});
+    }
+    return sum;
+  }
+
+  /// Says which plane has no mirror image in x_i = 0 among the planes, if there is one.
+  std::optional<std::string> breaks_plane(int i) const {
+    const Planes planes = forcing().planes;
+    for (std::size_t j = 0; j < planes.size(); ++j) {
+      Plane image = planes[j];
+      image.normal[i] = -image.normal[i];
+      if (std::find(planes.begin(), planes.end(), image) == planes.end())
+        return "plane " + std::to_string(j + 1) + " of Loads/Plane normals has no mirror image among the planes";
+    }
+    return std::nullopt;
+  }
+};
+
+}  // namespace pseudorigid::loads

@@ -1,0 +1,173 @@
+#pragma once
+/// The pseudo-rigid body x = c + Q X that may touch rigid planes. The contact energy V_c(Q, c) of
+/// loads/ellipsoid_contact.h couples the centre of mass to Q,
+///
+///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
+///
+/// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
+/// As in dissipative_body.h, the velocities of further coordinates are the energies D and W that dissipation has taken
+/// and that loads have given: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
+
+#include "loads/ellipsoid_contact.h"
+#include "loads/list.h"
+#include "mechanics/core/constrained_system.h"
+#include "mechanics/core/second_order_field.h"
+#include "reduced/dissipation.h"
+#include "reduced/external_potential.h"
+
+namespace pseudorigid::reduced {
+
+template <class Body>
+class BodyOnPlanes {
+ public:
+  using Vector = Eigen::Matrix<double, 3, 5>;
+  using Multiplier = typename Body::Multiplier;
+  struct Workspace {
+    typename Body::Workspace body{};
+    bool pressed = false;  ///< the force is that of a body of which every point touches: a bound for the stiffness
+  };
+  static constexpr int n_constraints = Body::n_constraints;
+
+  BodyOnPlanes(Body body, const loads::Loads& loads)
+      : body_(std::move(body)),
+        constant_(loads::constant_forcing(loads)),
+        dissipation_(Dissipation::of(constant_)),
+        loads_(loads),
+        driven_(loads::depend_on_time(loads)) {}
+
+  bool time_dependent() const { return driven_; }
+  bool velocity_dependent() const { return constant_.dissipative(); }
+  bool dissipative() const { return constant_.dissipative(); }
+
+  mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& w, Vector& f) const {
+    const Eigen::Matrix3d Q = matrix(q), Qdot = matrix(v);
+    loads::AffineForce F;
+    if (mechanics::Status status = body_.force(t, Q, Qdot, w.body, F.on_Q); !status) return status;
+    const Eigen::Vector3d c = center(q), cdot = center(v);
+    const double mass = body_.reference().mass;
+    F.on_center = mass * (constant_.acceleration - constant_.quadratic * c);
+    if (w.pressed)
+      press(Q, c, F);
+    else
+      for (const loads::Plane& plane : constant_.planes) contact_with(plane, Q, c).add_force(F);
+    const double taken = add_dissipation(Q, c, Qdot, cdot, F);
+    const double given = driven_ ? add_driving(t, Q, c, F) : 0;
+    f << F.on_Q, F.on_center, Eigen::Vector3d(taken, given, 0);
+    return {};
+  }
+  void apply_inverse_mass(const Vector& f, Vector& a) const {
+    Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
+    body_.apply_inverse_mass(matrix(f), A);
+    const Eigen::Vector3d of_center = center(f) / body_.reference().mass, last = f.col(4);
+    a << A, of_center, last;
+  }
+  void apply_mass(const Vector& v, Vector& f) const {
+    Eigen::Matrix3d F = Eigen::Matrix3d::Zero();
+    body_.apply_mass(matrix(v), F);
+    const Eigen::Vector3d of_center = center(v) * body_.reference().mass, last = v.col(4);
+    f << F, of_center, last;
+  }
+  /// f ← f − ∂R/∂v, linear in v (mechanics/core/linear_damping.h).
+  void add_damping(const Vector& q, const Vector& v, Vector& f) const {
+    loads::AffineForce F;
+    add_dissipation(matrix(q), center(q), matrix(v), center(v), F);
+    f.template leftCols<3>() += F.on_Q;
+    f.col(3) += F.on_center;
+  }
+  mechanics::Status constraint(const Vector& q, Multiplier& g) const { return body_.constraint(matrix(q), g); }
+  void constraint_rate(const Vector& q, const Vector& v, Multiplier& r) const {
+    body_.constraint_rate(matrix(q), matrix(v), r);
+  }
+  void constraint_curvature(const Vector& q, const Vector& v, Multiplier& r) const {
+    body_.constraint_curvature(matrix(q), matrix(v), r);
+  }
+  void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
+    Eigen::Matrix3d F = matrix(f);
+    body_.add_reaction(matrix(q), lambda, F);
+    f.template leftCols<3>() = F;
+  }
+  mechanics::SolveReport solve_gram(const Vector& q1, const Vector& q0, const Multiplier& r, Workspace& w,
+                                    Multiplier& lambda) const {
+    return body_.solve_gram(matrix(q1), matrix(q0), r, w.body, lambda);
+  }
+  double constraint_tolerance() const { return body_.constraint_tolerance(); }
+
+  Vector make_vector() const { return Vector::Zero(); }
+  Multiplier make_multiplier() const { return {}; }
+  Workspace make_workspace() const { return {body_.make_workspace()}; }
+
+  const Body& body() const { return body_; }
+  static Eigen::Matrix3d matrix(const Vector& q) { return q.template leftCols<3>(); }
+  static Eigen::Vector3d center(const Vector& q) { return q.col(3); }
+  mechanics::VectorState<Eigen::Matrix3d> motion(const mechanics::VectorState<Vector>& state) const {
+    return {state.t, matrix(state.q), matrix(state.v)};
+  }
+  void add_taken(double energy, Vector& v) const { v(0, 4) += energy; }
+  double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 4); }
+  /// V_t − W of the loads that depend on time, on Q and on the centre.
+  double driven_energy(const mechanics::VectorState<Vector>& state) const {
+    if (!driven_) return 0;
+    return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, 4);
+  }
+  /// Contact with the planes at q.
+  loads::Contact contact(const Vector& q) const {
+    std::vector<loads::PlaneContact> contacts;
+    for (const loads::Plane& plane : constant_.planes)
+      contacts.push_back(contact_with(plane, matrix(q), center(q)).contact());
+    return loads::summary(constant_.planes, contacts);
+  }
+  const loads::Forcing& constant_forcing() const { return constant_; }
+
+  static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion,
+                                                 const Eigen::Vector3d& position, const Eigen::Vector3d& velocity) {
+    mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
+    state.q << motion.q, position, Eigen::Vector3d::Zero();
+    state.v << motion.v, velocity, Eigen::Vector3d::Zero();
+    return state;
+  }
+
+ private:
+  loads::EllipsoidContact contact_with(const loads::Plane& plane, const Eigen::Matrix3d& Q,
+                                       const Eigen::Vector3d& c) const {
+    return {plane, body_.reference().shape, Q, c};
+  }
+  /// −k∮x and −k∮x Xᵀ over the sphere ξ.
+  void press(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
+    const double k = constant_.planes.stiffness_of_all(), area = 4 * std::numbers::pi;
+    const Eigen::Matrix3d& S = body_.reference().shape;
+    F.on_center -= k * area * c;
+    F.on_Q -= k * area / 3 * Q * S * S.transpose();
+  }
+  /// F ← F − ∂R/∂v; returns the power.
+  double add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
+                         const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
+    if (!constant_.dissipative()) return 0;
+    double power = dissipation_.add_force(body_.reference(), Q, Qdot, F.on_Q);
+    const Eigen::Vector3d drag = constant_.drag * body_.reference().mass * cdot;
+    F.on_center -= drag;
+    power += drag.dot(cdot);
+    for (const loads::Plane& plane : constant_.planes) power += contact_with(plane, Q, c).add_damping(Qdot, cdot, F);
+    return power;
+  }
+  /// F ← F − ∂V_t/∂(Q, c); returns ∂V_t/∂t.
+  double add_driving(double t, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
+    const loads::Forcing now = loads::driving(loads_, t);
+    Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
+    ExternalPotential(now).add_gradient(body_.reference(), Q, gradient);
+    F.on_Q -= gradient;
+    F.on_center += body_.reference().mass * (now.acceleration - now.quadratic * c);
+    return energy_of(loads::driving_rate(loads_, t), Q, c);
+  }
+  double energy_of(const loads::Forcing& forcing, const Eigen::Matrix3d& Q, const Eigen::Vector3d& c) const {
+    return ExternalPotential(forcing).energy(body_.reference(), Q) +
+           body_.reference().mass * (0.5 * c.dot(forcing.quadratic * c) - forcing.acceleration.dot(c));
+  }
+
+  Body body_;
+  loads::Forcing constant_;  ///< of the loads that do not depend on time
+  Dissipation dissipation_;
+  loads::Loads loads_;
+  bool driven_;
+};
+
+}  // namespace pseudorigid::reduced

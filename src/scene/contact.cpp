@@ -1,0 +1,66 @@
+#include "scene/contact.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+
+#include "entries/entry_kinds.h"
+#include "scene/scene.h"
+
+namespace pseudorigid::scene {
+namespace {
+
+constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
+
+/// Of a body that touches a plane at the start this much, in its own size, is round-off.
+constexpr double round_off = 1e-12;
+
+Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+
+/// How far the body is behind a plane at the start.
+double depth(const Scene& scene, const loads::Plane& plane) {
+  const Eigen::Vector3d axes = scene.body.radius * vector_of(scene.body.semi_axes);
+  const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);
+  const double reach = axes.cwiseProduct(Q.transpose() * plane.normal).norm();
+  const double behind = reach - plane.height(vector_of(scene.initial_state.center));
+  return behind > round_off * (reach + std::abs(plane.position)) ? behind : 0;
+}
+
+std::optional<Refusal> refuses_rows(const loads::RigidPlanes& load) {
+  const std::size_t n_normals = load.normals.size() / 3, n_points = load.points.size() / 3;
+  if (n_normals != n_points)
+    return Refusal{points_path, fmt::format("expected a point for each row of {}, got {} points and {} normals",
+                                            normals_path, n_points, n_normals)};
+  for (std::size_t i = 0; i < load.normals.size(); i += 3)
+    if (load.normals[i] == 0 && load.normals[i + 1] == 0 && load.normals[i + 2] == 0)
+      return Refusal{normals_path, fmt::format("expected a direction in each row, and row {} is zero", i / 3 + 1)};
+  return {};
+}
+
+std::optional<Refusal> refuses_body(const Scene& scene) {
+  if (scene.body.inertia)
+    return Refusal{"Body/Inertia",
+                   "contact needs the surface of the body, which Semi-axes describe",
+                   {{{"Body/Inertia", "auto"}}}};
+  if (has_mesh_file(scene))
+    return Refusal{"Continuum/Mesh", "contact with planes is offered for the ball", {{{"Continuum/Mesh", "builtin"}}}};
+  return {};
+}
+
+}  // namespace
+
+std::optional<Refusal> refuses_planes(const Scene& scene) {
+  const auto& load = scene.loads.get<loads::RigidPlanes>();
+  if (load.normals.empty() && load.points.empty()) return {};
+  if (auto refusal = refuses_rows(load)) return refusal;
+  if (auto refusal = refuses_body(scene)) return refusal;
+  const loads::Planes planes = load.forcing().planes;
+  for (std::size_t i = 0; i < planes.size(); ++i)
+    if (const double behind = depth(scene, planes[i]); behind > 0)
+      return Refusal{points_path, fmt::format("plane {} cuts the body at the start, which reaches {:.4g} behind it; "
+                                              "move the plane or Initial state/Center",
+                                              i + 1, behind)};
+  return {};
+}
+
+}  // namespace pseudorigid::scene
