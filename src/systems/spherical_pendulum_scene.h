@@ -36,6 +36,7 @@ class SphericalPendulum {
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f / p_.m; }
+
   /// As of mechanics/core/explicit_multiplier.h and stage_by_stage.h.
   mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     if (of_stages()(0, q.data(), v.data(), a.data()) > 0) return {};
