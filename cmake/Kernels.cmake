@@ -48,8 +48,8 @@ endfunction()
 # pseudorigid_kernels(TARGET SOURCES file… HEADER file TABLE type BUILDS function [LEVELS]): adds kernels to a target.
 #
 # One of the sources defines `extern const TABLE PSEUDORIGID_KERNEL_TABLE`; HEADER declares what is defined here, the
-# function BUILDS, std::span<const KernelBuild<TABLE>>. No Eigen type may cross the functions of the table, since its
-# alignment depends on the instructions. LEVELS: all levels of x86-64 in any case.
+# function BUILDS, std::span<const KernelBuild<TABLE>>. No Eigen type whose alignment depends on the
+# instructions may cross the functions of the table. LEVELS: all levels of x86-64 in any case.
 function(pseudorigid_kernels target)
   cmake_parse_arguments(KERNELS "LEVELS" "HEADER;TABLE;BUILDS" "SOURCES" ${ARGN})
   set(all ${pseudorigid_instructions})

@@ -17,25 +17,42 @@ namespace pseudorigid::systems {
 struct SpringLaw {
   double stiffness = 0, rest_length = 0;
   double energy(double r) const { return 0.5 * stiffness * (r - rest_length) * (r - rest_length); }
-  double slope_over_distance(double r) const {
-    return rest_length == 0 ? stiffness : stiffness * (1 - rest_length / r);
+  template <class T>
+  T slope_over_distance(T r) const {
+    return rest_length == 0 ? T(stiffness) : T(stiffness * (1.0 - rest_length / r));
   }
 };
 
 struct AttractionLaw {
   double strength = 0;
   double energy(double r) const { return -strength / r; }
-  double slope_over_distance(double r) const { return strength / (r * r * r); }
+  template <class T>
+  T slope_over_distance(T r) const {
+    return strength / (r * r * r);
+  }
 };
+
+/// Adds −(V′(r)/r) d over any scalar. The value is 1 if the force has a direction and a finite size, otherwise a NaN.
+/// A product of such values keeps the NaN; std::min may drop it.
+template <class Law, class T>
+T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matrix<T, 3, 1>& f) {
+  using std::sqrt;
+  const T slope_over_distance = law.slope_over_distance(T(sqrt(d.squaredNorm())));
+  f -= slope_over_distance * d;
+  return T(1.0) + T(0.0) * slope_over_distance;
+}
+
+/// The status that belongs to this value.
+inline mechanics::Status status_of_force(double reserve) {
+  if (reserve > 0) return {};
+  return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");
+}
 
 /// f = −(V′(r)/r) d; fails if the force has no direction or no finite size.
 template <class Law>
 mechanics::Status central_force(const Law& law, const Eigen::Vector3d& d, Eigen::Vector3d& f) {
-  const double slope_over_distance = law.slope_over_distance(d.norm());
-  if (!std::isfinite(slope_over_distance))
-    return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");
-  f = -slope_over_distance * d;
-  return {};
+  f.setZero();
+  return status_of_force(add_central_force(law, d, f));
 }
 
 }  // namespace pseudorigid::systems

@@ -35,10 +35,9 @@ class DoublePendulum {
   }
   /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
-    system_kernels().pendulum_points({p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
-    return true;
+    return solve_stages_in_lanes_of(PendulumOfStages{p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
   }
-  double cost_of_iteration() const { return cost_of_pendulum_points; }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<PendulumOfStages>; }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a << f.head<2>() / p_.m1, f.tail<2>() / p_.m2; }
   void apply_mass(const Vector& v, Vector& f) const { f << p_.m1 * v.head<2>(), p_.m2 * v.tail<2>(); }
 

@@ -43,12 +43,6 @@ struct DoublePendulumChart {
     const T x1 = l1 * sin(q[0]), y1 = l1 * cos(q[0]);
     return {x1, y1, x1 + l2 * sin(q[1]), y1 + l2 * cos(q[1])};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
-  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
-    system_kernels().pendulum_angles({m1, m2, l1, l2, gravity}, stages);
-    return true;
-  }
-  double cost_of_iteration() const { return cost_of_pendulum_angles; }
   Eigen::Vector2d periods() const { return Eigen::Vector2d::Constant(2 * std::numbers::pi); }
 };
 

@@ -67,28 +67,15 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h), of a body without springs.
-  bool has_stages_in_lanes() const {
-    if constexpr (std::is_same_v<Torque, LoadTorque>)
-      return p_.torque.loads.springs.empty();
-    else
-      return std::is_same_v<Torque, NoTorque>;
-  }
+  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;
-    TopOfStages top;
-    Eigen::Map<Eigen::Matrix3d>(top.A.data()) = p_.A;
-    Eigen::Map<Eigen::Matrix3d>(top.A_inverse.data()) = A_inverse_;
-    if constexpr (std::is_same_v<Torque, LoadTorque>) {
-      const BodyLoads& loads = p_.torque.loads;
-      top.has_weight = !loads.gravity.isZero(0);
-      Eigen::Map<Eigen::Vector3d>(top.moment.data()) = loads.mass * loads.center;
-      Eigen::Map<Eigen::Vector3d>(top.gravity.data()) = loads.gravity;
-    }
-    system_kernels().top(top, stages);
-    return true;
+    TopOfStages top{p_.A, A_inverse_};
+    if constexpr (std::is_same_v<Torque, LoadTorque>) top.loads = &p_.torque.loads;
+    return solve_stages_in_lanes_of(top, stages);
   }
-  double cost_of_iteration() const { return cost_of_top; }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<TopOfStages>; }
   mechanics::Status project(Vector& q, Vector& v, Workspace&) const {
     const double norm = q.norm();
     if (!(norm > 0.5 && norm < 2))

@@ -21,6 +21,7 @@
 
 #include "mechanics/core/automatic_differentiation.h"
 #include "systems/mass_distribution.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -45,7 +46,10 @@ struct FixedAxis {
     return -body.mass * (gravity.dot(along) + gravity.dot(across) * cos(q[0]) + gravity.dot(ahead) * sin(q[0]));
   }
   using Angle = Eigen::Matrix<double, 1, 1>;
-  Angle dissipation(const Angle&, const Angle& v) const { return -friction / moment_of_inertia() * v; }
+  template <class T>
+  Eigen::Matrix<T, 1, 1> dissipation(const Eigen::Matrix<T, 1, 1>&, const Eigen::Matrix<T, 1, 1>& v) const {
+    return Eigen::Matrix<T, 1, 1>(T(-friction / moment_of_inertia() * v[0]));
+  }
   Angle periods() const { return Angle(2 * std::numbers::pi); }
 
   Eigen::Matrix3d rotation(double angle) const { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }

@@ -1,81 +1,95 @@
+#include "mechanics/core/chart_field.h"
 #include "mechanics/core/gauss_iteration.h"
+#include "mechanics/core/lanes_as_scalar.h"
 #include "mechanics/core/lanes_trigonometry.h"
+#include "systems/double_pendulum_chart.h"
+#include "systems/fixed_axis.h"
+#include "systems/lagrange_top.h"
+#include "systems/mass_points.h"
+#include "systems/moving_frame.h"
 #include "systems/systems_in_lanes.h"
+#include "systems/torus.h"
 
 namespace pseudorigid::systems {
 namespace {
 
-/// A vector of space in every lane.
 template <class T>
-struct Vector3 {
-  T x[3];
-};
+using Vector3 = Eigen::Matrix<T, 3, 1>;
 template <class T>
-[[gnu::always_inline]] inline Vector3<T> cross(const Vector3<T>& a, const Vector3<T>& b) {
-  return {{a.x[1] * b.x[2] - a.x[2] * b.x[1], a.x[2] * b.x[0] - a.x[0] * b.x[2], a.x[0] * b.x[1] - a.x[1] * b.x[0]}};
-}
-template <class T>
-[[gnu::always_inline]] inline Vector3<T> product(const std::array<double, 9>& M, const Vector3<T>& a) {
-  Vector3<T> y;
-  for (std::size_t i = 0; i < 3; ++i) y.x[i] = M[i] * a.x[0] + M[i + 3] * a.x[1] + M[i + 6] * a.x[2];
-  return y;
-}
+using Matrix3 = Eigen::Matrix<T, 3, 3>;
 
-/// AΩ̇ = AΩ × Ω + mG × R⁻¹g,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇; q = (x, y, z, w). In principal axes and without weight
+/// AΩ̇ = AΩ × Ω + N,   q̈ = ½(q̇Ω + qΩ̇),   Ω = 2 q⁻¹q̇; q = (x, y, z, w). In principal axes and without loads
 /// (AΩ × Ω)₁ = (A₂ − A₃) Ω₂Ω₃.
 template <bool principal_and_free>
 struct TopField {
   static constexpr int n = 4;
   const TopOfStages& top;
-  std::array<double, 3> ratios = ratios_of(top);  // (A₂ − A₃)/A₁, …
+  Eigen::Vector3d ratios = ratios_of(top.A);  // (A₂ − A₃)/A₁, …
 
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
-    const Vector3<T> axis{{q[0], q[1], q[2]}}, rate{{v[0], v[1], v[2]}}, turned = cross(axis, rate);
-    const T square = q[0] * q[0] + q[1] * q[1] + (q[2] * q[2] + q[3] * q[3]), factor = 2.0 / square;
-    Vector3<T> Omega;
-    for (int i = 0; i < 3; ++i) Omega.x[i] = factor * (q[3] * rate.x[i] - v[3] * axis.x[i] - turned.x[i]);
-    const Vector3<T> Omega_rate = rate_of(Omega, axis, q[3], factor), first = cross(rate, Omega),
-                     second = cross(axis, Omega_rate);
-    for (int i = 0; i < 3; ++i) a[i] = 0.5 * (v[3] * Omega.x[i] + first.x[i] + (q[3] * Omega_rate.x[i] + second.x[i]));
-    const auto dot = [](const Vector3<T>& x, const Vector3<T>& y) {
-      return x.x[0] * y.x[0] + x.x[1] * y.x[1] + x.x[2] * y.x[2];
-    };
-    a[3] = -0.5 * (dot(rate, Omega) + dot(axis, Omega_rate));
-    return square;
+    const Vector3<T> axis(q[0], q[1], q[2]), rate(v[0], v[1], v[2]);
+    // Term after term: as a sum of two halves, |q|² = 1 has rounding errors that turn J by 4e-18 in a unit of time.
+    const T square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3], factor = 2.0 / square;
+    const Vector3<T> Omega = factor * (q[3] * rate - v[3] * axis - axis.cross(rate));
+    T reserve = square;
+    const Vector3<T> Omega_rate = rate_of(Omega, Turn<T>{axis, q[3], factor}, reserve);
+    const Vector3<T> vector =
+        T(0.5) * (v[3] * Omega + rate.cross(Omega) + (q[3] * Omega_rate + axis.cross(Omega_rate)));
+    for (int i = 0; i < 3; ++i) a[i] = vector[i];
+    a[3] = -0.5 * (rate.dot(Omega) + axis.dot(Omega_rate));
+    return reserve;
   }
 
  private:
+  /// R x = x + (2/|q|²)(a × (a × x) + w a × x), and the inverse with −w.
   template <class T>
-  [[gnu::always_inline]] Vector3<T> rate_of(const Vector3<T>& Omega, const Vector3<T>& axis, T w, T factor) const {
+  struct Turn {
+    Vector3<T> axis;
+    T w, factor;
+    [[gnu::always_inline]] Vector3<T> to_space(const Vector3<T>& x) const { return turned(x, w); }
+    [[gnu::always_inline]] Vector3<T> to_body(const Vector3<T>& x) const { return turned(x, -w); }
+
+   private:
+    [[gnu::always_inline]] Vector3<T> turned(const Vector3<T>& x, T along) const {
+      const Vector3<T> once = axis.cross(x), twice = axis.cross(once);
+      return x + factor * (twice + along * once);
+    }
+  };
+
+  template <class T>
+  [[gnu::always_inline]] Vector3<T> rate_of(const Vector3<T>& Omega, const Turn<T>& turn, T& reserve) const {
     if constexpr (principal_and_free) {
-      return {{ratios[0] * (Omega.x[1] * Omega.x[2]), ratios[1] * (Omega.x[2] * Omega.x[0]),
-               ratios[2] * (Omega.x[0] * Omega.x[1])}};
+      return {ratios[0] * (Omega[1] * Omega[2]), ratios[1] * (Omega[2] * Omega[0]), ratios[2] * (Omega[0] * Omega[1])};
     } else {
-      Vector3<T> torque = cross(product(top.A, Omega), Omega);
-      if (top.has_weight) {  // R⁻¹g = g + (2/|q|²)(a × (a × g) − w a × g)
-        const Vector3<T> g{{T(top.gravity[0]), T(top.gravity[1]), T(top.gravity[2])}},
-            once = cross(axis, g), twice = cross(axis, once),
-            moment{{T(top.moment[0]), T(top.moment[1]), T(top.moment[2])}};
-        Vector3<T> g_in_body;
-        for (int i = 0; i < 3; ++i) g_in_body.x[i] = g.x[i] + factor * (twice.x[i] - w * once.x[i]);
-        const Vector3<T> of_weight = cross(moment, g_in_body);
-        for (int i = 0; i < 3; ++i) torque.x[i] = torque.x[i] + of_weight.x[i];
-      }
-      return product(top.A_inverse, torque);
+      const Vector3<T> momentum = top.A.cast<T>() * Omega;
+      Vector3<T> torque = momentum.cross(Omega);
+      if (top.loads) reserve = min(reserve, add_torque(*top.loads, turn, torque));
+      return top.A_inverse.cast<T>() * torque;
     }
   }
-  static std::array<double, 3> ratios_of(const TopOfStages& top) {
-    const double A1 = top.A[0], A2 = top.A[4], A3 = top.A[8];
+  /// N = mG × R⁻¹g + Σ ξ × R⁻¹f. 1 if it is finite, otherwise a NaN.
+  template <class T>
+  [[gnu::always_inline]] static T add_torque(const BodyLoads& loads, const Turn<T>& turn, Vector3<T>& N) {
+    const Vector3<T> moment = (loads.mass * loads.center).cast<T>();
+    N += moment.cross(turn.to_body(loads.gravity.cast<T>()));
+    T reserve(1.0);
+    for (const BodySpring& spring : loads.springs) {
+      const Vector3<T> xi = spring.xi.cast<T>(), d = turn.to_space(xi) - spring.anchor.cast<T>();
+      Vector3<T> f = Vector3<T>::Constant(T(0.0));
+      reserve = reserve * add_central_force(spring.law, d, f);
+      N += xi.cross(turn.to_body(f));
+    }
+    return reserve;
+  }
+  static Eigen::Vector3d ratios_of(const Eigen::Matrix3d& A) {
+    const double A1 = A(0, 0), A2 = A(1, 1), A3 = A(2, 2);
     return {(A2 - A3) / A1, (A3 - A1) / A2, (A1 - A2) / A3};
   }
 };
 
-bool is_diagonal(const std::array<double, 9>& M) {
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (i != j && M[3 * i + j] != 0) return false;
-  return true;
+bool is_free(const TopOfStages& top) {
+  return !top.loads || (top.loads->gravity.isZero(0) && top.loads->springs.empty());
 }
 
 /// (5.43) with the explicit multiplier, q = (q₁, q₂), y downwards.
@@ -106,7 +120,7 @@ struct PointsField {
 ///   l₂ φ̈ + l₁ [θ̈ cos δ − θ̇² sin δ] + g sin φ = 0,   δ = θ − φ.
 struct AnglesField {
   static constexpr int n = 2;
-  const PendulumOfStages& p;
+  const DoublePendulumChart& p;
 
   template <class T>
   [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
@@ -114,8 +128,8 @@ struct AnglesField {
     const T c = theta.cosine * phi.cosine + theta.sine * phi.sine,
             s = theta.sine * phi.cosine - theta.cosine * phi.sine;
     const double m = p.m1 + p.m2;
-    const T r1 = -(p.m2 * p.l2 * (v[1] * v[1] * s) + m * p.g * theta.sine),
-            r2 = p.l1 * (v[0] * v[0] * s) - p.g * phi.sine;
+    const T r1 = -(p.m2 * p.l2 * (v[1] * v[1] * s) + m * p.gravity * theta.sine),
+            r2 = p.l1 * (v[0] * v[0] * s) - p.gravity * phi.sine;
     // m − m₂c² = m₁ + m₂s²
     const T inverse = 1.0 / (p.m1 + p.m2 * (s * s));
     a[0] = (1 / p.l1) * (inverse * (r1 - p.m2 * (c * r2)));
@@ -124,23 +138,153 @@ struct AnglesField {
   }
 };
 
-void solve_top(const TopOfStages& top, mechanics::GaussStages& stages) {
-  if (!top.has_weight && is_diagonal(top.A))
+/// g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ of a chart (chart_field.h).
+template <class Chart>
+struct FieldOfChart {
+  static constexpr int n = Chart::dimension;
+  const Chart& chart;
+
+  template <class T>
+  [[gnu::always_inline]] T operator()(int, const T* q, const T* v, T* a) const {
+    using Vector = mechanics::Coordinates<T, n>;
+    const Vector at = Eigen::Map<const Vector>(q), rate = Eigen::Map<const Vector>(v);
+    Eigen::Matrix<T, n, n> g;
+    const Vector rhs = mechanics::covariant_force<T>(chart, at, rate, g);
+    Vector solution;
+    const T pivot = solve_positive(g, rhs, solution);
+    for (int k = 0; k < n; ++k) a[k] = solution[k];
+    if constexpr (requires { chart.reserve(at); })
+      return min(pivot, chart.reserve(at));
+    else
+      return pivot;
+  }
+
+ private:
+  /// g x = b by g = LDLᵀ. Positive if the least pivot is, to round-off.
+  template <class T>
+  [[gnu::always_inline]] static T solve_positive(Eigen::Matrix<T, n, n>& g, const mechanics::Coordinates<T, n>& b,
+                                                 mechanics::Coordinates<T, n>& x) {
+    constexpr double epsilon = 0x1p-52;
+    const T round_off = epsilon * g.trace();
+    T least = g(0, 0) - round_off;
+    T inverse[n];
+    for (int j = 0; j < n; ++j) {
+      inverse[j] = 1.0 / g(j, j);
+      for (int i = j + 1; i < n; ++i)
+        for (int k = j + 1; k <= i; ++k) g(i, k) -= inverse[j] * g(i, j) * g(k, j);
+      for (int i = j + 1; i < n; ++i) g(i, j) = inverse[j] * g(i, j);
+      if (j + 1 < n) least = min(least, g(j + 1, j + 1) - round_off);
+    }
+    for (int i = 0; i < n; ++i) {
+      x[i] = b[i];
+      for (int j = 0; j < i; ++j) x[i] -= g(i, j) * x[j];
+    }
+    for (int i = n - 1; i >= 0; --i) {
+      x[i] *= inverse[i];
+      for (int j = i + 1; j < n; ++j) x[i] -= g(j, i) * x[j];
+    }
+    return least;
+  }
+};
+
+/// Of a frame whose pose at the stages is known.
+struct FrameField {
+  static constexpr int n = 3;
+  const FrameOfStages& frame;
+
+  template <class T>
+  [[gnu::always_inline]] T operator()(int first_lane, const T* q, const T* v, T* a) const {
+    FramePoseOver<T> pose;
+    std::size_t k = 0;
+    pose.visit([&](T& x) { x = mechanics::detail::load_lanes(frame.pose[k++].data() + first_lane); });
+    const Vector3<T> at = Eigen::Map<const Vector3<T>>(q), rate = Eigen::Map<const Vector3<T>>(v);
+    Vector3<T> sum;
+    T reserve;
+    if (frame.moving) {
+      RelativeTermsOver<T> terms;
+      reserve = MovingFrame::terms_over(frame.forces, pose, at, rate, terms);
+      sum = terms.sum();
+    } else {
+      reserve = InertialFrame::acceleration_over(frame.forces, pose, at, sum);
+    }
+    for (int i = 0; i < 3; ++i) a[i] = sum[i];
+    return reserve;
+  }
+};
+
+/// Any number of mass points.
+struct FieldOfPoints final : mechanics::GaussField {
+  const MassPoints& points;
+  explicit FieldOfPoints(const MassPoints& p) : points(p) {}
+
+  bool evaluate(const mechanics::GaussStages& s, const mechanics::OfStages* q, const mechanics::OfStages* v,
+                mechanics::OfStages* a) const override {
+    using T = mechanics::detail::StageLanes;
+    T reserve(1.0);
+    for (int k = 0; k < s.n; ++k) a[k].fill(0);
+    for (int lane = 0; lane < mechanics::gauss::n_stages; lane += mechanics::native_lanes) {
+      const auto load = [lane](const mechanics::OfStages* x, Eigen::Index i) -> Vector3<T> {
+        const auto entry = [&](int c) { return mechanics::detail::load_lanes(x[3 * i + c].data() + lane); };
+        return {entry(0), entry(1), entry(2)};
+      };
+      const auto add = [&](Eigen::Index i, const Vector3<T>& f) {
+        for (int c = 0; c < 3; ++c) {
+          double* const sum = a[3 * i + c].data() + lane;
+          mechanics::detail::store_lanes(mechanics::detail::load_lanes(sum) + f[c], sum);
+        }
+      };
+      reserve = reserve * points.act<T>([&](Eigen::Index i) { return load(q, i); },
+                                        [&](Eigen::Index i) { return load(v, i); }, add);
+    }
+    for (int k = 0; k < s.n; ++k)
+      for (double& x : a[k]) x *= 1 / points.parameters().masses[k / 3];
+    return reserve.least(mechanics::native_lanes) > 0;
+  }
+};
+
+bool solve(const TopOfStages& top, mechanics::GaussStages& stages) {
+  if (is_free(top) && top.A.isDiagonal(0))
     mechanics::detail::iterate_in_lanes(TopField<true>{top}, stages);
   else
     mechanics::detail::iterate_in_lanes(TopField<false>{top}, stages);
+  return true;
 }
-void solve_points(const PendulumOfStages& pendulum, mechanics::GaussStages& stages) {
+bool solve(const SphericalPendulumOfStages& pendulum, mechanics::GaussStages& stages) {
+  mechanics::detail::iterate_in_lanes(pendulum, stages);
+  return true;
+}
+bool solve(const FrameOfStages& frame, mechanics::GaussStages& stages) {
+  mechanics::detail::iterate_in_lanes(FrameField{frame}, stages);
+  return true;
+}
+bool solve(const MassPoints& points, mechanics::GaussStages& stages) {
+  mechanics::detail::iterate_by_calls(FieldOfPoints(points), stages);
+  return true;
+}
+bool solve(const PendulumOfStages& pendulum, mechanics::GaussStages& stages) {
   mechanics::detail::iterate_in_lanes(PointsField{pendulum}, stages);
+  return true;
 }
-void solve_angles(const PendulumOfStages& pendulum, mechanics::GaussStages& stages) {
+bool solve(const DoublePendulumChart& pendulum, mechanics::GaussStages& stages) {
   mechanics::detail::iterate_in_lanes(AnglesField{pendulum}, stages);
+  return true;
+}
+template <mechanics::Chart Chart>
+bool solve(const Chart& chart, mechanics::GaussStages& stages) {
+  // Sines and cosines are those of moderate angles.
+  for (int k = 0; k < stages.n; ++k)
+    if (!(std::abs(stages.q[k]) < 0.5 * mechanics::most_of_moderate)) return false;
+  mechanics::detail::iterate_in_lanes(FieldOfChart<Chart>{chart}, stages);
+  return true;
+}
+
+template <class... S>
+constexpr StageSolvers<S...> solvers_of(StageSolvers<S...>) {
+  return {{static_cast<StageSolver<S>>(solve)...}};
 }
 
 }  // namespace
 }  // namespace pseudorigid::systems
 
-extern const pseudorigid::systems::SystemKernels PSEUDORIGID_KERNEL_TABLE{
-    .top = pseudorigid::systems::solve_top,
-    .pendulum_points = pseudorigid::systems::solve_points,
-    .pendulum_angles = pseudorigid::systems::solve_angles};
+extern const pseudorigid::systems::SystemKernels PSEUDORIGID_KERNEL_TABLE =
+    pseudorigid::systems::solvers_of(pseudorigid::systems::SystemKernels{});

@@ -78,7 +78,7 @@ struct GeodesicScene {
 
   std::optional<Refusal> refuses() const {
     const bool has_poles = surface == Surface::sphere || surface == Surface::ellipsoid;
-    if (has_poles && !between_poles(point[0]))
+    if (has_poles && !(between_poles(point[0]) > 0))
       return Refusal{"Geodesic/Point", "expected theta between 0 and pi; the coordinates end at the poles"};
     if (surface == Surface::hyperbolic_plane && !(point[1] > 0))
       return Refusal{"Geodesic/Point", "expected y > 0, a point of the upper half-plane"};
@@ -185,18 +185,13 @@ struct GeodesicScene {
   }
   double coordinate_unit(double length) const { return surface == Surface::paraboloid ? length : 1; }
 
-  /// Nearer to a pole than √ε, sin²θ is below round-off.
-  static bool between_poles(double theta) {
-    static const double margin = std::sqrt(std::numeric_limits<double>::epsilon());
-    return theta > margin && theta < std::numbers::pi - margin;
-  }
   template <class Chart>
-  static mechanics::Status inside(const Chart&, const Eigen::Vector2d& q) {
-    if constexpr (std::is_same_v<Chart, Sphere> || std::is_same_v<Chart, Ellipsoid>)
-      if (!between_poles(q[0]))
-        return mechanics::Status::failure("the geodesic runs into a pole, where the chart ends");
-    if constexpr (std::is_same_v<Chart, HyperbolicHalfPlane>)
-      if (!(q[1] > 0)) return mechanics::Status::failure("the geodesic is nearer to the edge y = 0 than its tolerance");
+  static mechanics::Status inside(const Chart& chart, const Eigen::Vector2d& q) {
+    if constexpr (requires { chart.reserve(q); })
+      if (!(chart.reserve(q) > 0))
+        return mechanics::Status::failure(std::is_same_v<Chart, HyperbolicHalfPlane>
+                                              ? "the geodesic is nearer to the edge y = 0 than its tolerance"
+                                              : "the geodesic runs into a pole, where the chart ends");
     return {};
   }
 

@@ -16,6 +16,7 @@
 #include "mechanics/core/chart_field.h"
 #include "systems/body_loads.h"
 #include "systems/euler_angles.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -79,6 +80,14 @@ struct EulerAngleChart {
     }
     return U;
   }
+  /// Positive where the chart has a rotation. Rates of φ and ψ grow like 1/sin θ, and with them the loss of accuracy.
+  template <class T>
+  T reserve(const mechanics::Coordinates<T, 3>& h) const {
+    using std::sin;
+    const T sine = sin(h[1]);
+    return sine * sine - smallest_sine * smallest_sine;
+  }
+  static constexpr double smallest_sine = 1e-4;
 };
 
 /// The field of the chart, with a sentence where the chart ends.
@@ -86,15 +95,16 @@ class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;
   using Workspace = mechanics::ChartField<EulerAngleChart>::Workspace;
-  /// Rates of φ and ψ grow like 1/sin θ, and with them their loss of accuracy.
-  static constexpr double smallest_sine = 1e-4;
 
   LagrangeTop(const Eigen::Matrix3d& A, BodyLoads loads) : field_(EulerAngleChart{A, std::move(loads)}) {}
 
   mechanics::Status acceleration(double t, const Vector& h, const Vector& rates, Workspace& w, Vector& a) const {
-    if (!(std::abs(std::sin(h[1])) > smallest_sine)) return singular();
+    if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
+  /// As of mechanics/core/stage_by_stage.h.
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
+  double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }
   Workspace make_workspace() const { return {}; }
   bool velocity_dependent() const { return true; }
@@ -104,7 +114,7 @@ class LagrangeTop {
     return angular_velocity_of_rates<double>(h) * rates;
   }
   /// Whether the chart has this rotation.
-  static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > smallest_sine; }
+  static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > EulerAngleChart::smallest_sine; }
   /// A state from a rotation that the chart has and Ω.
   static mechanics::VectorState<Vector> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
     const EulerAngles h = euler_angles_of(R), rates = rates_of(h, Omega);

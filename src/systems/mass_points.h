@@ -11,6 +11,7 @@
 
 #include <Eigen/Dense>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "mechanics/core/unconstrained.h"
 #include "systems/central_force.h"
 #include "systems/invariant_axes.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -53,19 +55,47 @@ class MassPoints : public mechanics::Unconstrained {
   }
 
   mechanics::Status force(double, In q, In v, Workspace&, Out f) const {
-    for (Eigen::Index i = 0; i < n(); ++i)
-      f.col(i) = p_.masses(i) * p_.field - p_.confinement * (q.col(i) - p_.center) - p_.drag * v.col(i);
-    if (mechanics::Status status = add_attractions(q, f); !status) return status;
-    for (const Spring& s : p_.springs)
-      if (mechanics::Status status = add_pair(s.law, s.i, s.j, q, f); !status) return status;
-    for (const Dashpot& d : p_.dashpots) {
-      const Eigen::Vector3d along = direction(q, d.i, d.j);
-      const Eigen::Vector3d f_ij = -d.damping * along.dot(v.col(d.i) - v.col(d.j)) * along;
-      f.col(d.i) += f_ij;
-      f.col(d.j) -= f_ij;
-    }
-    return {};
+    f.setZero();
+    return status_of_force(act<double>([&](Eigen::Index i) -> Eigen::Vector3d { return q.col(i); },
+                                       [&](Eigen::Index i) -> Eigen::Vector3d { return v.col(i); },
+                                       [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
+  /// The forces over any scalar T: place(i) and velocity(i) are of point i, add(i, f) adds a force to it. 1 if
+  /// all is finite, otherwise a NaN.
+  template <class T, class Place, class Velocity, class Add>
+  T act(const Place& place, const Velocity& velocity, const Add& add) const {
+    using Space = Eigen::Matrix<T, 3, 1>;
+    T reserve(1.0);
+    const auto pull = [&](const auto& law, const Space& d) -> Space {
+      Space f = Space::Constant(T(0.0));
+      reserve = reserve * add_central_force(law, d, f);
+      return f;
+    };
+    const auto add_pair = [&](const auto& law, Eigen::Index i, Eigen::Index j) {
+      const Space f = pull(law, place(i) - place(j));
+      add(i, f);
+      add(j, -f);
+    };
+    for (Eigen::Index i = 0; i < n(); ++i) {
+      const Space from_center = place(i) - p_.center.template cast<T>();
+      add(i, (p_.masses(i) * p_.field).template cast<T>() - T(p_.confinement) * from_center - T(p_.drag) * velocity(i));
+      if (p_.central_attraction != 0) add(i, pull(AttractionLaw{p_.central_attraction * p_.masses(i)}, from_center));
+    }
+    if (p_.gravitational_constant != 0)
+      for (Eigen::Index i = 0; i < n(); ++i)
+        for (Eigen::Index j = 0; j < i; ++j) add_pair(pair_gravity(i, j), i, j);
+    for (const Spring& s : p_.springs) add_pair(s.law, s.i, s.j);
+    for (const Dashpot& d : p_.dashpots) {
+      const Space along = direction<T>(place(d.i) - place(d.j));
+      const Space f = T(-d.damping) * along.dot(velocity(d.i) - velocity(d.j)) * along;
+      add(d.i, f);
+      add(d.j, -f);
+    }
+    return reserve;
+  }
+  /// As of mechanics/core/stage_by_stage.h.
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
   void apply_mass(In v, Out f) const { f = v * p_.masses.asDiagonal(); }
 
@@ -93,7 +123,7 @@ class MassPoints : public mechanics::Unconstrained {
   double dissipated_power(In q, In v) const {
     double P = p_.drag * v.squaredNorm();
     for (const Dashpot& d : p_.dashpots) {
-      const double closing = direction(q, d.i, d.j).dot(v.col(d.i) - v.col(d.j));
+      const double closing = direction<double>(q.col(d.i) - q.col(d.j)).dot(v.col(d.i) - v.col(d.j));
       P += d.damping * closing * closing;
     }
     return P;
@@ -128,32 +158,16 @@ class MassPoints : public mechanics::Unconstrained {
  private:
   Eigen::Index n() const { return p_.masses.size(); }
   static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  static Eigen::Vector3d direction(In q, int i, int j) { return (q.col(i) - q.col(j)).stableNormalized(); }
+  /// d/|d|, and 0 of 0.
+  template <class T>
+  static Eigen::Matrix<T, 3, 1> direction(const Eigen::Matrix<T, 3, 1>& d) {
+    if constexpr (std::is_same_v<T, double>)
+      return d.stableNormalized();
+    else
+      return d * (1.0 / sqrt(T(1e-300) + d.squaredNorm()));
+  }
   AttractionLaw pair_gravity(Eigen::Index i, Eigen::Index j) const {
     return {p_.gravitational_constant * p_.masses(i) * p_.masses(j)};
-  }
-
-  template <class Law>
-  static mechanics::Status add_pair(const Law& law, Eigen::Index i, Eigen::Index j, In q, Out f) {
-    Eigen::Vector3d f_ij = Eigen::Vector3d::Zero();
-    if (mechanics::Status status = central_force(law, q.col(i) - q.col(j), f_ij); !status) return status;
-    f.col(i) += f_ij;
-    f.col(j) -= f_ij;
-    return {};
-  }
-  mechanics::Status add_attractions(In q, Out f) const {
-    if (p_.central_attraction != 0)
-      for (Eigen::Index i = 0; i < n(); ++i) {
-        Eigen::Vector3d f_i = Eigen::Vector3d::Zero();
-        const AttractionLaw law{p_.central_attraction * p_.masses(i)};
-        if (mechanics::Status status = central_force(law, q.col(i) - p_.center, f_i); !status) return status;
-        f.col(i) += f_i;
-      }
-    if (p_.gravitational_constant != 0)
-      for (Eigen::Index i = 0; i < n(); ++i)
-        for (Eigen::Index j = 0; j < i; ++j)
-          if (mechanics::Status status = add_pair(pair_gravity(i, j), i, j, q, f); !status) return status;
-    return {};
   }
 
   Parameters p_;

@@ -12,20 +12,36 @@
 /// The same motion in the inertial frame is q̈ = f.
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "mechanics/core/second_order_field.h"
 #include "systems/central_force.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
-/// M_t and r(t) with their derivatives at one time.
-struct FramePose {
-  Eigen::Matrix3d M;
-  Eigen::Vector3d Omega, Omega_rate;  // in K
-  Eigen::Vector3d r, r_rate, r_acceleration;
+template <class T>
+using Space = Eigen::Matrix<T, 3, 1>;
+
+/// M_t and r(t) with their derivatives at one time. The scalar T is double, or a vector of lanes.
+template <class T>
+struct FramePoseOver {
+  Eigen::Matrix<T, 3, 3> M;
+  Space<T> Omega, Omega_rate;  // in K
+  Space<T> r, r_rate, r_acceleration;
+
+  /// Visits the entries in this order.
+  template <class Visit>
+  void visit(Visit&& visit) {
+    for (T& x : M.reshaped()) visit(x);
+    for (Space<T>* vector : {&Omega, &Omega_rate, &r, &r_rate, &r_acceleration})
+      for (T& x : *vector) visit(x);
+  }
+  static constexpr std::size_t n_entries = 24;
 };
+using FramePose = FramePoseOver<double>;
 
 struct FrameMotion {
   Eigen::Matrix3d M0 = Eigen::Matrix3d::Identity();
@@ -67,16 +83,15 @@ struct FrameForces {
   Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // C
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // K₁, K₂, K₃
 
-  /// f in space on the point q, of which Q is the place in the frame.
-  mechanics::Status in_space(const Eigen::Vector3d& q, const Eigen::Vector3d& Q, const Eigen::Matrix3d& M,
-                             Eigen::Vector3d& f) const {
-    const Eigen::Vector3d in_frame = frame_field - frame_stiffness.cwiseProduct(Q - frame_center);
-    f = field - stiffness * (q - center) + M * in_frame;
-    if (attraction == 0) return {};
-    Eigen::Vector3d pull = Eigen::Vector3d::Zero();
-    if (mechanics::Status status = central_force(AttractionLaw{attraction}, q - center, pull); !status) return status;
-    f += pull;
-    return {};
+  /// f in space on the point q, of which Q is the place in the frame. Positive if all is finite.
+  template <class T>
+  T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
+    const Space<T> in_frame =
+                       frame_field.cast<T>() - frame_stiffness.cast<T>().cwiseProduct(Q - frame_center.cast<T>()),
+                   d = q - center.cast<T>();
+    f = field.cast<T>() - T(stiffness) * d + M * in_frame;
+    if (attraction == 0) return T(1.0);
+    return add_central_force(AttractionLaw{attraction}, d, f);
   }
 };
 
@@ -85,11 +100,29 @@ struct FrameParameters {
   FrameForces forces;
 };
 
-/// The terms of 5.6.7, in the moving frame and per unit mass.
-struct RelativeTerms {
-  Eigen::Vector3d force, translation, rotation, coriolis, centrifugal;
-  Eigen::Vector3d sum() const { return force + translation + rotation + coriolis + centrifugal; }
+/// Forces, and the frame at the stages of a Gauss step.
+struct FrameOfStages {
+  const FrameForces& forces;
+  bool moving;  ///< whether q is the place in the frame
+  std::array<mechanics::OfStages, FramePose::n_entries> pose;
 };
+inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::GaussStages& stages, bool moving) {
+  FrameOfStages frame{p.forces, moving, {}};
+  for (std::size_t i = 0; i < mechanics::gauss::n_stages; ++i) {
+    FramePose pose = p.frame.at(stages.t + stages.tables->c[i]);
+    std::size_t k = 0;
+    pose.visit([&](double x) { frame.pose[k++][i] = x; });
+  }
+  return frame;
+}
+
+/// The terms of 5.6.7, in the moving frame and per unit mass.
+template <class T>
+struct RelativeTermsOver {
+  Space<T> force, translation, rotation, coriolis, centrifugal;
+  Space<T> sum() const { return force + translation + rotation + coriolis + centrifugal; }
+};
+using RelativeTerms = RelativeTermsOver<double>;
 
 /// The point in the moving frame: the field of (Q, Q̇).
 class MovingFrame {
@@ -101,15 +134,20 @@ class MovingFrame {
   explicit MovingFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
-    const FramePose pose = p_.frame.at(t);
-    Eigen::Vector3d f;
-    if (mechanics::Status status = p_.forces.in_space(pose.M * Q + pose.r, Q, pose.M, f); !status) return status;
+    return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
+  }
+  /// The terms over any scalar; positive if all is finite.
+  template <class T>
+  static T terms_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& Q, const Space<T>& V,
+                      RelativeTermsOver<T>& terms) {
+    Space<T> f;
+    const T reserve = forces.in_space<T>(pose.M * Q + pose.r, Q, pose.M, f);
     terms = {.force = pose.M.transpose() * f,
-             .translation = -pose.M.transpose() * pose.r_acceleration,
+             .translation = -(pose.M.transpose() * pose.r_acceleration),
              .rotation = -pose.Omega_rate.cross(Q),
-             .coriolis = -2 * pose.Omega.cross(V),
+             .coriolis = T(-2.0) * pose.Omega.cross(V),
              .centrifugal = -pose.Omega.cross(pose.Omega.cross(Q))};
-    return {};
+    return reserve;
   }
   mechanics::Status acceleration(double t, const Vector& Q, const Vector& V, Workspace&, Vector& a) const {
     RelativeTerms sum;
@@ -117,6 +155,10 @@ class MovingFrame {
     a = sum.sum();
     return {};
   }
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
+    return solve_stages_in_lanes_of(stages_in_frame(p_, stages, true), stages);
+  }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<FrameOfStages>; }
   Vector make_vector() const { return Vector::Zero(); }
   Workspace make_workspace() const { return {}; }
   bool velocity_dependent() const { return true; }
@@ -138,9 +180,17 @@ class InertialFrame {
   explicit InertialFrame(Parameters parameters) : p_(std::move(parameters)) {}
 
   mechanics::Status acceleration(double t, const Vector& q, const Vector&, Workspace&, Vector& a) const {
-    const FramePose pose = p_.frame.at(t);
-    return p_.forces.in_space(q, pose.M.transpose() * (q - pose.r), pose.M, a);
+    return status_of_force(acceleration_over(p_.forces, p_.frame.at(t), q, a));
   }
+  /// Over any scalar; positive if all is finite.
+  template <class T>
+  static T acceleration_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& q, Space<T>& a) {
+    return forces.in_space<T>(q, pose.M.transpose() * (q - pose.r), pose.M, a);
+  }
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
+    return solve_stages_in_lanes_of(stages_in_frame(p_, stages, false), stages);
+  }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<FrameOfStages>; }
   Vector make_vector() const { return Vector::Zero(); }
   Workspace make_workspace() const { return {}; }
   bool time_dependent() const { return true; }

@@ -14,6 +14,7 @@
 #include "entries/entry_kinds.h"
 #include "mechanics/equilibria/constrained_landscape.h"
 #include "systems/system_scene.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -35,6 +36,16 @@ class SphericalPendulum {
     return {};
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f / p_.m; }
+
+  /// As of mechanics/core/explicit_multiplier.h and stage_by_stage.h.
+  mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
+    if (of_stages()(0, q.data(), v.data(), a.data()) > 0) return {};
+    return mechanics::Status::failure("the point is at the end of the rod that is held, or nowhere");
+  }
+  bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
+    return solve_stages_in_lanes_of(of_stages(), stages);
+  }
+  double cost_of_iteration() const { return cost_of_iteration_in_lanes<SphericalPendulumOfStages>; }
 
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     g = 0.5 * (q.squaredNorm() / l2() - 1);
@@ -77,6 +88,7 @@ class SphericalPendulum {
 
  private:
   double l2() const { return p_.l * p_.l; }
+  SphericalPendulumOfStages of_stages() const { return {p_.g, p_.c / p_.m}; }
 
   Parameters p_;
 };

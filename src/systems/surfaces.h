@@ -3,10 +3,12 @@
 /// knows its embedding x(q), and its metric is the induced one, g = DxᵀDx, in closed form.
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "mechanics/core/automatic_differentiation.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -16,6 +18,14 @@ template <class T>
 using SurfaceMetric = Eigen::Matrix<T, 2, 2>;
 template <class T>
 using SpacePoint = Eigen::Matrix<T, 3, 1>;
+
+/// Positive for an angle from the axis that is in no pole's reach.
+template <class T>
+T between_poles(const T& theta) {
+  using std::min;
+  constexpr double margin = 0x1p-26;
+  return min(T(theta - margin), T(std::numbers::pi - margin - theta));
+}
 
 /// x = R (sin θ cos φ, sin θ sin φ, cos θ),  ds² = R² (dθ² + sin²θ dφ²). Singular at the poles.
 struct Sphere {
@@ -34,6 +44,11 @@ struct Sphere {
   SpacePoint<T> embedding(const SurfacePoint<T>& q) const {
     using std::cos, std::sin;
     return {R * sin(q[0]) * cos(q[1]), R * sin(q[0]) * sin(q[1]), R * cos(q[0])};
+  }
+  /// Positive between the poles. Nearer to a pole than √ε, sin²θ is below round-off.
+  template <class T>
+  T reserve(const SurfacePoint<T>& q) const {
+    return between_poles(q[0]);
   }
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
@@ -97,6 +112,11 @@ struct Ellipsoid {
     using std::cos, std::sin;
     return {a * sin(q[0]) * cos(q[1]), b * sin(q[0]) * sin(q[1]), c * cos(q[0])};
   }
+  /// Positive between the poles. Nearer to a pole than √ε, sin²θ is below round-off.
+  template <class T>
+  T reserve(const SurfacePoint<T>& q) const {
+    return between_poles(q[0]);
+  }
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
@@ -128,6 +148,10 @@ struct HyperbolicHalfPlane {
     SurfaceMetric<T> g;
     g << factor, T(0.0), T(0.0), factor;
     return g;
+  }
+  template <class T>
+  T reserve(const SurfacePoint<T>& q) const {
+    return q[1];
   }
 };
 

@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "systems/surfaces.h"
+#include "systems/systems_in_lanes.h"
 
 namespace pseudorigid::systems {
 
@@ -31,15 +32,20 @@ struct Torus : TorusSurface {
     return gravity * (std::sin(tilt) * x[0] + std::cos(tilt) * x[2]);
   }
   /// c(q); q is measured as in TorusSurface.
-  double damping(const Eigen::Vector2d& q) const {
-    return c * (1 + c_w * outward * std::cos(q[0]) + c_u * std::cos(q[1]));
+  template <class T>
+  T damping(const SurfacePoint<T>& q) const {
+    using std::cos;
+    return c * (1.0 + c_w * outward * cos(q[0]) + c_u * cos(q[1]));
   }
-  Eigen::Vector2d dissipation(const Eigen::Vector2d& q, const Eigen::Vector2d& v) const {
-    if (grain == 0) return -damping(q) * v;
-    const Eigen::Vector2d lengths(r, R + outward * r * std::cos(q[0]));  // of ∂/∂w and ∂/∂u
-    const Eigen::Vector2d e = Eigen::Vector2d(std::cos(grain_angle), std::sin(grain_angle)).cwiseQuotient(lengths);
-    const double along = e.dot(lengths.cwiseAbs2().cwiseProduct(v));
-    return -damping(q) * (v + grain * along * e);
+  template <class T>
+  SurfacePoint<T> dissipation(const SurfacePoint<T>& q, const SurfacePoint<T>& v) const {
+    using std::cos;
+    const T factor = -damping(q);
+    if (grain == 0) return {factor * v[0], factor * v[1]};
+    const T rho = R + outward * r * cos(q[0]);  // r and ρ are the lengths of ∂/∂w and ∂/∂u
+    const double of_w = std::cos(grain_angle), of_u = std::sin(grain_angle);
+    const T along = grain * (of_w * r * v[0] + of_u * rho * v[1]);
+    return {factor * (v[0] + along * (of_w / r)), factor * (v[1] + along * of_u / rho)};
   }
 
   /// μ, the greatest ratio |⟨D(v), v⟩|/|v|² anywhere, and −min V.

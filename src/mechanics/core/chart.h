@@ -13,6 +13,7 @@
 #include <array>
 #include <concepts>
 #include <limits>
+#include <type_traits>
 
 #include "mechanics/core/automatic_differentiation.h"
 #include "mechanics/core/status.h"
@@ -50,18 +51,18 @@ concept HasPeriods = requires(const C chart) {
   chart.periods();
 };  // period of each coordinate; 0: not periodic
 
-/// The metric and its partial derivatives dg[k] = ∂g/∂q_k.
-template <Chart C>
+/// The metric and its partial derivatives dg[k] = ∂g/∂q_k. From here on the scalar T is double, or a vector of lanes.
+template <Chart C, class T = double>
 struct MetricJet {
-  ChartMatrix<C> g;
-  std::array<ChartMatrix<C>, C::dimension> dg;
+  Eigen::Matrix<T, C::dimension, C::dimension> g;
+  std::array<Eigen::Matrix<T, C::dimension, C::dimension>, C::dimension> dg;
 };
 
-template <Chart C>
-MetricJet<C> metric_jet(const C& chart, const ChartVector<C>& q) {
+template <class T = double, Chart C>
+MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
   constexpr int n = C::dimension;
-  const Eigen::Matrix<Dual<double, n>, n, n> g = chart.metric(independent(q));
-  MetricJet<C> jet;
+  const Eigen::Matrix<Dual<T, n>, n, n> g = chart.metric(independent(q));
+  MetricJet<C, T> jet;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
       jet.g(i, j) = g(i, j).value();
@@ -71,24 +72,29 @@ MetricJet<C> metric_jet(const C& chart, const ChartVector<C>& q) {
 }
 
 /// Σ_ij Γ_l,ij uⁱvʲ for each l.
-template <Chart C>
-ChartVector<C> christoffel_of_first_kind(const MetricJet<C>& jet, const ChartVector<C>& u, const ChartVector<C>& v) {
-  ChartVector<C> c = ChartVector<C>::Zero();
+template <Chart C, class T>
+Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& jet,
+                                                       const std::type_identity_t<Coordinates<T, C::dimension>>& u,
+                                                       const std::type_identity_t<Coordinates<T, C::dimension>>& v) {
+  using Vector = Coordinates<T, C::dimension>;
+  Vector c = Vector::Constant(T(0.0));
   for (int k = 0; k < C::dimension; ++k) {
-    c += 0.5 * (jet.dg[k] * (u[k] * v + v[k] * u));
-    c[k] -= 0.5 * u.dot(jet.dg[k] * v);
+    const Vector both = u[k] * v + v[k] * u;
+    c += T(0.5) * (jet.dg[k] * both);
+    c[k] -= T(0.5) * u.dot(jet.dg[k] * v);
   }
   return c;
 }
 
 /// dU; zero if the chart has no potential.
-template <Chart C>
-ChartVector<C> potential_differential(const C& chart, const ChartVector<C>& q) {
+template <class T = double, Chart C>
+Coordinates<T, C::dimension> potential_differential(const C& chart,
+                                                    const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
   if constexpr (HasPotential<C>) {
-    const Dual<double, C::dimension> U = chart.potential(independent(q));
+    const Dual<T, C::dimension> U = chart.potential(independent(q));
     return U.derivatives();
   }
-  return ChartVector<C>::Zero();
+  return Coordinates<T, C::dimension>::Constant(T(0.0));
 }
 
 template <Chart C>

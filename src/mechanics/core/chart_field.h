@@ -15,6 +15,18 @@
 
 namespace pseudorigid::mechanics {
 
+/// F − Γ_l,ij q̇ⁱq̇ʲ of a chart whose force does not depend on time; the metric at q as well.
+template <class T, Chart C>
+Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
+                                             const Coordinates<T, C::dimension>& v,
+                                             Eigen::Matrix<T, C::dimension, C::dimension>& g) {
+  const MetricJet<C, T> jet = metric_jet<T>(chart, q);
+  g = jet.g;
+  Coordinates<T, C::dimension> F = -potential_differential<T>(chart, q) - christoffel_of_first_kind(jet, v, v);
+  if constexpr (HasDissipation<C>) F += g * chart.dissipation(q, v);
+  return F;
+}
+
 template <Chart C>
 class ChartField {
  public:
@@ -30,13 +42,14 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// As in stage_by_stage.h, for charts that offer it.
+  /// As in stage_by_stage.h, for charts with the functions `solve_stages_in_lanes_of(chart, stages)` and
+  /// `cost_of_iteration_of(chart)`.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
-    c.solve_stages_in_lanes(stages);
+    solve_stages_in_lanes_of(c, stages);
   }
-  { return chart_.solve_stages_in_lanes(stages); }
-  double cost_of_iteration() const requires requires(const C& c) { c.cost_of_iteration(); }
-  { return chart_.cost_of_iteration(); }
+  { return solve_stages_in_lanes_of(chart_, stages); }
+  double cost_of_iteration() const requires requires(const C& c) { cost_of_iteration_of(c); }
+  { return cost_of_iteration_of(chart_); }
 
   /// Dq̇/dt = q̈ + Γ(q̇, q̇) of any curve with this velocity and second derivative.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {

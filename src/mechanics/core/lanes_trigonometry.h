@@ -31,14 +31,14 @@ struct SineCosine {
 #endif
 }
 
-[[gnu::always_inline]] inline SineCosine sine_cosine(Lanes<native_lanes> x) {
+inline constexpr double most_of_moderate = 0x1p20;
+
+/// The result has a meaning for arguments up to most_of_moderate.
+[[gnu::always_inline]] inline SineCosine sine_cosine_of_moderate(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   using Native = Vector::Native;
   using Bits = Vector::NativeBits;
-  constexpr double most = 0x1p20, to_integer = 0x1.8p52;
-  if (!all_within(x, most)) [[unlikely]]
-    return {Vector::of([&](int l) { return std::sin(x[l]); }), Vector::of([&](int l) { return std::cos(x[l]); })};
-
+  constexpr double to_integer = 0x1.8p52;
   const Native shifted = x.v * 0.63661977236758134308 + to_integer, k = shifted - to_integer;
   Bits quadrant;
   std::memcpy(&quadrant, &shifted, sizeof quadrant);
@@ -59,6 +59,13 @@ struct SineCosine {
   const Native sine = (quadrant & 1) != 0 ? of_cosine : of_sine, cosine = (quadrant & 1) != 0 ? of_sine : of_cosine;
   return {Vector(Native((quadrant & 2) != 0 ? -sine : sine)),
           Vector(Native(((quadrant + 1) & 2) != 0 ? -cosine : cosine))};
+}
+
+[[gnu::always_inline]] inline SineCosine sine_cosine(Lanes<native_lanes> x) {
+  using Vector = Lanes<native_lanes>;
+  if (!all_within(x, most_of_moderate)) [[unlikely]]
+    return {Vector::of([&](int l) { return std::sin(x[l]); }), Vector::of([&](int l) { return std::cos(x[l]); })};
+  return sine_cosine_of_moderate(x);
 }
 
 }  // namespace pseudorigid::mechanics

@@ -66,6 +66,14 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
+/// The stages of any field, evaluated one after the other.
+template <SecondOrderField F>
+Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
+  const detail::StageByStage<F> by_stage(field, w);
+  solve_gauss_stages(by_stage, stages);
+  return by_stage.reason();
+}
+
 /// Returns the failure of the field, if it has failed. `stages.converged` says whether the stages have been found.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
@@ -74,9 +82,7 @@ Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& 
   } else {
     if constexpr (requires { field.solve_stages_in_lanes(stages); })
       if (field.solve_stages_in_lanes(stages)) return {};
-    const detail::StageByStage<F> by_stage(field, w);
-    solve_gauss_stages(by_stage, stages);
-    return by_stage.reason();
+    return solve_one_by_one(field, stages, w);
   }
 }
 

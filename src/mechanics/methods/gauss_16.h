@@ -178,7 +178,7 @@ struct Gauss16 {
       Status status = step(system, outer_h, h, state, w, found);
       if (found) return {};
       const bool too_short = !(state.t + h / 2 != state.t);
-      if (depth >= w.most_halvings || too_short) return why_not_found(system, std::move(status), state, w);
+      if (depth >= w.most_halvings || too_short) return why_not_found(system, std::move(status), part, state, w);
       if (!std::isfinite(h)) return Status::failure("the step is not finite");
     }
     for (int half = 0; half < 2; ++half)
@@ -190,6 +190,22 @@ struct Gauss16 {
   /// Steps that differ by the round-off of the sample times are the same.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
+  template <class S>
+  static GaussStages stages_of(double outer_h, const State<S>& state, Workspace<S>& w) {
+    return {.n = static_cast<int>(w.n_entries),
+            .t = state.t,
+            .h = w.tables.h,
+            .q = state.q.data(),
+            .v = state.v.data(),
+            .tables = &w.tables,
+            .tolerance = w.iteration_tolerance,
+            .outer_h = outer_h,
+            .a = w.stages.data(),
+            .sums = w.sums.data(),
+            .scratch = w.scratch.data(),
+            .scale = w.scale};
+  }
+
   /// Makes the step if its stages are found; returns a failure of the force.
   template <class S>
   static Status step(const S& system, double outer_h, double h, State<S>& state, Workspace<S>& w, bool& found) {
@@ -199,18 +215,7 @@ struct Gauss16 {
       w.tables.set_step(h);
     else if (w.tables.c[0] == 0)  // after the memory has been restored
       w.tables.set_step(w.tables.h);
-    GaussStages s{.n = static_cast<int>(w.n_entries),
-                  .t = state.t,
-                  .h = w.tables.h,
-                  .q = state.q.data(),
-                  .v = state.v.data(),
-                  .tables = &w.tables,
-                  .tolerance = w.iteration_tolerance,
-                  .outer_h = outer_h,
-                  .a = w.stages.data(),
-                  .sums = w.sums.data(),
-                  .scratch = w.scratch.data(),
-                  .scale = w.scale};
+    GaussStages s = stages_of(outer_h, state, w);
     if (Status status = begin(field, state, w, s); !status) return status;
     if (Status status = solve_stages(field, s, w.system); !status) return status;
     w.counters.n_force += gauss::n_stages * s.n_iterations;
@@ -254,12 +259,16 @@ struct Gauss16 {
 
   /// A failure of the force at a stage or at the state, or that the iteration has not converged.
   template <class S>
-  [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const State<S>& state,
-                                                           Workspace<S>& w) {
+  [[gnu::cold, gnu::noinline]] static Status why_not_found(const S& system, Status of_stages, const Part& part,
+                                                           const State<S>& state, Workspace<S>& w) {
     if (!of_stages) return of_stages;
     const auto& field = field_of(system);
     if (Status status = field.acceleration(state.t, state.q, state.v, w.system, w.change); !status) return status;
     if (!std::isfinite(w.change.squaredNorm())) return Status::failure("the force is not finite");
+    // Lanes do not say why they fail. One after the other, the stages do.
+    for (std::size_t k = 0; k < w.n_entries; ++k) w.stages[k].fill(w.change.data()[k]);
+    GaussStages again = stages_of(part.outer_h, state, w);
+    if (Status status = solve_one_by_one(field, again, w.system); !status) return status;
     return Status::failure("the stages of a step cannot be found by iteration; use a smaller step");
   }
 
