@@ -16,7 +16,7 @@ MODELS = ("reduced", "polynomial")
 
 def families():
     """(name of the scene, number of rows) of the Latin hypercubes."""
-    return (("sample_release", 800), ("sample_gravity", 600))
+    return (("sample_release", 800), ("sample_gravity", 300), ("sample_compressible", 500))
 
 
 def run_scene(program, family, name, *settings):
