@@ -102,9 +102,9 @@ class PolynomialBody {
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// f of all but reactions. `pressed`: as if every point of the surface touched planes on all sides, as a bound for
-  /// the stiffness.
-  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, bool pressed, Vector& f) const;
+  /// f of all but reactions. `held_at`: in place of contact, every point of the surface is held at this position by the
+  /// stiffness of the planes, as a bound for the stiffness; or null.
+  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:
