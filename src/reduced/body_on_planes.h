@@ -24,8 +24,8 @@ class BodyOnPlanes {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If it is set, every point of the surface is held at this position by the stiffness of the planes: a bound for
-    /// the stiffness that a contact can have, without its pressure.
+    /// If it is set, the stiffness of the planes holds every point of the surface at this position. No contact is
+    /// stiffer, and there is no pressure at this position.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
