@@ -43,7 +43,7 @@ struct BodySetup {
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
   std::optional<int> n_points{};          ///< of the integrals over the body, in a direction of an octant
-  std::optional<int> n_contact_points{};  ///< likewise of contact on the surface
+  std::optional<int> n_contact_points{};  ///< of contact, in a direction of an octant of the surface
 };
 
 struct PotentialEnergies {

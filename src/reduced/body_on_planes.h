@@ -5,8 +5,8 @@
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
-/// As in dissipative_body.h, the velocities of further coordinates are the energies D and W that dissipation has taken
-/// and that loads have given: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// The energies D and W that dissipation has taken and that loads have given are velocities of further coordinates, as in
+/// dissipative_body.h: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
