@@ -5,8 +5,8 @@
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
-/// The energies D and W that dissipation has taken and that loads have given are velocities of further coordinates, as in
-/// dissipative_body.h: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// Further coordinates have the energies as velocities, as in dissipative_body.h: D, which dissipation has taken, and
+/// W, which loads have given. So q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
