@@ -31,7 +31,7 @@ struct RigidPlanes {
                        "Stiffness k of the contact. A point of the surface that is d behind a plane feels the pressure "
                        "k d along the normal, per undeformed area. There is no friction. The penetration falls as 1/k, "
                        "and the step falls as 1/sqrt(k). auto is 1000 density radius/t^2 with the unit of time t of "
-                       "the scene, which is 1000 shear moduli per radius without self-gravity."});
+                       "the scene. Without self-gravity, this is 1000 shear moduli per radius."});
     visit(self.damping, scene::not_negative,
           scene::About{"Loads/Plane damping", "time/length",
                        "b of a contact that takes energy: the pressure is k d (1 + b d') with the rate d' of the "

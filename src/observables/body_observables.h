@@ -73,7 +73,7 @@ struct ContactObservables {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Of a loads::Contact, the part of the state.
+  /// Takes the contact at a state, a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;

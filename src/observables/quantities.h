@@ -15,7 +15,7 @@ struct Quantities {
   /// A group of models with non-affine motions, which has no keyword: it is written with the energies if the volumetric
   /// stabilisation is on.
   bool volumetric = false;
-  /// Likewise: it is written if the scene has planes.
+  /// A group without a keyword, too. It is written if the scene has planes.
   bool contact = false;
 };
 

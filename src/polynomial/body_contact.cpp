@@ -153,14 +153,14 @@ double BodyContact::add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd&
   return power;
 }
 
-void BodyContact::add_pressed_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const {
+void BodyContact::add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const {
   const double k = planes_.stiffness_of_all();
   if (is_affine()) {
     const double area = 4 * std::numbers::pi;
-    const auto x = q.head(space_->n_unknowns());
+    const auto x = u.head(space_->n_unknowns());
     return spread({-k * area / 3 * space_->affine_part(x) * S_ * S_, -k * area * space_->mean(x)}, f);
   }
-  const Field x = positions(q);
+  const Field x = positions(u);
   Field force(x.size(), 0.0);
   for (std::size_t p = 0; p < places_.size(); ++p) add_at(force, places_[p], -k * weights_[p] * at(x, places_[p]));
   spread(force, f);

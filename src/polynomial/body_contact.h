@@ -33,8 +33,8 @@ class BodyContact {
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
   /// f ← f + the force of the damping; returns the power that it takes.
   double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
-  /// f ← f − ∂/∂q of ½k∮|x|², as if every point touched planes on all sides.
-  void add_pressed_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
+  /// f ← f − ∂/∂u of ½k∮|u|², of a displacement u against which planes on all sides hold every point.
+  void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
 
  private:
   /// Values at all points: [component][point].

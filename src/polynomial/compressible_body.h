@@ -9,12 +9,12 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    bool pressed = false;  ///< PolynomialBody::applied_force
+    const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
   };
   using PolynomialBody::PolynomialBody;
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
-    return applied_force(t, q, v, workspace.pressed, f);
+    return applied_force(t, q, v, workspace.held_at, f);
   }
   Workspace make_workspace() const { return {}; }
 };

@@ -20,8 +20,8 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, maximum norm
-    bool pressed = false;        ///< PolynomialBody::applied_force
+    double residual_sought = 0;       ///< sufficient residual for the caller of solve_gram, maximum norm
+    const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -33,7 +33,7 @@ class IncompressibleBody : public PolynomialBody {
   explicit IncompressibleBody(BodySetup setup) : PolynomialBody(without_pressure(setup)) {}
 
   mechanics::Status force(double t, const Vector& q, const Vector& v, Workspace& workspace, Vector& f) const {
-    return applied_force(t, q, v, workspace.pressed, f);
+    return applied_force(t, q, v, workspace.held_at, f);
   }
   mechanics::Status constraint(const Vector& q, Multiplier& g) const {
     const double least = polynomial::constraint(space(), q, g);

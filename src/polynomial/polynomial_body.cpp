@@ -61,7 +61,7 @@ PolynomialBody::Vector PolynomialBody::affine(const Eigen::Matrix3d& A, const Ei
   return x;
 }
 
-mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, bool pressed,
+mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at,
                                                 Vector& f) const {
   const int n = space_->n_points();
   ScratchArray F(space_->gradients().size(3)), T(space_->gradients().size(3));
@@ -84,8 +84,8 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   add_loads(constant_, q, f);
   if (driven_) add_loads(now, q, f);
   if (gravity_) gravity_->add_force(q, f);
-  if (contact_ && pressed) contact_->add_pressed_force(q, f);
-  if (contact_ && !pressed) {
+  if (contact_ && held_at) contact_->add_holding_force(q - *held_at, f);
+  if (contact_ && !held_at) {
     contact_->add_force(q, f);
     taken += contact_->add_damping(q, v, f);
   }

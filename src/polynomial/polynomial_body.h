@@ -42,8 +42,8 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
-  std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
-  std::optional<int> n_contact_points{};  ///< the same of contact on the surface
+  std::optional<int> n_points{};          ///< of the integrals over the body, in a direction of an octant
+  std::optional<int> n_contact_points{};  ///< of contact, in a direction of an octant of the surface
 };
 
 struct PotentialEnergies {
@@ -102,9 +102,9 @@ class PolynomialBody {
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// f of all but reactions. `pressed`: as if every point of the surface touched planes on all sides, as a bound for
-  /// the stiffness.
-  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, bool pressed, Vector& f) const;
+  /// f of all but reactions. `held_at`: in place of contact, every point of the surface is held at this position by the
+  /// stiffness of the planes, as a bound for the stiffness; or null.
+  mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
  private:

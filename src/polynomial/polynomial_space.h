@@ -88,7 +88,7 @@ class PolynomialSpace {
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// Tables of the position and its derivatives along e_θ and e_φ (by ξ) at the surface points of the octant.
   PointTables surface_tables(int q) const;
-  /// Of the position alone.
+  /// The same tables of the position alone.
   PointTables surface_values(int q) const;
 
  private:

@@ -5,8 +5,8 @@
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
-/// As in dissipative_body.h, the velocities of further coordinates are the energies D and W that dissipation has taken
-/// and that loads have given: q = [Q | c | (s, s', 0)ᵀ], v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// Further coordinates have the energies as velocities, as in dissipative_body.h: D, which dissipation has taken, and
+/// W, which loads have given. So q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
@@ -24,7 +24,9 @@ class BodyOnPlanes {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    bool pressed = false;  ///< the force is that of a body of which every point touches: a bound for the stiffness
+    /// If it is set, the stiffness of the planes holds every point of the surface at this position. No contact is
+    /// stiffer, and there is no pressure at this position.
+    const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
 
@@ -46,8 +48,8 @@ class BodyOnPlanes {
     const Eigen::Vector3d c = center(q), cdot = center(v);
     const double mass = body_.reference().mass;
     F.on_center = mass * (constant_.acceleration - constant_.quadratic * c);
-    if (w.pressed)
-      press(Q, c, F);
+    if (w.held_at)
+      hold(Q - matrix(*w.held_at), c - center(*w.held_at), F);
     else
       for (const loads::Plane& plane : constant_.planes) contact_with(plane, Q, c).add_force(F);
     const double taken = add_dissipation(Q, c, Qdot, cdot, F);
@@ -131,8 +133,8 @@ class BodyOnPlanes {
                                        const Eigen::Vector3d& c) const {
     return {plane, body_.reference().shape, Q, c};
   }
-  /// −k∮x and −k∮x Xᵀ over the sphere ξ.
-  void press(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
+  /// −k∮u and −k∮u Xᵀ over the sphere ξ, with the displacement u = c + Q X.
+  void hold(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const double k = constant_.planes.stiffness_of_all(), area = 4 * std::numbers::pi;
     const Eigen::Matrix3d& S = body_.reference().shape;
     F.on_center -= k * area * c;

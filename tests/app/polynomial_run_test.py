@@ -25,6 +25,18 @@ class PolynomialRun(ProgramTest):
             for a, b in zip(reduced.column(name), polynomial.column(name)):
                 self.assertAlmostEqual(a, b, delta=1e-12, msg=name)
 
+    def test_impact_sweep(self):
+        """Of its eleven speeds two."""
+        self.scene((SOURCE / "params/impact_sweep.prm").read_text(), "impact_sweep.prm")
+        self.run_done("run", "impact_sweep.prm", *overrides({"Sweep/Parameters": "p: -0.5, 0", "Output/Samples": 100}))
+        table = self.table("output/impact_sweep/sweep.csv")
+        self.assertEqual(table.column("finished"), [1, 1])
+        for e, force, penetration in zip(*(table.column(name) for name in (
+                "restitution_end", "largest_force_end", "penetration_max"))):
+            self.assertTrue(0.3 < e <= 1, e)
+            self.assertGreater(force, 0)
+            self.assertGreater(penetration, 0)
+
     def test_several_degrees_are_compared_with_the_last(self):
         result = self.run_release({"Polynomial/Degree": "1, 3, 5"})
         overview = self.json("output/scene/comparison.json")

@@ -48,6 +48,17 @@ class PseudoRigid(ReducedTest):
             column = table.column(name)
             self.assertLess(max(column) - min(column), 1e-9 * abs(column[0]), name)
 
+    def test_box(self):
+        table = self.table(self.run_params("box", *overrides({"Time/End": 20, "Output/Samples": 200, "Output/Graphics": "none"}))
+                           / "reduced.csv")
+        energy = table.column("energy")
+        self.assertLess(max(energy) - min(energy), 1e-3 * energy[0])
+        for name, wall in ("x1", 1.6), ("x2", 1.8), ("x3", 1.5):
+            self.assertLess(max(map(abs, table.column(name))), wall)
+        self.assertLess(max(table.column("penetration")), 0.1)
+        v1 = table.column("v1")
+        self.assertLess(min(v1), 0, "it comes back from a wall")
+
     def test_tide(self):
         table = self.table(self.run_params("tide") / "reduced.csv")
         head = (SOURCE / "params/tide.prm").read_text()

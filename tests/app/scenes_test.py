@@ -186,6 +186,30 @@ class Scenes(ProgramTest):
         self.assertIn("S2", log)
         self.assertIn("the 5 lowest frequencies", log)
 
+    def run_at_low_degrees(self, name, entries):
+        """The scene, short and on a coarse mesh: the tables of its models."""
+        self.scene((SOURCE / "params" / f"{name}.prm").read_text(), f"{name}.prm")
+        self.run_done("run", f"{name}.prm", *overrides({"Continuum/Degree": 2, "Output/Samples": SAMPLES,
+                                                        "Output/Graphics": "none", **entries}))
+        models = self.json(f"output/{name}/manifest.json")["models"]
+        return {model: self.table(f"output/{name}/{model}.csv") for model in models}
+
+    def test_bounce(self):
+        """The ball reaches the floor at t = 2 and leaves it."""
+        tables = self.run_at_low_degrees("bounce", {"Time/End": 6, "Polynomial/Degree": 2})
+        self.assertEqual(sorted(tables), ["continuum", "polynomial", "reduced"])
+        for model, table in tables.items():
+            self.assertAlmostEqual(table.column("first_contact")[-1], 2, delta=1e-2, msg=model)
+            self.assertGreater(max(table.column("penetration")), 0, model)
+            self.assertTrue(0.3 < table.column("restitution")[-1] <= 1.001, model)
+            energy = table.column("energy")
+            self.assertLess(max(energy) - min(energy), 0.01 * max(table.column("kinetic")), model)
+
+    def test_hertz(self):
+        """On a coarse mesh, so that the numbers are those of the comments of the scene only in size."""
+        tables = self.run_at_low_degrees("hertz", {"Time/End": 4, "Continuum/Refinements": 0, "Continuum/Grading": 0.3})
+        self.assertTrue(0.3 < tables["continuum"].column("contact_force")[-1] / 0.0151 < 3)
+
     def test_every_scene_has_a_test(self):
         # Those of other systems have theirs in systems_test.py, others of a single model in the tests of that.
         elsewhere = "".join((SOURCE / "tests/app" / name).read_text()

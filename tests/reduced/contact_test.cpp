@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "mechanics/steps/largest_frequency.h"
 #include "reduced/body_on_planes.h"
 #include "reduced/potential.h"
 #include "reduced/pseudo_rigid_body.h"
@@ -170,6 +171,24 @@ TEST(BouncingBody, IsReversible) {
   turned.v = -turned.v;
   const auto back = run<mechanics::Rattle>(body, turned, 10, 1, 2000);
   EXPECT_LT((back.last().q - start.q).norm(), 1e-9);
+}
+
+/// A ball whose surface is held on all sides has ω² = 10 + 5k, from k∮u² = (4π/3) k |H|² and m̄ = 4π/15. No contact is
+/// stiffer, so a step that is stable for it is stable in every contact.
+TEST(BouncingBody, NoContactIsStifferThanABodyThatIsHeld) {
+  const double k = 500;
+  const Body body = ball_on(loads::Loads(floor_at(-1, k)));
+  const auto frequency = [&](double depth, bool held) {
+    const State state = Body::state_of({0, Matrix3d::Identity(), Matrix3d::Zero()}, {0, 0, -depth}, {0, 0, 0});
+    auto workspace = body.make_workspace();
+    if (held) workspace.held_at = &state.q;
+    const auto report = mechanics::largest_frequency(body, state, workspace, 24);
+    EXPECT_TRUE(report.status) << report.status.reason();
+    return report.omega;
+  };
+  EXPECT_NEAR(frequency(0, true), std::sqrt(10 + 5 * k), 1e-6 * std::sqrt(5 * k));
+  EXPECT_NEAR(frequency(0.3, true), frequency(0, true), 1e-6 * std::sqrt(5 * k)) << "wherever it is held";
+  for (const double depth : {0.01, 0.1, 0.3}) EXPECT_LT(frequency(depth, false), frequency(0, true)) << depth;
 }
 
 /// The force of the closed form has a continuous derivative, and the second one jumps at the first and at the last

@@ -199,9 +199,9 @@ class ModelRun final : public ModelRunBase {
     if constexpr (mechanics::ConstrainedSystem<System>) {
       auto workspace = model_.system().make_workspace();
       // A contact that comes later must not be too stiff for the step.
-      if constexpr (requires { workspace.pressed; }) workspace.pressed = true;
+      if constexpr (requires { workspace.held_at; }) workspace.held_at = &state_.q;
       const auto frequency = mechanics::largest_frequency(model_.system(), state_, workspace, n_lanczos, accuracy);
-      if constexpr (requires { workspace.pressed; }) workspace.pressed = false;
+      if constexpr (requires { workspace.held_at; }) workspace.held_at = nullptr;
       if (!frequency.status) return frequency.status;
       limit = mechanics::rattle_step_limit(frequency.omega, model_.rate(state_), safety);
       if constexpr (!mechanics::LinearlyDamped<System>) {

@@ -56,18 +56,19 @@ mechanics::Status BallBody::judge(double least, const Vector& x) const {
   return mechanics::Status::failure(reason + ("an element is turned inside out: " + in_words(jacobian)));
 }
 
-mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, bool pressed, Vector& f) const {
-  return complete_force(t, x, v, kernels_->force(x, f), pressed, f);
+mechanics::Status BallBody::applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at,
+                                          Vector& f) const {
+  return complete_force(t, x, v, kernels_->force(x, f), held_at, f);
 }
 
-mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vector& v, double least, bool pressed,
-                                           Vector& f) const {
+mechanics::Status BallBody::complete_force(double t, const Vector& x, const Vector& v, double least,
+                                           const Vector* held_at, Vector& f) const {
   if (auto status = judge(least, x); !status) return status;
   loads_.add(t, x, v, f);
   if (gravity_) gravity_->add(x, f);
   if (!contact_) return {};
-  if (pressed) {
-    contact_->add_pressed(x, f);
+  if (held_at) {
+    contact_->add_holding(x, *held_at, f);
     return {};
   }
   contact_->add(x, f);

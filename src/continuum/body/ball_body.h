@@ -104,12 +104,12 @@ class BallBody {
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
-  /// f of all but reactions. `pressed`: as if every point of the surface touched planes on all sides, as a bound for
-  /// the stiffness.
-  mechanics::Status applied_force(double t, const Vector& x, const Vector& v, bool pressed, Vector& f) const;
+  /// f of all but reactions. `held_at`: in place of contact, every point of the surface is held at this position by the
+  /// stiffness of the planes, as a bound for the stiffness; or null.
+  mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
   /// Adds loads, gravity and contact to the force of the stress; fails if `least`, which its kernel returned, is not
   /// positive.
-  mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, bool pressed,
+  mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 
  private:

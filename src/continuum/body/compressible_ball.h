@@ -13,12 +13,12 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    bool pressed = false;  ///< BallBody::applied_force
+    const Vector* held_at = nullptr;  ///< BallBody::applied_force
   };
   using BallBody::BallBody;
 
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
-    return applied_force(t, x, v, workspace.pressed, f);
+    return applied_force(t, x, v, workspace.held_at, f);
   }
   Workspace make_workspace() const { return {}; }
 };

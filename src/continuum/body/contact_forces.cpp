@@ -105,13 +105,14 @@ double ContactForces::add_damping(const Vector& x, const Vector& v, Vector& f) c
   return sum_over_ranks(power, space_.communicator());
 }
 
-void ContactForces::add_pressed(const Vector& x, Vector& f) const {
-  const GhostValues of_x(x);
+void ContactForces::add_holding(const Vector& x, const Vector& x0, Vector& f) const {
+  const GhostValues of_x(x), of_x0(x0);
   const double k = planes_.stiffness_of_all();
   for (const Face& face : faces_)
     for (int c = 0; c < 3; ++c) {
       const loads::Plane across{.normal = Vector3d::Unit(c)};
-      spread(-k * face.weights.cwiseProduct(at_points(along(across, 0, face, x))), across.normal, face, f);
+      spread(-k * face.weights.cwiseProduct(at_points(along(across, 0, face, x) - along(across, 0, face, x0))),
+             across.normal, face, f);
     }
   add_to_owners(f);
 }

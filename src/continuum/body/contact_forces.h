@@ -30,8 +30,8 @@ class ContactForces {
   void add(const Vector& x, Vector& f) const;
   /// f ← f + the force of the damping; returns the power that it takes from the computed sector. Collective.
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x|². Collective.
-  void add_pressed(const Vector& x, Vector& f) const;
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|², as if planes on all sides held every point at x₀. Collective.
+  void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
   /// The contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;
 

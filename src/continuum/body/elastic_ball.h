@@ -22,8 +22,8 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;  ///< sufficient residual for the caller of solve_gram, Euclidean norm
-    bool pressed = false;        ///< BallBody::applied_force
+    double residual_sought = 0;       ///< sufficient residual for the caller of solve_gram, Euclidean norm
+    const Vector* held_at = nullptr;  ///< BallBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -46,11 +46,11 @@ class ElasticBall : public BallBody {
         multiplier_scale_(std::sqrt(least_over_ranks(kernels().least_cell_volume(), space().communicator()))) {}
 
   mechanics::Status force(double t, const Vector& x, const Vector& v, Workspace& workspace, Vector& f) const {
-    return applied_force(t, x, v, workspace.pressed, f);
+    return applied_force(t, x, v, workspace.held_at, f);
   }
   mechanics::Status force_with_reaction(double t, const Vector& x, const Vector& v, const Multiplier& lambda,
                                         Workspace& workspace, Vector& f) const {
-    return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.pressed, f);
+    return complete_force(t, x, v, workspace.gram.force_with_reaction(x, lambda, f), workspace.held_at, f);
   }
   mechanics::Status constraint(const Vector& x, Multiplier& g) const { return judge(kernels().constraint(x, g), x); }
   void constraint_rate(const Vector& x, const Vector& v, Multiplier& r) const { kernels().constraint_rate(x, v, r); }

@@ -72,7 +72,7 @@ class BallMesh {
   double growth_ = 0;  ///< β
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;
-  /// Of a coarse cell, the end of each local direction where cells are small: 0 or 1, or −1 if it is not graded.
+  /// [coarse cell][local direction]: the end with small cells, 0 or 1, or −1 if the direction is not graded.
   std::vector<std::array<int, 3>> small_ends_;
 };
 
