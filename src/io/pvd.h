@@ -13,7 +13,7 @@ class PvdCollection {
   struct Frame {
     double time;
     std::filesystem::path file;
-    long number() const;  ///< at the end of the file's name: 12 of "reduced-000012.vtu"
+    long number() const;  ///< the number at the end of the file's name: 12 of "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
   /// The list that an earlier run has left there, if it has, without its frames from that time on. UserError

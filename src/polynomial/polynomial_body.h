@@ -42,7 +42,7 @@ struct BodySetup {
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
   std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
-  std::optional<int> n_points{};          ///< of the integrals over the body, in a direction of an octant
+  std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
   std::optional<int> n_contact_points{};  ///< of contact, in a direction of an octant of the surface
 };
 

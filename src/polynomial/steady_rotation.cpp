@@ -129,7 +129,8 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   result.derivative.topRightCorner(n, 1) = U_.transpose() * across_axis_3(body_->space(), rotation.x);
   if (m > 0) {
     Eigen::VectorXd g = Eigen::VectorXd::Zero(body_->space().n_pressures());
-    (void)constraint(body_->space(), rotation.x, g);  // the force has found the body admissible
+    (void)constraint(body_->space(), rotation.x,
+                     g);  // the evaluation of the force has shown that the body is admissible
     const Eigen::MatrixXd G = V_.transpose() * constraint_matrix(body_->space(), rotation.x) * U_;
     result.values.segment(n, m) = V_.transpose() * g;
     result.derivative.block(n, 0, m, n) = G;

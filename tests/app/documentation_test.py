@@ -47,7 +47,7 @@ class Documentation(ProgramTest):
         self.assertGreaterEqual(self.check("docs/scope.md"), 4)
 
     def test_first_run(self):
-        self.assertGreaterEqual(self.check("docs/first_run.md"), 4)
+        self.assertGreaterEqual(self.check("docs/first_run.md"), 3)
 
     def test_own_scene(self):
         self.assertGreaterEqual(self.check("docs/own_scene.md"), 9)

@@ -40,10 +40,17 @@ class ReportScripts(unittest.TestCase):
         for m in 1, 2, 3, 4, 8:
             apart = self.result(f"""(() => {{
               const m = {m}, fine = 4, p = Math.min(3, m), at = (u, v) => 1 + u - 2 * v + u ** p - 0.5 * v ** p + 0.25 * u ** p * v ** p;
-              const values = refined(k => at((k % (m + 1)) / m, Math.floor(k / (m + 1)) / m), m, fine), w = m * fine + 1;
-              return Math.max(...values.map((x, k) => Math.abs(x - at((k % w) / (w - 1), Math.floor(k / w) / (w - 1)))));
+              const nodes = Array.from({{length: m + 1}}, (_, k) => 0.5 - 0.5 * Math.cos(Math.PI * k / m)), w = m * fine + 1;
+              const values = refined(k => at(nodes[k % (m + 1)], nodes[Math.floor(k / (m + 1))]), [nodes, nodes], fine);
+              const place = k => {{ const c = Math.min(m - 1, Math.floor(k / fine)); return nodes[c] + (nodes[c + 1] - nodes[c]) * (k / fine - c); }};
+              return Math.max(...values.map((x, k) => Math.abs(x - at(place(k % w), place(Math.floor(k / w))))));
             }})()""")
             self.assertLess(apart, 1e-12, m)
+
+    def test_nodes_of_a_lattice(self):
+        """Of elements those along their sides; equal ones if a side has no length."""
+        self.assertEqual(self.result("nodesAlong([[0, 0, 0], [1, 0, 0], [3, 0, 0], [4, 0, 0]])"), [0, 0.25, 0.75, 1])
+        self.assertEqual(self.result("nodesAlong([[1, 0, 0], [1, 0, 0], [1, 0, 0]])"), [0, 0.5, 1])
 
     def test_rotation_of_a_deformation(self):
         # Q = R U with a turn of 0.7 about x3 and a symmetric U.

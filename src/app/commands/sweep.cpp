@@ -85,7 +85,7 @@ class Workers {
 
   /// Returns the number of threads that the system has given.
   int work(int n_threads) {
-    left_.reserve(static_cast<std::size_t>(n_threads));  // later there may be no room
+    left_.reserve(static_cast<std::size_t>(n_threads));  // later there may not be enough memory
     std::vector<std::jthread> threads;
     try {
       while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { take_groups(true); });
@@ -107,7 +107,7 @@ class Workers {
  private:
   static constexpr int group = 8;
 
-  /// Runs of which those from `next` on have no row.
+  /// The runs begin, …, end − 1. Those from `next` on do not have a row yet.
   struct Group {
     int begin, next, end;
   };

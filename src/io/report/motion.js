@@ -233,7 +233,7 @@ function strainOfLargestVariance(model) {
 
 const MOST_DECADES = 5, LEAST_PERIODS = 10;
 // Frequencies of an elastic sphere and of the pseudo-rigid ball at small amplitude (Lamb 1882), in units of c/r.
-const EXACT_LINES = [["S2", 2.665622189236], ["S4", 5.160819], ["S2, overtone", 5.473039811966], ["pseudo-rigid S2", Math.sqrt(10)]];
+const EXACT_LINES = [["S2", 2.665622189236], ["S4", 5.160819], ["S2, overtone", 5.473039811966], ["S2, second overtone", 8.877243237], ["pseudo-rigid S2", Math.sqrt(10)]];
 
 // Whether the exact lines are those of this ball: free, incompressible, with elements (the comparison says so).
 const hasExactLines = () => Boolean(comparison && comparison.frequency && comparison.frequency.exact_small_amplitude_ratio);

@@ -18,7 +18,10 @@ function inWords() {
     const n = f => families.reduce((sum, kind) => sum + kind.filter(f).length, 0);
     return `${n(k => k === 0)} members of the family of relative equilibria ${scene["Equilibrium/Family"]}, and ${n(k => k > 0)} special points on it.`;
   }
-  if (tables.sweep) return `${tables.sweep.n} runs of a sweep, ${[...Array(tables.sweep.n).keys()].filter(i => !hasFinished(tables.sweep, i)).length} of which stopped early.`;
+  if (tables.sweep) {
+    const n_stopped = [...Array(tables.sweep.n).keys()].filter(i => !hasFinished(tables.sweep, i)).length;
+    return `${tables.sweep.n} runs of a sweep; ${n_stopped ? `${n_stopped} of them stopped early` : "all reached their end"}.`;
+  }
   const bodies = (systemFile ? [{name: scene.System, table: tables[systemFile]}] : MODELS).filter(b => b.table);
   const text = bodies.map(({name, table}) => {
     const span = `the ${name} from time ${show(table.at("time", 0))} to ${show(table.at("time", table.n - 1))}, in ${table.n} samples`;

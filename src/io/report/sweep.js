@@ -92,10 +92,11 @@ function sweepSections() {
   }).join("; ");
   const lineWords = others.length ? `, for ${lines.length < all.length ? `${lines.length} of the ${all.length}` : "all"} values of ${others.join(", ")}` : "";
   return [...mapSections(t, swept, x, quantities, drawn),
-    ...section("Sweep", t.has("compared") ? `Each model against the last, over ${x}${lineWords}.` : `Values of each run over ${x}${lineWords}: what is conserved, and the least and the greatest value of all else within the run.`,
-      others.length ? legend(lines) : null, make("div", {class: "charts"}, drawn.map(draws)),
+    ...section("Sweep", t.has("compared") ? `Each model against the last, over ${x}${lineWords}.` : `Values of each run over ${x}${lineWords}: conserved quantities, and the least and the greatest value of the others within the run.`,
+      others.length ? legend(lines) : null, make("div", {class: "charts"}, drawn.slice(0, MOST_CHARTS).map(draws)),
+      drawn.length > MOST_CHARTS ? more(`More charts (${drawn.length - MOST_CHARTS})`, [make("div", {class: "charts"}, drawn.slice(MOST_CHARTS).map(draws))]) : null,
       level.length ? make("p", {class: "note"}, `The same in all runs to 1e−7: ${named(level)}.`) : null,
-      jumping.length ? make("p", {class: "note"}, `Not drawn, for it varies little and only by where the samples fall: ${named(jumping)}.`) : null),
+      jumping.length ? make("p", {class: "note"}, `Not drawn, because they vary little and only with the places of the samples: ${named(jumping)}.`) : null),
     ...runsSection(t)];
 }
 
@@ -117,10 +118,10 @@ function mapSections(t, swept, x, quantities, drawn) {
   let maps = quantities.filter(q => q.isMap || q.base === "frequency" || q.base === "amplitude");
   if (t.has("energy_drift")) {
     const size = largest(t.columns.energy) || 1;
-    maps.push({title: "drift of the energy, over its largest value", y: t.columns.energy_drift.map(v => v / size)});
+    maps.push({title: "drift of the energy, over its largest value", y: t.columns.energy_drift.map(v => v / size), note: "Runs that are integrated together share a step, so the drift can jump between groups."});
   }
   maps = maps.concat(drawn.filter(q => !maps.includes(q))).slice(0, Math.max(MOST_MAPS, maps.filter(q => q.isMap).length));
-  return section("Map", `Over ${x} and ${y}: a cell for each run. Grey: the run has no such value.`, make("div", {class: "charts"}, maps.map(m => mapChart({title: m.title, x: t.columns[x], y: t.columns[y], values: m.y, xLabel: x, yLabel: y}))));
+  return section("Map", `Over ${x} and ${y}: a cell for each run. Grey: the run has no such value.`, make("div", {class: "charts"}, maps.map(m => mapChart({title: m.title, note: m.note, x: t.columns[x], y: t.columns[y], values: m.y, xLabel: x, yLabel: y}))));
 }
 
 // Rising in brightness, so that they keep their order in grey (matplotlib's viridis at nine places).
@@ -134,7 +135,7 @@ function borders(values) {
 }
 
 const N_COLORS = 64;
-function mapChart({title, x, y, values, xLabel, yLabel, height = 260}) {
+function mapChart({title, note = "", x, y, values, xLabel, yLabel, height = 260}) {
   const host = make("div"), readout = make("div", {class: "readout"});
   const columns = borders(x), rows = borders(y), finite = values.filter(Number.isFinite), positive = finite.filter(v => v > 0);
   const isLogarithmic = positive.length > 0 && positive.length === finite.length && largest(finite) > 100 * extent(finite)[0];
@@ -178,7 +179,7 @@ function mapChart({title, x, y, values, xLabel, yLabel, height = 260}) {
     svg.addEventListener("pointerleave", () => { readout.textContent = ""; });
   };
   redraws.push(redraw);
-  return figureOf(title, readout, [host], isLogarithmic ? "The colour scale is logarithmic." : "", []);
+  return figureOf(title, readout, [host], [isLogarithmic ? "The colour scale is logarithmic." : "", note].filter(Boolean).join(" "), []);
 }
 
 // A range that is not empty.

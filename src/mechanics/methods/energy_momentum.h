@@ -92,7 +92,7 @@ struct EnergyMomentumWorkspace {
         momenta(system) {}
 
   typename S::Workspace system;
-  Vector dq, dv, dq_before, dv_before;                      // Δq, Δv; of the iteration before
+  Vector dq, dv, dq_before, dv_before;                      // Δq and Δv of the previous iteration
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
   Vector force, A, B, C_q, C_v, P_q, P_v;                   // as above
   Vector acceleration;                                      // Δv/h of the last step

@@ -22,7 +22,7 @@ struct SampleTimes {
   /// Least whole number of steps, none longer than `step`, that fills an interval.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
-    constexpr double most = 9e18;  // below the largest long; run_time_loop refuses steps long before
+    constexpr double most = 9e18;  // below the largest long; run_time_loop refuses far smaller numbers of steps
     return static_cast<long>(std::clamp(n, 1.0, most));
   }
 };
