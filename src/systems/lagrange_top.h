@@ -80,7 +80,7 @@ struct EulerAngleChart {
     }
     return U;
   }
-  /// Positive where the chart has a rotation. Rates of φ and ψ grow like 1/sin θ, and with them the loss of accuracy.
+  /// Positive if the chart has the rotation. Rates of φ and ψ grow like 1/sin θ, and with them the loss of accuracy.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;
@@ -90,7 +90,7 @@ struct EulerAngleChart {
   static constexpr double smallest_sine = 1e-4;
 };
 
-/// The field of the chart, with a sentence where the chart ends.
+/// The field of the chart, with a sentence if the chart ends.
 class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;

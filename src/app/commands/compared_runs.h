@@ -1,6 +1,6 @@
 #pragma once
-/// The runs of a sweep of several models: each runs all of them and compares each with the last, the richest in
-/// motions. With m the name of the files of a model's run, "_" for "-", sweep.csv has
+/// The runs of a sweep of several models. Each run has all models and compares each of them with the last one. Let m be
+/// the name of the files of a model's run, with "_" for "-". Then sweep.csv has
 ///
 ///   run, the parameters, compared (1 or 0);
 ///   of every m   m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,

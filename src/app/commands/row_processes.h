@@ -1,6 +1,6 @@
 #pragma once
-/// Runs of a sweep in processes of their own, for models whose libraries serve one thread of a process: each thread
-/// of the sweep asks a process, which makes one row after the other. A process ends with the one that started it.
+/// Runs of a sweep in processes of their own, for models whose libraries serve one thread of a process. Each thread of
+/// the sweep has a process, which makes one row after the other. A process ends with the one that started it.
 
 #include <sys/types.h>
 
@@ -22,8 +22,8 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Throws what `task` throws there: UserError and std::bad_alloc as they are, others as std::runtime_error with
-  /// their sentence. It is a std::runtime_error as well if the process ends.
+  /// Throws the exception that `task` throws there. UserError and std::bad_alloc keep their type, others become
+  /// std::runtime_error with the same sentence. The end of the process is a std::runtime_error as well.
   FinishedRun run(int k);
 
  private:

@@ -24,7 +24,7 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";
 
-  /// Of the runs first_run, …, first_run + n_runs − 1.
+  /// Makes the table of the runs first_run, …, first_run + n_runs − 1.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),
