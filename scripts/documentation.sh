@@ -58,7 +58,10 @@ make_pictures() {
   done
   xvfb-run -a /usr/bin/python3 -m pseudorigid cells "$runs"/{linear,lagrange}/graphics/continuum-000028.vtu --output "$images/cells.png"
   "$program" run params/quickstart.prm --output "$runs/report" --set "Output/Report=true"
-  tools/page_picture.py "$runs/report/report.html" --output "$images/report.png"
+  tools/page_picture.py "$runs/report/report.html" --output "$images/report.png" --size 1200x960
+  "$program" run params/sweep_of_releases.prm --output "$runs/map" --set "Output/Report=true"
+  tools/page_picture.py "$runs/map/report.html" --output "$images/report_map.png" --size 1200x610
+  tools/concepts_figure.py "$program" --run "$runs/concepts"
   /usr/bin/python3 -m pseudorigid equilibria --program "$program" --output "$images/equilibria.svg"
   xvfb-run -a tools/gallery.py "$program" --output "$images/gallery" --runs "$runs/gallery"
 }
