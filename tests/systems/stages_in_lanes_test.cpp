@@ -94,8 +94,8 @@ TEST(StagesOfSystems, OfEulersTopWithoutWeight) {
     expect_same_step(Top({.A = inertia}), {0, start.q, start.v}, 0.2);
 }
 
-/// J in space over 2·10⁵ steps. If |q|² is a sum of two halves, J changes by 4e-13, and term by term by 2e-14. For three
-/// other starts it is 5e-14 at most. The bound was set after these measurements.
+/// J in space over 2·10⁵ steps. If |q|² is a sum of two halves, J changes by 4e-13, and term by term by 2e-14. For
+/// three other starts it is 5e-14 at most. The bound was set after these measurements.
 TEST(StagesOfSystems, DoNotTurnTheMomentumOfAFreeBody) {
   using Top = systems::EulerTop<>;
   const Top top({.A = Eigen::Vector3d(1, 2, 2.5).asDiagonal()});
