@@ -105,7 +105,8 @@ class Contact(RefusedInputTest):
         self.refused_entries({"Loads/Plane stiffness": 0}, "Loads/Plane stiffness", base=base)
         self.refused_entries({"Loads/Plane damping": -1}, "Loads/Plane damping", base=base)
         self.refused_entries({"Body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 1"}, "Body/Inertia", "surface of the body", base=base)
-        self.refused_entries({"Analysis": "equilibrium", "Equilibrium/Family": "static"}, "Loads/Plane normals", base=base)
+        self.scene({**IMPACT, "Analysis": "equilibrium", "Equilibrium/Family": "static"})
+        self.refused("run", "scene.prm", fragments=("Loads/Plane normals", "equilibrium on a plane"))
 
 
 @unittest.skipUnless(shutil.which("mpirun"), "mpirun is not installed")
