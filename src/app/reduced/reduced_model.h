@@ -83,7 +83,11 @@ class ReducedModel final : public RunnableModelOf<BodySystem> {
       if (auto status = reduced::observe_bipolar(system_, state, workspace, bipolar_, observables_); !status)
         return status;
     if (auto status = add_center_of_mass(state); !status) return status;
-    contacts_.write(observables_.contact);
+    if constexpr (on_planes) {
+      // A body that touches a plane at the start has its first contact then.
+      if (state.t == 0) contacts_.look(0, system_.contact(state.q), System::center(state.v));
+      contacts_.write(observables_.contact);
+    }
     tension_.look(time, observables_.multiplier * context_.units.multiplier());
     note_motion(Q_of(state));
     trajectory_.row(time, observables_, row);

@@ -77,6 +77,8 @@ class FieldModel : public RunnableModelOf<S> {
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
+    // A body that touches a plane at the start has its first contact then.
+    if (context_.needs.contact && state.t == 0) contacts_.look(0, this->system().contact(state.q), mean(state.v));
     contacts_.write(observables_.contact);
     trajectory_.row(time, observables_, row);
     if (trace_) (*trace_)[sample_at(time)] = affine_part(state.q);
