@@ -31,7 +31,9 @@ loads::Planes press() {
           {.normal = -Vector3d::UnitZ(), .position = -0.9, .stiffness = 30}};
 }
 loads::RigidPlanes as_load(const loads::Planes& planes) {
-  loads::RigidPlanes load{.stiffness = planes.front().stiffness, .damping = planes.front().damping};
+  loads::RigidPlanes load;
+  load.stiffness = planes.front().stiffness;
+  load.damping = planes.front().damping;
   for (const loads::Plane& plane : planes)
     for (int i = 0; i < 3; ++i) {
       load.normals.push_back(plane.normal[i]);

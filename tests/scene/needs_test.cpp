@@ -121,7 +121,8 @@ TEST(SectorOfLoads, FollowsFromTheKindsOfTheirEntries) {
 TEST(SectorOfLoads, OfRigidPlanesNeedsTheirMirrorImages) {
   const auto name = [](std::vector<double> normals, std::vector<double> points) {
     Scene scene = test::ball_scene();
-    scene.loads.get<loads::RigidPlanes>() = {.normals = std::move(normals), .points = std::move(points)};
+    scene.loads.get<loads::RigidPlanes>() = {
+        .normals = std::move(normals), .points = std::move(points), .stiffness = {}};
     return sector(scene).name();
   };
   EXPECT_EQ(name({0, 0, 1}, {0, 0, -2}), "quarter (planes x, y)");
@@ -136,7 +137,7 @@ TEST(Contact, HasItsColumnsOnlyWithPlanes) {
   Scene scene = test::ball_scene();
   EXPECT_FALSE(needs(scene).contact);
   EXPECT_FALSE(needs(scene).quantities.contact);
-  scene.loads.get<loads::RigidPlanes>() = {.normals = {0, 0, 1}, .points = {0, 0, -2}};
+  scene.loads.get<loads::RigidPlanes>() = {.normals = {0, 0, 1}, .points = {0, 0, -2}, .stiffness = {}};
   EXPECT_TRUE(needs(scene).contact);
   EXPECT_TRUE(needs(scene).quantities.contact);
 }

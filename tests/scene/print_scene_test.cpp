@@ -101,10 +101,13 @@ Scene any_scene(std::mt19937_64& random) {
                      static_cast<int>(2 + random() % 15),
                      std::uniform_real_distribution<>(0, 10)(random),
                      random() % 2 ? std::string(builtin_mesh) : "/meshes/a body.msh",
-                     symmetry_kind.table[random() % symmetry_kind.table.size()].second};
+                     symmetry_kind.table[random() % symmetry_kind.table.size()].second,
+                     static_cast<int>(2 + random() % 15),
+                     std::uniform_real_distribution<>(0.01, 1)(random)};
   if (random() % 2) scene.continuum.degree.reset();
   if (random() % 2) scene.continuum.refinements.reset();
   if (random() % 2) scene.continuum.gravity_points.reset();
+  if (random() % 2) scene.continuum.contact_points.reset();
   if (random() % 2) scene.continuum.volumetric_stiffness.reset();
   const auto coin = [&] { return random() % 2 == 0; };
   scene.output = {"out/" + std::to_string(random()),
@@ -118,6 +121,7 @@ Scene any_scene(std::mt19937_64& random) {
   for (const auto& [name, member] : fields_kind.table) scene.output.fields.*member = coin();
   scene.polynomial = {{1 + static_cast<int>(random() % 3), 4, 5 + static_cast<int>(random() % 9)},
                       std::uniform_real_distribution<>(1e-10, 0.1)(random),
+                      static_cast<int>(2 + random() % 23),
                       static_cast<int>(2 + random() % 23),
                       static_cast<int>(2 + random() % 23)};
   if (coin()) scene.polynomial.degrees.clear();
