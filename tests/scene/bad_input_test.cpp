@@ -218,36 +218,36 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Sweeps, BadInputTest,
     ::testing::Values(
-        BadInput{
-            "function",
-            entry("Sweep", "Parameters = sin: 1, 2"),
-            {},
-            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
-            "value, value\" separated by \";\", got \"sin: 1, 2\", where \"sin\" is a function of expressions"},
-        BadInput{
-            "constant",
-            entry("Sweep", "Parameters = l: 1, 2; pi: 3, 4"),
-            {},
-            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
-            "value, value\" separated by \";\", got \"pi: 3, 4\", where \"pi\" is a constant of expressions"},
-        BadInput{
-            "number",
-            entry("Sweep", "Parameters = l: 1 .. 2 in 2.5"),
-            {},
-            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
-            "value, value\" separated by \";\", got \"1 .. 2 in 2.5\", where the number of values is not a whole"},
-        BadInput{
-            "too_many",
-            entry("Sweep", "Parameters = l: 1 .. 2 in 9999999; k: 1, 2"),
-            {},
-            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
-            "value, value\" separated by \";\", got \"l: 1 .. 2 in 9999999; k: 1, 2\", which are more than"},
-        BadInput{
-            "twice",
-            entry("Sweep", "Parameters = l: 1; l: 2"),
-            {},
-            "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\" or \"name: "
-            "value, value\" separated by \";\", got \"l: 1; l: 2\", where \"l\" occurs twice"},
+        BadInput{"function",
+                 entry("Sweep", "Parameters = sin: 1, 2"),
+                 {},
+                 "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\", with "
+                 "\"logarithmic\" or \"latin SEED\" after it if wanted, or \"name: value, value\", separated by \";\", "
+                 "got \"sin: 1, 2\", where \"sin\" is a function of expressions"},
+        BadInput{"constant",
+                 entry("Sweep", "Parameters = l: 1, 2; pi: 3, 4"),
+                 {},
+                 "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\", with "
+                 "\"logarithmic\" or \"latin SEED\" after it if wanted, or \"name: value, value\", separated by \";\", "
+                 "got \"pi: 3, 4\", where \"pi\" is a constant of expressions"},
+        BadInput{"number",
+                 entry("Sweep", "Parameters = l: 1 .. 2 in 2.5"),
+                 {},
+                 "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\", with "
+                 "\"logarithmic\" or \"latin SEED\" after it if wanted, or \"name: value, value\", separated by \";\", "
+                 "got \"1 .. 2 in 2.5\", where the number of values is not a whole"},
+        BadInput{"too_many",
+                 entry("Sweep", "Parameters = l: 1 .. 2 in 9999999; k: 1, 2"),
+                 {},
+                 "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\", with "
+                 "\"logarithmic\" or \"latin SEED\" after it if wanted, or \"name: value, value\", separated by \";\", "
+                 "got \"l: 1 .. 2 in 9999999; k: 1, 2\", which are more than"},
+        BadInput{"twice",
+                 entry("Sweep", "Parameters = l: 1; l: 2"),
+                 {},
+                 "scene.prm:2: Sweep/Parameters: expected nothing, or parameters \"name: first .. last in n\", with "
+                 "\"logarithmic\" or \"latin SEED\" after it if wanted, or \"name: value, value\", separated by \";\", "
+                 "got \"l: 1; l: 2\", where \"l\" occurs twice"},
         BadInput{"list_in_expression",
                  entry("Time", "End = $(2,5)"),
                  {},

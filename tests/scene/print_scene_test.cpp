@@ -103,7 +103,7 @@ Scene any_scene(std::mt19937_64& random) {
                      random() % 2 ? std::string(builtin_mesh) : "/meshes/a body.msh",
                      symmetry_kind.table[random() % symmetry_kind.table.size()].second,
                      static_cast<int>(2 + random() % 15),
-                     std::uniform_real_distribution<>(0.01, 1)(random)};
+                     std::uniform_real_distribution<>(0.05, 1)(random)};
   if (random() % 2) scene.continuum.degree.reset();
   if (random() % 2) scene.continuum.refinements.reset();
   if (random() % 2) scene.continuum.gravity_points.reset();

@@ -24,8 +24,9 @@ def departures(run, model):
     return max(map(abs, apart[:half])), max(map(abs, apart[half:])), mean(apart[-quarter:]) - mean(apart[:quarter])
 
 
-def measured(program, kind, name, entries, most):
-    """A record; `most`: the largest departure of the energy that passes."""
+def measured(program, kind, name, entries, most, chance=1e-12):
+    """A record; `most`: the largest departure of the energy that passes; `chance`: the growth from half to half that round-off
+    alone may make."""
     run = program.run(entries, limit=LONGEST)
     record = {"kind": kind, "name": name, "code": run.code, "seconds": round(run.seconds, 1), "too_long": bool(run.too_long)}
     found = faults(run)
@@ -39,7 +40,7 @@ def measured(program, kind, name, entries, most):
                 record["least surface ratio"] = counters["least_surface_stretch_ratio"]
             if not max(first, second) < most:
                 found.append(f"{model}: the energy departs by {max(first, second):.1e}")
-            if second > 2 * first + 1e-12:
+            if second > 2 * first + chance:
                 found.append(f"{model}: the energy departs by {first:.1e} in the first half, by {second:.1e} in the second")
     elif not found:
         found.append(f"it ended: {run.stderr.strip()[-200:]}")
@@ -52,11 +53,12 @@ def reduced(program, quick):
     # Steps of the error that the energy then has: what is tested is that it does not grow.
     steps = {"rattle": 0.01, "rattle-4": 0.05, "rattle-8": 0.2, "symmetric-8": 0.02, "symmetric-12": 0.02, "energy-momentum": 0.02,
              "gauss-16": 0.25}
-    most = {"gauss-16": 5e-12}  # a random walk of round-off, measured: 1.3e-12
+    # A random walk of round-off, measured: 1.3e-12 with AVX-512; with AVX2 2.4e-13 in the first half, 1.5e-12 in the second.
+    most, chance = {"gauss-16": 5e-12}, {"gauss-16": 2.5e-12}
     for method in ("rattle", "symmetric-8", "gauss-16") if quick else steps:
         entries = {"Models": "reduced", **TUMBLING, "Time/Method": method, "Time/Step": repr(steps[method]),
                    "Time/End": repr(n_steps * steps[method]), "Output/Samples": 1000}
-        yield measured(program, "reduced, tumbling", f"{method}, {n_steps:.0e} steps", entries, most.get(method, 1e-2))
+        yield measured(program, "reduced, tumbling", f"{method}, {n_steps:.0e} steps", entries, most.get(method, 1e-2), chance.get(method, 1e-12))
 
 
 def continuum(program, quick):
