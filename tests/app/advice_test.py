@@ -21,7 +21,7 @@ FLAT = {"Rigid body/Inertia": "1, 0, 0; 0, 1, 0; 0, 0, 2"}
 # What is refused, the entry that is blamed, and what helps: None is a setting of the message's own words, "; set A = x".
 CASES = (
     # Models.
-    ({**SWEEP, "Models": "continuum", **COMPRESSIBLE, **GRAVITY}, "Models", None),
+    ({**SWEEP, "Models": "continuum", **COMPRESSIBLE, **GRAVITY}, "Gravity/Constant", None),
     ({**COMPRESSIBLE, **GRAVITY, "Models": "continuum"}, "Gravity/Constant", None),
     ({**COMPRESSIBLE, **GRAVITY, "Models": "polynomial"}, "Gravity/Constant", None),
     ({**COMPRESSIBLE, **GRAVITY, "Models": "reduced, polynomial, continuum"}, "Gravity/Constant", None),

@@ -201,7 +201,7 @@ class Scenes(ProgramTest):
         for model, table in tables.items():
             self.assertAlmostEqual(table.column("first_contact")[-1], 2, delta=1e-2, msg=model)
             self.assertGreater(max(table.column("penetration")), 0, model)
-            self.assertTrue(0.3 < max(table.column("restitution")) <= 1.1, model)  # heights differ, so that 1.03 was seen
+            self.assertGreater(max(table.column("restitution")), 0.3, model)  # above 1 if the last height differs from the first
             energy = table.column("energy")
             self.assertLess(max(energy) - min(energy), 0.01 * max(table.column("kinetic")), model)
 
