@@ -7,9 +7,9 @@
 /// `first .. last in n` are n values at equal distances, both ends among them; with `logarithmic` their logarithms have
 /// equal distances. The last parameter varies fastest.
 ///
-/// With `latin S` the n values belong to n runs of a Latin hypercube. All parameters of that kind vary together. Each has
-/// one value in every n-th part of its range; S decides the order and the places within the parts. Combinations of other
-/// parameters are run with each of these n.
+/// With `latin S` the n values belong to n runs of a Latin hypercube. All parameters of that kind vary together. Each
+/// has one value in every n-th part of its range; S decides the order and the places within the parts. Combinations of
+/// other parameters are run with each of these n.
 
 #include <cstdint>
 #include <map>

@@ -54,9 +54,10 @@ TEST(ContinuumContact, OfAffineMotionsTendsToTheClosedForm) {
       of_force.back().error += (moment_of_force(ball, f) - exact.on_Q).norm() / exact.on_Q.norm() / n_contacts;
     }
   }
-  for (const auto& [n, error] : of_energy) std::cout << n << " " << error << "\n";
+  EXPECT_LT(of_energy.back().error, 1e-5);  // the error of the surface of degree 4: 2e-6 was seen
+  of_energy.pop_back();
+  EXPECT_GT(fit_order(of_energy).order, 2);
   EXPECT_GT(fit_order(of_force).order, 1.5);
-  EXPECT_LT(of_energy.back().error, 1e-3);
 }
 
 TEST(ContinuumContact, ForceIsTheDerivativeAndDampingTakesItsPower) {

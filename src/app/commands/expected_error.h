@@ -1,6 +1,6 @@
 #pragma once
-/// The error of the pseudo-rigid model and of polynomial bodies that `pseudorigid check` expects before anything runs. It
-/// is the error of the frequency of small pulsations of degree 2,
+/// The error of the pseudo-rigid model and of polynomial bodies that `pseudorigid check` expects before anything runs.
+/// It is the error of the frequency of small pulsations of degree 2,
 ///
 ///   ω_model/ω_exact − 1,
 ///

@@ -15,8 +15,8 @@ struct SmallPulsation {
   double ratio() const { return pseudo_rigid / exact; }
 };
 
-/// The pulsation of an elastic sphere on which at most its own gravity acts. Other bodies have none, nor has γ > 18: there
-/// two frequencies share the pulsation of degree 2 (docs/adequacy.md).
+/// The pulsation of an elastic sphere on which at most its own gravity acts. Other bodies have none, nor has γ > 18:
+/// there two frequencies share the pulsation of degree 2 (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app
