@@ -42,14 +42,14 @@ def finer(entries, counters):
 def one(program, seed, number, quick):
     rng = random.Random(f"quadrature/{seed}/{number}")
     entries = scene(rng, quick)
-    run = program.run(entries, f"scene{number}", limit=LONGEST)
+    run = program.run(entries, f"scene{number}", limit=10 if quick else LONGEST)
     kind = f"degree {entries['Polynomial/Degree']}"
-    return record_of(run, number, kind, entries, lambda record: judge(program, entries, run, record))
+    return record_of(run, number, kind, entries, lambda record: judge(program, entries, run, record, 10 if quick else LONGEST))
 
 
-def judge(program, entries, run, record):
+def judge(program, entries, run, record, limit):
     counters = run.manifest()["models"]["polynomial"]["counters"]
-    reference = program.run(finer(entries, counters), "reference", limit=LONGEST)
+    reference = program.run(finer(entries, counters), "reference", limit=limit)
     if reference.code != DONE:
         record["said"] = "no reference"
         return
@@ -69,7 +69,7 @@ def judge(program, entries, run, record):
 
 
 def run(program, number, seed, quick, **_):
-    records = [one(program, seed, i, quick) for i in range(number // (10 if quick else 4))]
+    records = [one(program, seed, i, quick) for i in range(number // (5 if quick else 4))]
     held = [record["of_estimate"] for record in records if record["of_estimate"] != ""]
     unknown = sum(record["said"] == "not known" for record in records)
     print(f"quadrature: {len(held)} of {len(records)} motions are held against a finer rule; the error of Q is at most "
