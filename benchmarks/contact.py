@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The ball on rigid planes beside Hertz's theory and the loss by its modes (docs/contact.md).
+"""Compares the ball on rigid planes with Hertz's theory and with the loss by its modes (docs/contact.md).
 
     benchmarks/contact.py build/release/bin/pseudorigid [--quick] [--only hertz|impact] > contact.csv
 

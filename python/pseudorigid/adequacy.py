@@ -3,6 +3,10 @@
     python3 -m pseudorigid adequacy output/adequacy --output docs/images --data docs/data/adequacy
 
 reads output/adequacy/<family>/sweep.csv, draws the maps, and writes the columns behind them as CSV.
+
+    python3 -m pseudorigid adequacy docs/data/adequacy --ranges
+
+prints the ranges of the table of the page from these columns.
 """
 import argparse
 import csv
@@ -20,6 +24,15 @@ Rows = dict[str, np.ndarray]
 TITLES = {"reduced": "pseudo-rigid", "polynomial_3": "N = 3", "polynomial": "N = 5"}
 STARTS = {0: "stretched", 1: "flattened", 2: "set in motion", 3: "pure shear", 4: "simple shear"}
 LAWS = ("neo-hookean", "mooney-rivlin", "gent", "saint-venant-kirchhoff", "ciarlet-geymonat")
+# Rows of the table of the page: family, parameter, its range, and the measure.
+RANGES = (("amplitude", "a", 0, 0.11, "frequency_ratio"), ("amplitude", "a", 0.2, 0.3, "frequency_ratio"),
+          ("compressibility", "a", 0, 0.01, "frequency_ratio"), ("compressibility", "a", 0.14, 0.16, "frequency_ratio"),
+          ("gravity", "g", 0, 1.01, "frequency_ratio"), ("gravity", "g", 1.01, 18, "frequency_ratio"),
+          ("gravity", "g", 18, 101, "frequency_ratio"), ("gravity", "g", 300, 1001, "frequency_ratio"),
+          ("viscosity", "eta", 0, 0.03, "strain_difference_max"), ("viscosity", "eta", 1, 31, "strain_difference_max"),
+          ("viscosity", "eta", 2, 31, "strain_difference_max"), ("tide", "f", 0, 2, "amplitude"), ("tide", "f", 2.4, 3.4, "amplitude"),
+          ("tide", "f", 2.4, 3.4, "strain_difference_max"), ("shape", "p", 0, 3, "frequency_ratio"), ("spin", "w", 0, 1.01, "frequency_ratio"),
+          *((f"law-{law}", "l", low, high, "max_stretch_difference_max") for law in LAWS for low, high in ((1, 1.11), (1.69, 1.71))))
 # Columns that the pages and the pictures use, after the parameters.
 KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_ratio_error", "_strain_difference_max",
         "_max_stretch_difference_max")
@@ -27,6 +40,8 @@ KEPT = ("compared", "_finished", "_amplitude", "_frequency_ratio", "_frequency_r
 
 def read(folder: pathlib.Path, family: str) -> Rows:
     path = folder / family / "sweep.csv"
+    if not path.is_file() and (folder / f"{family}.csv").is_file():
+        path = folder / f"{family}.csv"
     if not path.is_file():
         raise WrongInput(f"{path} does not exist; run params/adequacy/{family.split('-')[0]}.prm first")
     with open(path, newline="") as file:
@@ -55,6 +70,29 @@ def keep(rows: Rows, path: pathlib.Path) -> None:
         writer.writerow(kept)
         for k in range(len(rows["run"])):
             writer.writerow(f"{rows[name][k]:.6g}" for name in kept)
+
+
+def print_ranges(folder: pathlib.Path) -> None:
+    """A line for each row of RANGES: the least and the greatest value for each model in per cent (of an amplitude its ratio to that of
+    the finite elements), and the largest error bar."""
+    for family, parameter, low, high, measure in RANGES:
+        rows = read(folder, family)
+        inside = (rows[parameter] > low) & (rows[parameter] < high)
+        parts = []
+        for model in TITLES:
+            if f"{model}_{measure}" not in rows:
+                continue
+            values = known(rows, f"{model}_{measure}")[inside]
+            if measure == "frequency_ratio":
+                values = 100 * (values - 1)
+            elif measure == "amplitude":
+                values = values / rows["continuum_amplitude"][inside]
+            else:
+                values = 100 * values
+            bars = 100 * rows.get(f"{model}_{measure}_error", np.array([np.nan] * len(inside)))[inside]
+            bar = f" (bars up to {bars.max():.2g})" if np.isfinite(bars).any() else ""
+            parts.append(f"{model} {np.nanmin(values):.3g} to {np.nanmax(values):.3g}{bar}")
+        print(f"{family}, {parameter} = {low} to {high}, {measure}: {'; '.join(parts)}")
 
 
 def map_of_gravity(folder: pathlib.Path, output: pathlib.Path) -> None:
@@ -133,13 +171,17 @@ def curves(folder: pathlib.Path, output: pathlib.Path) -> None:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("sweeps", type=pathlib.Path, help="folder with a folder for each family")
-    parser.add_argument("--output", type=pathlib.Path, required=True, help="folder of the pictures")
+    parser.add_argument("--output", type=pathlib.Path, help="folder of the pictures")
+    parser.add_argument("--ranges", action="store_true", help="print the ranges of the table of the page")
     parser.add_argument("--data", type=pathlib.Path, help="folder of the columns behind them")
 
 
 def main(options: argparse.Namespace) -> None:
-    map_of_gravity(options.sweeps, options.output)
-    curves(options.sweeps, options.output)
+    if options.ranges:
+        print_ranges(options.sweeps)
+    if options.output:
+        map_of_gravity(options.sweeps, options.output)
+        curves(options.sweeps, options.output)
     if options.data:
         for folder in sorted(options.sweeps.iterdir()):
             if (folder / "sweep.csv").is_file():

@@ -180,7 +180,7 @@ void compare_energies(Workshop& w) {
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
-/// Of loads and dissipation, if any was dissipated.
+/// Compares the dissipated energies, if there are any.
 void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");

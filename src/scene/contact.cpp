@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// Of a body that touches a plane at the start this much, in its own size, is round-off.
+/// A penetration at the start that is taken for round-off, relative to the size of the body.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }

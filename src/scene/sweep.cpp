@@ -19,7 +19,7 @@ bool is_name(std::string_view text) {
          std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
 }
 
-/// What follows "in": "n", "n logarithmic", "n latin 7", "n logarithmic latin 7".
+/// Reads the words after "in": "n", "n logarithmic", "n latin 7", "n logarithmic latin 7".
 Problem read_number_of_values(std::string_view text, SweepParameter& parameter) {
   std::vector<std::string_view> words;
   for (const std::string_view word : parts_of(text, ' '))

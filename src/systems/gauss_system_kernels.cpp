@@ -187,7 +187,7 @@ struct FieldOfChart {
   }
 };
 
-/// Of a frame whose pose at the stages is known.
+/// The field of a moving frame with known poses at the stages.
 struct FrameField {
   static constexpr int n = 3;
   const FrameOfStages& frame;

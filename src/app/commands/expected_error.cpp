@@ -28,7 +28,7 @@ bool is_moderate(const scene::Scene& scene) {
          (L - L.transpose()).norm() <= no_spin * (1 + L.norm());
 }
 
-/// Of the polynomial body of degree N, in units of internal time; none if it cannot be found.
+/// The frequency of the polynomial body of degree N in internal units, if it can be found.
 std::optional<double> pulsation_of_polynomial(const scene::Scene& scene, int N) {
   constexpr std::size_t n_frequencies = 6;
   std::vector<polynomial::RestFrequency> found;

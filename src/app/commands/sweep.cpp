@@ -192,9 +192,10 @@ class Workers {
   std::atomic<int> n_together_ = 0;
 };
 
+/// At least one, since a part of a sweep may have no run.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  return std::min(n_runs, scene.sweep_threads.value_or(n_cores));
+  return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
 /// So many processes as there is memory for, each with the discretisation of the first run.
