@@ -60,6 +60,8 @@ class ComparedSweeps(ReducedTest):
             self.run_scene(sweep, *overrides({"Sweep/Part": f"{part} of 3"}), "--output", f"part{part}")
         rows = [row for part in (1, 2, 3) for row in self.table(f"part{part}/sweep.csv").rows]
         self.assertEqual(rows, self.table("one/sweep.csv").rows)
+        self.run_scene(sweep, *overrides({"Sweep/Part": "1 of 9"}), "--output", "empty")  # more parts than runs
+        self.assertEqual(len(self.table("empty/sweep.csv")), 0)
 
     def test_an_interrupted_sweep_goes_on(self):
         sweep = {**RELEASE, "Models": "reduced, continuum", "Sweep/Parameters": "l: 1.02 .. 1.1 in 24", "Output/Samples": 200,
