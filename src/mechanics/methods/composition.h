@@ -4,8 +4,8 @@
 ///
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
-/// The result is symmetric, symplectic if Φ is, and of the order declared by the coefficients. Whether Method = auto
-/// may take it, chosen_by_auto, is for the method to say that is made of it.
+/// The result is symmetric, and symplectic if Φ is. Its order is declared by the coefficients. The composed method
+/// itself declares chosen_by_auto, which permits Method = auto to choose it.
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Order 4, 5 stages: M. Suzuki, Phys. Lett. A 146 (1990) 319: γ₁ = γ₂ = 1/(4 − 4^{1/3}), γ₃ = 1 − 4γ₁.
+/// Coefficients of order 4 with 5 stages: γ₁ = γ₂ = 1/(4 − 4^{1/3}), γ₃ = 1 − 4γ₁ (M. Suzuki, Phys. Lett. A 146 (1990)
+/// 319).
 struct Suzuki4 {
   static constexpr int order = 4;
   static constexpr double stability_limit = 2.72;
@@ -24,7 +25,7 @@ struct Suzuki4 {
                                                0.41449077179437573714235406286076};
 };
 
-/// Order 6, 9 stages: W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089, scheme s9odr6a.
+/// Coefficients of order 6 with 9 stages: scheme s9odr6a of W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
 struct KahanLi6 {
   static constexpr int order = 6;
   static constexpr double stability_limit = 2.53;
@@ -34,7 +35,7 @@ struct KahanLi6 {
       -0.70624617255763935980996482, 0.33259913678935943859974864, 0.39216144400731413927925056};
 };
 
-/// Order 8, 17 stages: W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089, scheme s17odr8a.
+/// Coefficients of order 8 with 17 stages: scheme s17odr8a of W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089.
 struct KahanLi8 {
   static constexpr int order = 8;
   static constexpr double stability_limit = 3.09;
@@ -61,7 +62,7 @@ struct Composition {
   template <class S>
   static constexpr bool fits = Base::template fits<S>;
 
-  /// Some substeps go backwards in time, where a dissipative force would pump energy in.
+  /// Fails for dissipative systems, because some substeps go backwards in time and would add energy.
   template <class S>
   static Status accepts(const S& system) {
     if (dissipative(system))

@@ -1,21 +1,22 @@
 #pragma once
 /// The explicit Runge–Kutta method of order 8 by Dormand and Prince with error estimates of orders 5 and 3 and dense
 /// output of order 7 (DOP853: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5, II.6, II.10)
-/// for q̈ = a(t, q, q̇). With q̇ = v only accelerations are stages (dormand_prince_8_tableau.h):
+/// for q̈ = a(t, q, q̇). With q̇ = v, only accelerations are stored as stages (dormand_prince_8_tableau.h):
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
 ///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can
 ///
-/// Error of a step: e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) for p = 5, 3,
+/// The embedded formulas of orders p = 5, 3 give errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j), and
 ///
-///   |e|² = |e_q|²/(1 + |q|)² + |e_v|²/(1 + |v|)²  (Euclidean norms: turning space changes no step),
+///   |e|² = |e_q|²/(1 + |q|)² + |e_v|²/(1 + |v|)²  (Euclidean norms: a rotation of space does not change the steps),
 ///   error = |e_5|² / √(|e_5|² + |e_3|²/100) ≤ tolerance.
 ///
-/// So `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|; the global error is proportional
-/// to it, with a factor that belongs to the motion. Step sizes: h ← h · min(6, max(1/3, 0.9 (tolerance/error)^{1/8})).
+/// So `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|. The global error is proportional
+/// to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6, max(1/3, 0.9
+/// (tolerance/error)^{1/8})).
 ///
-/// A step in which the force fails or is not finite is tried again with a quarter of its size; a step below round-off
-/// ends the motion with a report. The increments of q and v are summed with compensation (vector_space.h).
+/// If the force fails or is not finite, the step is tried again with a quarter of its size. If the size falls below
+/// round-off, the motion ends with a failure. The increments of q and v are summed with compensation (vector_space.h).
 
 #include <algorithm>
 #include <array>
@@ -53,20 +54,20 @@ struct DormandPrince8Workspace {
 
   typename F::Workspace system;
   double tolerance;
-  double h = 0;                    // length of the next step; 0: to be chosen
-  double h_max = HUGE_VAL;         // no step is longer
-  double t_start = 0, h_last = 0;  // of the last step
+  double h = 0;                    // length of the next step; 0: not yet chosen
+  double h_max = HUGE_VAL;         // bound of the length of a step
+  double t_start = 0, h_last = 0;  // start and length of the last step
   Vector q_start, v_start, q_end, v_end;
-  Vector q_rounding, v_rounding;          // remainder of the compensated sums of the state
-  Vector q_rounding_end, v_rounding_end;  // and of a trial
+  Vector q_rounding, v_rounding;          // remainders of the compensated sums of the state
+  Vector q_rounding_end, v_rounding_end;  // remainders at the end of a trial step
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;
-  bool acceleration_known = false;  // A[12] belongs to the state; to be cleared when the state is changed
+  bool acceleration_known = false;  // A[12] is the acceleration at the state; a change of the state must clear it
   bool dense_known = false;
   Counters counters;
 
-  /// Hands out the parts of the computation's state that a checkpoint must contain.
+  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -101,8 +102,8 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// One accepted step that ends at t_limit at the latest (t_limit before state.t: backwards). After a failure the
-  /// state is the one before the step. Counts trials as n_substeps.
+  /// Makes one accepted step that ends at t_limit at the latest; the step goes backwards if t_limit < state.t. A
+  /// failure leaves the state unchanged. Every trial counts as a substep.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (t_limit == state.t) return {};
@@ -112,7 +113,7 @@ struct DormandPrince8 {
     const double distance = t_limit - state.t;
     w.h = std::copysign(std::min(std::abs(w.h), w.h_max), distance);
     for (bool rejected = false;; rejected = true) {
-      const bool last = std::abs(distance) <= 1.01 * std::abs(w.h);  // rather than leave a sliver
+      const bool last = std::abs(distance) <= 1.01 * std::abs(w.h);  // avoids a tiny step to t_limit
       const double h = last ? distance : w.h;
       double error = 0;  // relative to the tolerance
       Status status = try_step(field, h, state, w, error);
@@ -129,7 +130,7 @@ struct DormandPrince8 {
     }
   }
 
-  /// The state at a time within the last step, by the polynomial of order 7 in θ = (t − t_n)/h.
+  /// The state at a time t within the last step, by the polynomial of order 7 in θ = (t − t_n)/h.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
@@ -154,7 +155,7 @@ struct DormandPrince8 {
     return field.acceleration(t, q, v, w.system, a);
   }
 
-  /// Acceleration at the state and the first step size, once.
+  /// Computes the acceleration at the state and the size of the first step, unless both are known.
   template <class F>
   static Status start(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     if (w.acceleration_known && w.h != 0) return {};
@@ -169,7 +170,7 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Hairer, Nørsett, Wanner II.4: h such that h⁸ max(|a|, |ȧ|) is a hundredth of the tolerance.
+  /// First step size by Hairer, Nørsett, Wanner II.4: h⁸ max(|a|, |ȧ|) is a hundredth of the tolerance.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {
@@ -189,7 +190,8 @@ struct DormandPrince8 {
     return std::copysign(std::min({100 * h0, h1, longest}), direction);
   }
 
-  /// Stages, error, projection and the acceleration at the new state, all in the workspace.
+  /// Computes stages and error in the workspace. If the error is permitted, also the projected new state and its
+  /// acceleration.
   template <class F>
   static Status try_step(const F& field, double h, const State<F>& state, Workspace<F>& w, double& error) {
     ++w.counters.n_substeps;
@@ -205,7 +207,7 @@ struct DormandPrince8 {
     return finish(field, h, state, w);
   }
 
-  /// Accelerations of the stages first, …, last − 1 of the step from (t, q, v).
+  /// Accelerations at the stages first, …, last − 1 of the step from (t, q, v).
   template <int first, int last, class F>
   static Status evaluate_stages(const F& field, double t, double h, const typename F::Vector& q,
                                 const typename F::Vector& v, Workspace<F>& w) {
@@ -239,7 +241,7 @@ struct DormandPrince8 {
     return e5 == 0 ? 0 : e5 / std::sqrt(e5 + 0.01 * e3);
   }
 
-  /// The new state, projected, and its acceleration.
+  /// Computes and projects the new state, and evaluates its acceleration.
   template <class F>
   static Status finish(const F& field, double h, const State<F>& state, Workspace<F>& w) {
     using Stage = dop853::Stage<dop853::n_stages>;
@@ -275,7 +277,7 @@ struct DormandPrince8 {
     w.dense_known = false;
   }
 
-  /// Three more stages and rows 4 to 7 of the polynomial, once a step.
+  /// Computes three more stages and F₃ … F₆ of the dense output, at most once per step.
   template <class F>
   static Status prepare_dense_output(const F& field, Workspace<F>& w) {
     if (w.dense_known) return {};
@@ -301,8 +303,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))) with Hermite's F₀ = y₁ − y₀,
-  /// F₁ = h y₀' − F₀, F₂ = 2F₀ − h(y₀' + y₁').
+  /// Dense output y(θ) = y₀ + θ(F₀ + (1−θ)(F₁ + θ(F₂ + (1−θ)(F₃ + θ(F₄ + (1−θ)(F₅ + θF₆)))))). Hermite's coefficients
+  /// are F₀ = y₁ − y₀, F₁ = h y₀' − F₀ and F₂ = 2F₀ − h(y₀' + y₁'). F₃ … F₆ are in `dense`.
   template <class V>
   static void evaluate(double theta, double h, const V& y0, const V& y1, const V& rate0, const V& rate1,
                        const std::array<V, 4>& dense, V& y) {

@@ -1,18 +1,18 @@
 #pragma once
 /// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince (Hairer, Nørsett, Wanner,
-/// Solving Ordinary Differential Equations I, II.5–II.6, and their code DOP853), in the form for q̇ = v, v̇ = a(t, q, v):
-/// with the stages' accelerations A_j,
+/// Solving Ordinary Differential Equations I, II.5–II.6, and their code DOP853), in the form for q̇ = v, v̇ = a(t, q,
+/// v). With the accelerations A_j of the stages,
 ///
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///
-/// and in the same way b̄ = b a, ē = e a, d̄ = d a for the new state, the error estimates and the dense output. Row 12 of
-/// a is b; rows 13 to 15 are the further stages of the dense output.
+/// The same product gives b̄ = b a for the new state, ē = e a for the error estimates and d̄ = d a for the dense
+/// output. Row 12 of a is b; rows 13 to 15 are the additional stages of the dense output.
 
 #include <array>
 
 namespace pseudorigid::mechanics::dop853 {
 
-inline constexpr int n_stages = 12;      // of a step
+inline constexpr int n_stages = 12;      // stages of a step
 inline constexpr int n_all_stages = 16;  // 12: the new state; 13, 14, 15: dense output
 template <class T>
 using Row = std::array<T, n_all_stages>;
@@ -74,7 +74,7 @@ inline constexpr Rows<16> a_exact{
       7.68342119606259904184240953878L, 4.06898981839711007970213554331L, 3.56727187455281109270669543021e-1L, 0, 0, 0,
       -1.39902416515901462129418009734e-3L, 2.9475147891527723389556272149L, -9.15095847217987001081870187138L}}};
 
-/// The embedded formula of order 3, subtracted from b, and the error estimate of order 5.
+/// Minus the embedded formula of order 3, and the error estimate of order 5.
 inline constexpr Row<long double> minus_b3{
     -0.244094488188976377952755905512L,   0, 0, 0, 0, 0, 0, 0, -0.733846688281611857341361741547L, 0, 0,
     -0.220588235294117647058823529412e-1L};
@@ -91,7 +91,7 @@ inline constexpr Row<long double> e5_exact{0.1312004499419488073250102996e-1L,
                                            0.8192320648511571246570742613e-1L,
                                            -0.2235530786388629525884427845e-1L};
 
-/// Rows 4 to 7 of the polynomial of order 7 in θ = (t − t_n)/h; rows 0 to 3 are Hermite's.
+/// Coefficients F₃ … F₆ of the dense output of order 7 in θ = (t − t_n)/h; F₀ … F₂ are Hermite's.
 inline constexpr Rows<4> d_exact{
     {{-0.84289382761090128651353491142e1L, 0, 0, 0, 0, 0.56671495351937776962531783590L,
       -0.30689499459498916912797304727e1L, 0.23846676565120698287728149680e1L, 0.21170345824450282767155149946e1L,
@@ -114,7 +114,7 @@ inline constexpr Rows<4> d_exact{
       -0.43533456590011143754432175058e2L, 0.96324553959188282948394950600e2L, -0.39177261675615439165231486172e2L,
       -0.14972683625798562581422125276e3L}}};
 
-/// Row of coefficients for the velocities (x) and for the positions (x̄ = x a).
+/// One row x of coefficients for the velocities, and x̄ = x a for the positions.
 struct Pair {
   Row<double> v{}, q{};
 };

@@ -1,44 +1,46 @@
 #pragma once
-/// The conserving method: energy, momenta and constraints are kept exactly, at any step size (discrete gradients of
-/// O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999) 165; here in phase space
-/// and with the velocity constraint). With X = (q, p), p = M v, Hamilton's function H = K(p) + V(q), the constraints
-/// g(q) = 0 and their rates γ(X) = G(q) M⁻¹p = 0, a step of size h is
+/// The conserving method: a step of any size conserves energy, momenta and constraints up to round-off. It uses the
+/// discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999) 165,
+/// here in phase space and with the velocity constraint. The variables are X = (q, p) with p = M v, and Hamilton's
+/// function is H = K(p) + V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0. A step of size h is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
-/// where Π takes away what lies along the orbit of the system's symmetries at X_m (orbit_complement.h; covectors and
-/// vectors alike, in (q, v)). In (q, v), with ∇F = (−A, M v + B):
+/// with the canonical antisymmetric matrix 𝒥. The projection Π removes the components along the orbit of the system's
+/// symmetries at X_m, of covectors and of vectors, in (q, v) (orbit_complement.h). In (q, v), with ∇F = (−A, M v + B):
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
-/// - ∇̄F·ΔX = ΔF, and 𝒥 is antisymmetric: ΔF = 0. With g = γ = 0 at both ends ΔH = 0. (K is quadratic and
-///   adds nothing to C.)
-/// - A momentum J is bilinear in (q, p): ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m), and 𝒥∇J(X_m) is tangent to the orbit, on
-///   which the invariants H, g, γ are constant and to which C is orthogonal: ΔJ = 0.
-/// - The step is symmetric, and of order 2: C = O(h²), μ = O(h²).
-/// - D matters near relative equilibria (motions along the orbit, P = 0). X_m lies inside the arc of the motion, where
-///   ∇F differs from that on the arc by O(h²); θP alone would have to make up for it, and has no limit as P → 0. The
-///   two points of D are P/2 away from the ends, on one orbit (Cayley transform) if one group of turns or shifts acts,
-///   or the two of a body about one common axis; θP is then O(h|P|). Near a steady motion with two different axes θP
-///   stays O(h²), and the iteration may need smaller steps.
+/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. With g = γ = 0 at both ends, ΔH = 0. K is quadratic and adds
+/// nothing to C.
+/// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
+/// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to it, so ΔJ = 0.
+/// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
+/// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
+/// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
+/// has no limit as P → 0. The two points of D lie at the distance P/2 from the ends. They are on one orbit (connected
+/// by a Cayley transform) if one group of rotations or translations acts, or if the two rotations of a body have the
+/// same axis. Then θP is O(h|P|). Near a steady motion with two different axes θP remains O(h²), and the iteration may
+/// need smaller steps.
 ///
-/// Round-off. V is known to within ν, θP to within ν/|P|. An energy error within ν is not corrected, one beyond it is
-/// by what exceeds ν, and what is left of the energy error is carried to later steps: it stays about ν and does not add
-/// up. ν is that of the first state as long as P is so large that round-off corrected by mistake does no harm. It grows
-/// along a motion (terms of V cancel in another way if the body has turned), so it is measured at every step, and
-/// if a correction by the largest one would change P by more than 10⁻⁴ a step, ν is that. On relative equilibria H
-/// is critical among the states of the same momenta: at |P| ≤ 10⁻⁷|ΔX| the energy is right to round-off without θ,
-/// which is left out. The round-off of the momenta is corrected as well (momentum_keeper.h).
+/// Round-off. Let ν be the round-off of V; then θP is known to within ν/|P|. A step corrects only the part of the
+/// energy error that exceeds ν. Later steps include the remainder, so that the total error stays about ν. The round-off
+/// of V is measured at every step, since terms of V cancel differently after a rotation of the body. If P is so large
+/// that a correction of mere round-off is harmless, ν is the value at the first state. If a correction by the largest
+/// value so far would change P by more than the fraction 10⁻⁴ in a step, ν is this largest value. On relative
+/// equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off without
+/// θ if |P| ≤ 10⁻⁷|ΔX|, and θ is then 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
-/// The step is solved by a Gauss–Seidel iteration on (Δv, Δq) with, each time, the Gram corrections
+/// A Gauss–Seidel iteration on (Δv, Δq) solves the step. Each iteration makes the corrections
 ///
 ///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
 ///
-/// until the increments are round-off; the last iterations hold C, which would pass on the noise of V and of small
-/// components. An oscillation of frequency ω is contracted by (hω/2)² each time.
+/// with the Gram matrix GM⁻¹Gᵀ. The iteration ends when the increments are round-off. The last iterations keep C
+/// constant, because C would add the noise of V and of small components. An iteration multiplies the error of an
+/// oscillation of frequency ω by (hω/2)².
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +57,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Temporaries and warm starts of one integration.
+/// Temporaries and initial guesses of one integration.
 template <ConservativeSystem S>
 struct EnergyMomentumWorkspace {
   using Vector = typename S::Vector;
@@ -94,7 +96,7 @@ struct EnergyMomentumWorkspace {
   typename S::Workspace system;
   Vector dq, dv, dq_before, dv_before;                      // Δq and Δv of the previous iteration
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
-  Vector force, A, B, C_q, C_v, P_q, P_v;                   // as above
+  Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas above
   Vector acceleration;                                      // Δv/h of the last step
   Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
   Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
@@ -102,10 +104,10 @@ struct EnergyMomentumWorkspace {
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V(q₀), θ
-  int hold = 0;                   // 1: θ is that of an earlier iteration, 2: C is
-  double energy_gained = 0;       // by round-off, since the first step
-  double first_noise = -1;        // round-off of V about the first state; negative: not known yet
-  double largest_noise = 0;       // the largest about the states so far
+  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is
+  double energy_gained = 0;       // energy error due to round-off since the first step
+  double first_noise = -1;        // round-off of V near the first state; negative: not yet measured
+  double largest_noise = 0;       // largest round-off of V near the states so far
   Counters counters;
 
   /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
@@ -161,7 +163,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// One substep. The state is left as it is where the step fails.
+  /// One substep. A failed step leaves the state unchanged.
   template <ConservativeSystem S>
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     using Verdict = detail::ConvergenceMonitor::Verdict;
@@ -183,7 +185,8 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
-      // C at first goes along; θ is held when noise stops the increments, C when they are small or stop once more.
+      // The first iterations renew C. θ is kept after noise stops the decrease of the increments. C is kept if the
+      // increments are small or stop decreasing again.
       if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
         w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
@@ -203,9 +206,9 @@ struct EnergyMomentum {
 
  private:
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  /// The ratio |P|/|ΔX| below which the motion counts as one along the orbit.
+  /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// |hθ| up to which a correction by mistake does no harm: the iteration takes the changes for its own increments.
+  /// The value of |hθ| up to which a correction of mere round-off is harmless: the iteration still converges.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {
@@ -214,8 +217,8 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// How much V changes if the entries of q change by a few units of their last place: terms that cancel do not show
-  /// in V itself.
+  /// The largest change of V if the entries of q change by a few units in their last place. The value of V alone does
+  /// not show the round-off of terms that cancel.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -223,13 +226,13 @@ struct EnergyMomentum {
     for (int k = 1; k <= 8; ++k) {
       typename S::Vector near = q;
       int i = 0;
-      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2, as if at random
+      for (double& x : local_values(near)) x += unit * ((7 * ++i + 3 * k) % 5 - 2);  // −2 … 2, pseudo-random
       noise = std::max(noise, std::abs(system.potential_energy(near) - V));
     }
     return noise;
   }
 
-  /// ΔX with the acceleration of the last step, λ extrapolated.
+  /// Predicts ΔX from the acceleration of the last step, and extrapolates λ.
   template <ConservativeSystem S>
   static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.dv = w.acceleration;
@@ -251,7 +254,7 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Δv and Δq from the ones before, with the multipliers known so far.
+  /// Computes Δv and Δq from the previous values and multipliers.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -279,7 +282,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ],  B += a G(q)ᵀμ:  (−A, B) is a part of ∇F.
+  /// A += a [f(q) + G(q)ᵀλ − D²g(q)(v, ·)ᵀμ], B += a G(q)ᵀμ. The pair (−A, B) is ∇F without the term M v.
   template <ConservativeSystem S>
   static Status add_gradient(const S& system, double a, double t, const typename S::Vector& q,
                              const typename S::Vector& v, EnergyMomentumWorkspace<S>& w, typename S::Vector& A,
@@ -329,8 +332,8 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// The part of ΔF − (∇F(X_m) + D)·ΔX and of the remainder of earlier steps that exceeds ν. Both covectors vanish
-  /// along the orbit, so that their product with ΔX equals that with P.
+  /// Sets θ from the energy error that exceeds ν: the sum of ΔF − (∇F(X_m) + ΠD)·ΔX and the remainder of earlier steps.
+  /// Both covectors vanish along the orbit, so their products with ΔX and with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;
@@ -339,7 +342,7 @@ struct EnergyMomentum {
     const double work = dot(w.A, w.P_q) - dot(w.B, w.P_v) - dot(w.C_q, w.P_q) - dot(w.C_v, w.P_v);
     const double limit = 0.01 * P * P / std::abs(h);
     double gain = V_end - w.V_start + work + std::clamp(w.energy_gained, -limit, limit);
-    if constexpr (!unconstrained<S>) {  // −λ·Δg + μ·Δγ, as long as the iteration has not made them zero
+    if constexpr (!unconstrained<S>) {  // −λ·Δg + μ·Δγ, which is not yet zero during the iteration
       if (Status status = system.constraint(w.q_end, w.residual); !status) return status;
       gain -= detail::pairing(w.lambda, w.residual);
       system.constraint_rate(w.q_end, w.v_end, w.residual);
@@ -351,7 +354,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by the reactions at q_m.
+  /// Corrects the end state such that g(q₁) = 0 and γ(q₁, v₁) = 0 to first order, by reactions at q_m.
   template <ConservativeSystem S>
   static Status constrain(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -371,7 +374,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// δ from G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and B = M⁻¹G(q_m)ᵀ δ.
+  /// Solves G(q₁)M⁻¹G(q_m)ᵀ δ = −residual, and sets B = M⁻¹G(q_m)ᵀ δ.
   template <ConservativeSystem S>
   static Status react(const S& system, EnergyMomentumWorkspace<S>& w) {
     scale(-1.0, w.residual);

@@ -1,6 +1,6 @@
 #pragma once
-/// When a fixed-point iteration x ← Φ(x) is at its end: increments fall by a constant factor each time until round-off
-/// makes them jitter.
+/// The end of a fixed-point iteration x ← Φ(x). Its increments decrease by a constant factor until they consist of
+/// round-off.
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +9,13 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Decides on an increment: done, go on, or stuck.
+/// Verdict on an increment: done, go on, or stuck.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 150;
   double previous = HUGE_VAL, least = HUGE_VAL;
   int iteration = 0, n_since_least = 0;
 
-  /// Whether increments have come below a limit and are no longer falling.
+  /// True if the least increment is three iterations old and the current increment is at most `limit`.
   bool stalled(double increment, double limit) {
     n_since_least = increment < least ? 0 : n_since_least + 1;
     least = std::min(least, increment);
@@ -29,7 +29,7 @@ struct FixedPointMonitor {
   ConvergenceMonitor::Verdict judge(double increment, double round_off) {
     using Verdict = ConvergenceMonitor::Verdict;
     if (increment <= round_off || (increment >= previous && increment <= 30 * round_off)) return Verdict::done;
-    // A NaN compares false everywhere and is stuck at once; increments below a thousandth of the unit may jitter.
+    // Comparisons with NaN are false, so a NaN counts as stuck. Increments below 1e-3 may grow.
     if (!(increment < 10 * previous || increment < 1e-3) || ++iteration > max_iterations) return Verdict::stuck;
     previous = increment;
     return Verdict::go_on;

@@ -1,26 +1,27 @@
 #pragma once
-/// The methods, for code that chooses among them at run time. A new method is its header and one line of the table.
+/// The table of methods, for code that chooses a method at run time. A new method needs a header and one line of the
+/// table.
 ///
-/// A method is an empty struct:
+/// A method is an empty struct with these members:
 ///
 ///     name, documentation                  as in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
-///     resonance_limit                      if there is one: a smaller bound on the steps that are looked for
-///     chosen_by_auto                       whether Method = auto may take it
+///     resonance_limit                      optional, a smaller bound of the steps that a search tries
+///     chosen_by_auto                       true if Method = auto may choose it
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
-///     fits<S>                              whether it can be compiled for a system of type S
-///     takes_any_vector                     if true: it asks no more of vectors than VectorSpace offers
-///     accepts(system) → Status             whether its promises hold for this system; if not, why
+///     fits<S>                              true if it can be compiled for a system of type S
+///     takes_any_vector                     true if it needs only the operations of VectorSpace
+///     accepts(system) → Status             fails with the reason if its properties do not hold for this system
 ///
-/// and, with fixed steps (adaptive = false),
+/// A method with fixed steps (adaptive = false) also has
 ///
-///     advance(system, h, state, workspace) → Status            one step, the velocity left for
-///     project_velocity(system, state, workspace) → Status      where a state is looked at;
+///     advance(system, h, state, workspace) → Status            one step; the velocity may lack its projection
+///     project_velocity(system, state, workspace) → Status      sets the valid velocity, needed at samples
 ///
-/// or, with steps of its own choice (adaptive = true),
+/// A method that chooses its steps (adaptive = true) has instead
 ///
 ///     step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
-///     interpolate(field, t, state, workspace) → Status         the state at a time within the last step.
+///     interpolate(field, t, state, workspace) → Status         the state at a time within the last step
 
 #include <algorithm>
 #include <array>
@@ -40,7 +41,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// By rising order within each family.
+/// The methods, by increasing order within each family.
 using MethodTable = std::tuple<Rattle,          //
                                Rattle4,         //
                                Rattle6,         //
@@ -52,7 +53,7 @@ using MethodTable = std::tuple<Rattle,          //
                                Gauss16,         //
                                DormandPrince8>;
 
-/// Traits of every method; a method without one of them does not compile.
+/// A type with the traits of a method. A method without one of them does not compile.
 template <class M>
 concept DeclaresTraits = requires {
   { M::name } -> std::convertible_to<std::string_view>;
@@ -67,8 +68,8 @@ static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTr
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
 
-/// Largest hω of the steps that a search tries, except for a reserve; ω is the largest frequency of small motions. It
-/// is the limit of stability, or the first resonance of a method that has resonances (multistep_coefficients.h).
+/// Largest hω of the steps that a search tries, before a reserve; ω is the largest frequency of small motions. It is
+/// the stability limit, or the first resonance for methods with resonances (multistep_coefficients.h).
 template <class Method>
 inline constexpr double step_limit = [] {
   if constexpr (requires { Method::resonance_limit; })
@@ -77,7 +78,7 @@ inline constexpr double step_limit = [] {
     return Method::stability_limit;
 }();
 
-/// Place of a method in the table.
+/// Position of a method in the table.
 enum class MethodId : std::size_t {};
 
 namespace detail {
@@ -100,7 +101,7 @@ constexpr void for_each_method(Visitor&& visitor) {
   std::apply([&](auto... method) { (visitor(method), ...); }, MethodTable{});
 }
 
-/// Calls visitor(Method{}) with the method of that id; the result is that of the visitor.
+/// Calls visitor(Method{}) with the method `id`, and returns the result.
 template <class Visitor, std::size_t place = 0>
 constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
   using Method = std::tuple_element_t<place, MethodTable>;
@@ -113,7 +114,7 @@ constexpr std::string_view method_name(MethodId id) {
   return with_method(id, []<class Method>(Method) { return std::string_view(Method::name); });
 }
 
-/// Empty if no method has this name.
+/// The method with this name; empty if there is none.
 constexpr std::optional<MethodId> find_method(std::string_view name) {
   std::optional<MethodId> found;
   for_each_method([&]<class Method>(Method) {

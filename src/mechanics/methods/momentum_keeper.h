@@ -1,11 +1,12 @@
 #pragma once
-/// Round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩ of a method that keeps them exactly. A step loses some 10⁻¹⁸ of them,
-/// which would add up; if a momentum is off by more than its own round-off, the velocity is moved along the orbit of
-/// the symmetries, in the metric of the kinetic energy the least change that mends it:
+/// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. Each step changes
+/// the momenta by some 10⁻¹⁸, and these errors would accumulate. If the error of a momentum exceeds its own round-off,
+/// the velocity is changed along the orbit of the symmetries. In the metric of the kinetic energy this is the smallest
+/// change that restores the momenta:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i.
 ///
-/// It is tangent to the constraints, which the symmetries leave as they are.
+/// The change is tangent to the constraints, because the symmetries preserve the constraints.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,8 +21,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Solution α of Σ_j gram_ij α_j = lost_i. Symmetries that do not move the body, alone or in combination (a rotation of
-/// space and of the body about a common axis), do not contribute.
+/// Solution α of Σ_j gram_ij α_j = lost_i. A combination of symmetries that does not move the body does not contribute,
+/// for example a rotation of space and of the body about a common axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail
@@ -37,7 +38,7 @@ class MomentumKeeper {
         unused_(momentum_),
         start_(xi_.size()) {}
 
-  /// The momenta to keep are those of the first state seen.
+  /// Stores the momenta of the state at the first call; `keep` restores them.
   void begin(const S& system, const State<S>& state) {
     if (known_) return;
     known_ = true;

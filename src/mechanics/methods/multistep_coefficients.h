@@ -5,21 +5,21 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j a_{n+j},   ρ(ζ) = (ζ − 1)² ∏_i (ζ² − 2 a_i ζ + 1),   α_j = α_{k−j}, β_j = β_{k−j}.
 ///
-/// All roots of ρ are simple on the unit circle but the double one at 1. β follows from the order conditions: with the
-/// indices counted from the middle, i = j − k/2, only the even ones are left,
+/// All roots of ρ lie on the unit circle. They are simple except for the double root 1. The order conditions give β.
+/// With indices counted from the middle, i = j − k/2, only the conditions for even s remain:
 ///
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///
-/// For constraints the roots of σ(ζ) = Σβ_j ζ^j must be simple on the unit circle as well (but the one at 0), since the
+/// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle, since the
 /// multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of orders 8 and
-/// 12 were searched for among those with two decimals such that the roots of ρ and of σ are well apart, the step is
-/// stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0: the roots ±i of ρ, midway
-/// between the double root 1 and −1, where they would meet.
+/// 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ and of σ are
+/// well separated, the step is stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0. The
+/// roots ±i of ρ are then midway between 1 and −1, at which pairs of roots would coincide.
 ///
-/// A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'} where hω is the difference of θ and θ' (G. D.
-/// Quinlan, arXiv:astro-ph/9901136, 1999), and at such a step the error grows where the next longer and shorter ones
-/// are good: of order 8 at hω = 0.305, to 7 times that of a step longer by a tenth. resonance_limit is the smallest
-/// difference.
+/// A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'} if hω is the difference of θ and θ' (G. D.
+/// Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is larger than at slightly longer and shorter
+/// steps. For order 8 at hω = 0.305, the error is 7 times the error of a step that is longer by a tenth.
+/// resonance_limit is the smallest of these differences.
 
 #include <array>
 
@@ -27,17 +27,17 @@ namespace pseudorigid::mechanics {
 
 template <int k>
 struct MultistepFormula {
-  /// The formula for the differences d_n = q_n − q_{n−1}, newest first:
+  /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Velocity from the past, exact for motions of degree k + 1:  v_n = d_n/h + h Σ_i velocity[i] a_{n−i},  i = 0 … k
-  /// − 1.
+  /// Formula for the velocity from past differences, exact for motions of degree k + 1:
+  ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
 
 namespace detail {
 
-/// x with A x = b, by elimination with row pivoting.
+/// Solves A x = b by elimination with row pivoting.
 template <int n>
 constexpr std::array<long double, n> solve(std::array<std::array<long double, n>, n> A, std::array<long double, n> b) {
   const auto size = [](long double x) { return x < 0 ? -x : x; };
@@ -66,7 +66,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// ρ, from ζ⁰ on.
+/// Coefficients of ρ, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -75,7 +75,7 @@ constexpr std::array<long double, k + 1> first_polynomial(const std::array<long 
   return rho;
 }
 
-/// β_0, …, β_{k/2−1} of the indices counted from the middle.
+/// β_0, …, β_{k/2−1}, with indices counted from the middle.
 template <int k>
 constexpr std::array<long double, k / 2> second_polynomial(const std::array<long double, k + 1>& rho) {
   constexpr int m = k / 2;
@@ -89,7 +89,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// ∫ of the polynomial through a_{n−i} gives v_n − d_n/h: exact for a = (t − t_n)^s with h = 1,
+/// Weights c_i of v_n − d_n/h, the integral of the polynomial through the a_{n−i}. They are exact for a = (t − t_n)^s
+/// with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {
@@ -110,7 +111,7 @@ constexpr MultistepFormula<k> multistep_formula(const std::array<long double, k 
   const auto beta = detail::second_polynomial<k>(rho);
   const auto velocity = detail::velocity_weights<k>();
   MultistepFormula<k> formula;
-  long double sum = rho[k];  // coefficients of ρ/(ζ − 1), from the highest on
+  long double sum = rho[k];  // coefficients of ρ/(ζ − 1), the highest power first
   for (int i = 0; i < k - 1; ++i) {
     sum += rho[k - 1 - i];
     formula.difference[i] = static_cast<double>(-sum);

@@ -1,14 +1,15 @@
 #pragma once
-/// The first k − 1 steps of a symmetric multistep method (symmetric_multistep.h), which another method makes: for order
-/// 8 and 12 the explicit one with a tolerance at round-off, for order 4 a composition of RATTLE of the same order.
+/// The first k − 1 steps of a symmetric multistep method (symmetric_multistep.h), made by another method. For orders 8
+/// and 12 it is the explicit method of order 8 with a tolerance at round-off. For order 4 it is a composition of RATTLE
+/// of the same order.
 ///
-/// Both are a Start<S> of a system S, made once and begun anew wherever the step changes:
+/// Each is a type Start<S> for a system S. An object is made once and begins again when the step changes:
 ///
-///   begin(system, w)                       from the state, with the compensation of its sum in w
+///   begin(system, w)                       begins at the state, whose sum of q has its compensation in w
 ///   acceleration(system, state, w, a)      a ← M⁻¹(f + Gᵀλ) at the state
 ///   step(system, h, state, w)              one step of h
-///   project(system, state, w)              makes the velocity valid, where the steps leave it open
-///   visit_memory(visit)                    what it carries from step to step
+///   project(system, state, w)              makes the velocity valid if the steps do not
+///   visit_memory(visit)                    passes the data kept from step to step to `visit`
 
 #include <limits>
 
@@ -35,7 +36,7 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
-    // A step that accuracy or stability admits takes a few tens of them. They cannot be interrupted.
+    // For a step that accuracy or stability permits, a few tens of small steps suffice. They cannot be interrupted.
     constexpr int most = 2000;
     const double t_end = state.t + h;
     for (int n = 0; state.t != t_end; ++n) {
@@ -57,7 +58,7 @@ struct ExplicitStart {
   DormandPrince8Workspace<ExplicitMultiplier<S>> workspace;
 };
 
-/// The first steps by a composition of RATTLE, which is stable for steps beyond those of the multistep method.
+/// The first steps by a composition of RATTLE, which is stable up to larger steps than the multistep method.
 template <class Composed>
 struct CompositionStart {
   template <ConstrainedSystem S>

@@ -1,30 +1,32 @@
 #pragma once
-/// RATTLE (Andersen 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.4), one substep of size h:
+/// The method RATTLE (Andersen 1983; Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1.4). A substep of
+/// size h for M q̈ = f + Gᵀλ, g(q) = 0, with G = Dg, is
 ///
 ///   v_{n+1/2} = v_n + (h/2) M⁻¹[f(q_n) + G(q_n)ᵀ λ_n]
 ///   q_{n+1}   = q_n + h v_{n+1/2},                             g(q_{n+1}) = 0
 ///   v_{n+1}   = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}) + G(q_{n+1})ᵀ μ_n],   G(q_{n+1}) v_{n+1} = 0
 ///
-/// The velocity projection μ_n moves v_{n+1} along M⁻¹G(q_{n+1})ᵀ, which is just where the next λ_{n+1} acts: leaving
-/// it out between substeps changes λ_{n+1} and nothing else (SHAKE and RATTLE have the same positions). So `advance`
-/// omits it, and `project_velocity` makes it at samples.
+/// The velocity projection with the multiplier μ_n changes v_{n+1} along M⁻¹G(q_{n+1})ᵀ. The next λ_{n+1} acts along
+/// the same directions. Therefore a step without projection changes only the value of λ_{n+1} (SHAKE and RATTLE have
+/// the same positions). `advance` omits the projection, and `project_velocity` makes it at samples.
 ///
-/// With Λ = (sum of the half steps) λ_n, the position solve is Newton's iteration
+/// With Λ = (sum of the half steps) λ_n, Newton's iteration for the position is
 ///
 ///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,
 ///
-/// started from the multiplier extrapolated along the motion and driven until |g| ≤ tolerance (or round-off).
+/// It starts from an extrapolated multiplier and ends if |g| ≤ tolerance, or at round-off.
 ///
-/// A force that depends on the velocity is taken at v_n in the first half step and at v_{n+1} in the second, which is
-/// then implicit:  v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n],  solved together with the projection.
-/// The step stays symmetric and of order 2; a linear drag gives Cayley's (1 − hc/2)/(1 + hc/2). The equation is solved
-/// by iteration on the force. If this is slow and the force is −C(q)v with a symmetric C, a linear system is solved
-/// (linear_damping.h). Then damping does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for
-/// every c. The first half step of such a run is implicit as well, so that an overdamped body starts on its slow
-/// motion.
+/// If a force depends on the velocity, the first half step evaluates it at v_n. The second half step evaluates it at
+/// v_{n+1} and is implicit:
+///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
+/// This equation is solved together with the projection. The step remains symmetric and of order 2; a linear drag gives
+/// Cayley's factor (1 − hc/2)/(1 + hc/2). A fixed-point iteration on the force solves the equation. If the iteration is
+/// slow and the force is −C(q)v with a symmetric C, a linear system is solved instead (linear_damping.h). Then damping
+/// does not limit the step: an oscillator ẍ = −ω²x − cẋ is stable up to hω = 2 for every c. The first half step of such
+/// a run is implicit as well, so that an overdamped body starts on its slow motion.
 ///
-/// The small increments of q and v are summed with compensation (vector_space.h), and if the system can do it
-/// (resolves_rounding), the constraint is met by q + q_rounding.
+/// The small increments of q and v are summed with compensation (vector_space.h). If the system supports it
+/// (`resolves_rounding`), the sum q + q_rounding satisfies the constraint.
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +46,7 @@ struct Counters {
   long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
 };
 
-/// Zero, where the space of the system's vectors sums with compensation.
+/// A zero vector if sums of vectors are compensated (vector_space.h), otherwise an empty object.
 template <class S>
 typename S::Vector make_rounding(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::compensated)
@@ -53,10 +55,10 @@ typename S::Vector make_rounding(const S& system) {
     return {};
 }
 
-/// Temporaries of the iteration on a force that depends on the velocity; empty if none does.
+/// Temporaries of the iteration on a force that depends on the velocity. They are empty for other systems.
 template <class S>
 struct VelocityIteration {
-  /// Solves for multipliers are costly, and known reactions are kept.
+  /// The iteration reuses known reactions if a solve for multipliers is costly.
   static constexpr bool keeps_reactions = !unconstrained<S> && !VectorSpace<typename S::Vector>::dense;
 
   explicit VelocityIteration(const S& system)
@@ -66,7 +68,7 @@ struct VelocityIteration {
         reaction(vector_if(keeps_reactions && velocity_dependent(system), system)) {}
 
   typename S::Vector half;            // v_n, then v_{n+1/2}
-  typename S::Vector before;          // v_{n+1} of the iteration before
+  typename S::Vector before;          // v_{n+1} of the previous iteration
   typename S::Vector free, reaction;  // v_{n+1} without the last reaction; all reactions so far
 
  private:
@@ -75,7 +77,7 @@ struct VelocityIteration {
   }
 };
 
-/// Temporaries, caches and warm starts of one integration.
+/// Temporaries, cached values and initial guesses of one integration.
 template <ConstrainedSystem S>
 struct RattleWorkspace {
   explicit RattleWorkspace(const S& system)
@@ -99,16 +101,16 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
-  double
-      constraint_tolerance;  // |g|_∞ and |G v|_∞ that may be left: the system's, unless the caller sets a smaller one
-  double pending_weight = 0;     // half steps since the last projection, whose reaction is still to come
-  double acceleration_time = 0;  // at which a force that depends on time was evaluated
+  double constraint_tolerance;   // largest |g|_∞ and |G v|_∞ that remain; the default is the system's
+  double pending_weight = 0;     // half step since the last projection, if its reaction is still missing
+  double acceleration_time = 0;  // time of `acceleration`
   bool acceleration_known = false;
   bool begun = false;  ///< a linearly damped system has made a step
-  bool stiff = false;  ///< iteration on its damping is slow, and the velocity is solved for
+  bool stiff = false;  ///< the iteration on the damping is slow, so a linear system is solved
   Counters counters;
 
-  /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
+  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`. A resumed run computes the
+  /// other parts again.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -140,13 +142,13 @@ struct Rattle {
   template <class S>
   static constexpr bool fits = ConstrainedSystem<S>;
 
-  /// An error if the system violates the method's requirements.
+  /// Fails if the system violates the method's requirements.
   template <ConstrainedSystem S>
   static Status accepts(const S&) {
     return {};
   }
 
-  /// One substep without the final velocity projection (which forces that depend on the velocity need, and get).
+  /// One substep. It omits the final velocity projection, except if a force depends on the velocity.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (Status status = kick(system, h, state, w); !status) return status;
@@ -166,7 +168,7 @@ struct Rattle {
     return {};
   }
 
-  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until |G v| ≤ tolerance; the state is then one of RATTLE.
+  /// v ← v − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹ G v until |G v| ≤ tolerance. This completes the step of RATTLE.
   template <ConstrainedSystem S>
   static Status project_velocity(const S& system, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (!unconstrained<S>) {
@@ -188,7 +190,7 @@ struct Rattle {
   /// w.acceleration = M⁻¹f at the state.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
-    // The time loop sets the time anew after a step, by round-off another one; a resumed run knows that one alone.
+    // The time loop sets the time again after a step, which changes its round-off. A resumed run has only this time.
     if (w.acceleration_known && (!time_dependent(system) || w.acceleration_time == state.t)) return {};
     if (Status status = system.force(state.t, state.q, state.v, w.system, w.acceleration); !status) return status;
     system.apply_inverse_mass(w.acceleration, w.acceleration);
@@ -199,7 +201,7 @@ struct Rattle {
   }
 
  private:
-  /// The first half step; w.settling.half is v_n after it.
+  /// The first half step. If a force depends on the velocity, w.settling.half is v_n afterwards.
   template <ConstrainedSystem S>
   static Status kick(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if (velocity_dependent(system)) w.settling.half = state.v;
@@ -220,7 +222,8 @@ struct Rattle {
     return {};
   }
 
-  /// An implicit kick from v_0 to v during s takes ½s (v_0 + v)ᵀC v, of which s vᵀC v has been accounted for.
+  /// Correction of the dissipated energy. An implicit kick of length s from v_0 to v dissipates ½s (v_0 + v)ᵀC v, and s
+  /// vᵀC v is already counted.
   template <LinearlyDamped S>
   static double taken_beyond_power(const S& system, double s, const State<S>& state, const typename S::Vector& start,
                                    DampingTemporaries<S>& w) {
@@ -229,7 +232,7 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// v ← w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ].
+  /// Solves v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ] for v.
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (LinearlyDamped<S>) {
@@ -249,8 +252,8 @@ struct Rattle {
     }
   }
 
-  /// The same for a force that is linear in v: one solution, and a second one for the remainder, with which the powers
-  /// are those of v.
+  /// The same for a force that is linear in v. A second solve for the remainder makes the powers of the force those of
+  /// the final v.
   template <LinearlyDamped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;
@@ -270,19 +273,19 @@ struct Rattle {
       const double enough = std::max(round_off, w.constraint_tolerance / 10);
       w.constraint.direction_known = false;
       Status status = solve_damping(system, h / 2, state.q, enough, w.system, w.constraint, w.damping);
-      // A product costs about as much as a force, and is counted as one.
+      // A product costs about as much as a force and counts as one.
       w.counters.n_force += std::exchange(w.damping.n_products, 0);
       if (!status) return status;
       add(1.0, w.damping.solution, state.v, w.v_rounding);
       status = project_velocity(system, state, w);
       if (!status) return status;
     }
-    w.acceleration_known = false;  // of the velocity before
+    w.acceleration_known = false;  // it belongs to the previous velocity
     return {};
   }
 
-  /// The same for any force: iterates force and projection until v no longer changes. Sets w.stiff instead if the force
-  /// is linear in v and the iteration is slow.
+  /// The same for any force: iterates force and projection until v no longer changes. If the force is linear in v and
+  /// the iteration is slow, it sets w.stiff instead.
   template <ConstrainedSystem S>
   static Status iterate_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     auto& [half, before, free, reaction] = w.settling;
@@ -308,14 +311,14 @@ struct Rattle {
       }
       axpy(-1.0, state.v, before);
       const double size = max_norm(before), round_off = 4 * std::numeric_limits<double>::epsilon() * max_norm(state.v);
-      // The residual of G v, and so of v, that the projection may leave need not be resolved, and does not indicate
-      // divergence either.
+      // The projection may leave a residual of G v. Changes of v of that size are permitted and do not indicate
+      // divergence.
       const double enough = std::max(round_off / 4, w.constraint_tolerance / 10);
       const double jitter = std::max(100 * round_off, 1000 * w.constraint_tolerance);
-      // Changes that fall by a factor c each time add up to another size c/(1 − c).
+      // If each change is c times the previous one, the sum of all further changes is size · c/(1 − c).
       const double c = size / size_before;
       if (size <= round_off || (i > 0 && c < 0.5 && size * c / (1 - c) <= enough) || (c >= 0.5 && size <= jitter)) {
-        w.acceleration_known = false;  // of the velocity before
+        w.acceleration_known = false;  // it belongs to the previous velocity
         return {};
       }
       constexpr double slow = 0.3;
@@ -333,7 +336,7 @@ struct Rattle {
         "the iteration on a force that depends on the velocity does not converge; use a smaller step");
   }
 
-  /// q ← q + h v with v corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0.
+  /// q ← q + h v. The velocity v is corrected along M⁻¹G(q_n)ᵀ such that g(q) = 0.
   template <ConstrainedSystem S>
   static Status move_on_constraint(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (unconstrained<S>) {
@@ -350,8 +353,8 @@ struct Rattle {
       add(h, state.v, state.q, w.q_rounding);
       const auto apply = [&] {
         axpy(1 / h, w.constraint.delta, w.impulse);
-        // q moves by h times the increment of v. With fl(1/h) for the one and 1 for the other the step would not be
-        // symplectic, by h fl(1/h) − 1, which is the same in every step.
+        // The increment of q is h times the increment of v. If v had the factor fl(1/h) (rounded) and q the factor 1,
+        // the step would violate symplecticity by h fl(1/h) − 1, the same number in every step.
         scale(1 / h, w.constraint.reaction);
         add(1.0, w.constraint.reaction, state.v, w.v_rounding);
         add(h, w.constraint.reaction, state.q, w.q_rounding);
@@ -366,9 +369,9 @@ struct Rattle {
     }
   }
 
-  /// |g| that a step may leave. If sums are compensated, this is the greatest error of a step, and adds up: on SL(3)
-  /// in 10⁶ periods to an energy drift of 7e-12 with the tolerance of the system, of 1e-12 if g(q) is iterated to its
-  /// round-off, and to none if g(q + q_rounding) is brought below that.
+  /// Largest |g| that a step may leave. If sums are compensated, |g| is the largest error of a step, and it
+  /// accumulates. On SL(3) the energy drift in 10⁶ periods is 7e-12 with the tolerance of the system. It is 1e-12 if
+  /// g(q) is iterated to its round-off. There is no drift if |g(q + q_rounding)| is less than this round-off.
   template <ConstrainedSystem S>
   static double position_tolerance(const RattleWorkspace<S>& w) {
     if constexpr (resolves_rounding<S>)
@@ -379,7 +382,8 @@ struct Rattle {
       return w.constraint_tolerance;
   }
 
-  /// λ(t_n) = Λ / weight. If substeps of opposite sign meet, the weight may nearly vanish and cannot be used.
+  /// Records λ(t_n) = Λ / weight. If consecutive substeps have opposite signs, the weight may be nearly zero; the value
+  /// is then not recorded.
   template <ConstrainedSystem S>
   static void record_multiplier(double t, double weight, double h, RattleWorkspace<S>& w) {
     if (std::abs(weight) < 0.1 * std::abs(h)) return;

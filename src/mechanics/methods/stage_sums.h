@@ -1,6 +1,6 @@
 #pragma once
-/// Sums of stages with coefficients known to the compiler: Σ_j c_j k_j, entry by entry, zeros left out. The entries of
-/// dense Eigen vectors are walked once for all sums of a stage, and no temporary vector is made.
+/// Sums of stages, Σ_j c_j k_j, with coefficients known to the compiler. Zero coefficients are omitted. One loop over
+/// the entries of dense Eigen vectors computes all sums of a stage, without a temporary vector.
 
 #include <Eigen/Core>
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Σ_j c_j k_j at entry i. With `c` a constexpr variable the loop becomes its terms that are not zero.
+/// Σ_j c_j k_j at entry i. If `c` is a constexpr variable, the compiled code has only the terms with c_j ≠ 0.
 template <class V, std::size_t n>
 [[gnu::always_inline]] inline double stage_sum(const std::array<double, n>& c, const std::array<V, n>& k,
                                                Eigen::Index i) {

@@ -2,28 +2,28 @@
 /// Explicit symmetric linear multistep methods for conservative systems with constraints (Console, Hairer, Lubich,
 /// Numer. Math. 124 (2013) 517),
 ///
-///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0:
+///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
-/// one force a step, and one constraint solve for the newest multiplier λ_{n+k−1}. The step is made for the differences
-/// d_n = q_n − q_{n−1} (multistep_coefficients.h) with a_n = M⁻¹[f + Gᵀλ]_n, and q summed with compensation:
+/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. It advances the differences d_n
+/// = q_n − q_{n−1} (multistep_coefficients.h) with a_n = M⁻¹[f + Gᵀλ]_n, and sums q with compensation:
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// The first k − 1 steps are made by another method (multistep_start.h). The steps do not use the velocity; if it is
-/// looked at,
+/// Another method makes the first k − 1 steps (multistep_start.h), also after a change of h. The steps do not use the
+/// velocity. If the velocity is requested, it is
 ///
-///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0,
+///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
-/// in which λ_n need not be known: it acts along M⁻¹G(q_n)ᵀ, just where the projection does, which has less to do if
-/// a_n contains an extrapolated λ_n. A changed step starts anew. The errors of a state come and go along the motion,
-/// and those of the one that it starts from stay: its error of the energy shifts the phase by more and more.
+/// An error of λ_n does not matter: it changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The
+/// projection needs less work if a_n contains an extrapolated λ_n. The errors of the states oscillate along a motion,
+/// but a restart keeps the error of its first state. The energy error of this state shifts the phase more and more.
 ///
-/// Energy and momenta of small systems are kept up to bounded oscillations of size h^order. On the ball the error of
-/// the energy, of the same order, grows as the motion spreads to modes of high frequency (step_search.h): by order 4 at
-/// 0.8 of the limit, in a release by 0.3, to 2e-5 of it at 100 r/c and 1e-2 at 1430 r/c; that of Q at 100 r/c is 1e-5,
-/// where RATTLE's at the same step is 7e-3. Round-off of the constraint, ε, makes one of ε/h² in the multipliers, which
-/// the history carries on with the weights β̂ (up to 5 for order 8, 62 for order 12) and which grows with the square
-/// root of the number of steps: order 8 is the one for long runs.
+/// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For the ball, the energy
+/// error is of the same order but grows as the motion spreads to modes of high frequency (step_search.h). Measured for
+/// order 4 at 0.8 of the stability limit, in a release by 0.3: the relative energy error is 2e-5 at t = 100 r/c and
+/// 1e-2 at 1430 r/c. The error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3. A round-off error ε of the
+/// constraint causes an error ε/h² of the multipliers. The history multiplies it by the weights β̂ (up to 5 for order
+/// 8, 62 for order 12), and it grows as the square root of the number of steps. Therefore use order 8 for long runs.
 
 #include <algorithm>
 #include <array>
@@ -41,12 +41,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// Slot i mod (k − 1) of the history holds d_i and a_i, for the last k − 1 points. RATTLE provides the parts that the
-/// steps of both methods share.
+/// Workspace of a symmetric multistep method. Slot i mod (k − 1) of the history has d_i and a_i of the last k − 1
+/// points. The base class has the members that both methods share.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
-  /// Multipliers that the next is extrapolated from.
+  /// Number of multipliers from which the next one is extrapolated.
   static constexpr int n_extrapolated = S::n_constraints == dynamic_constraints ? 5 : 6;
 
   explicit SymmetricMultistepWorkspace(const S& system)
@@ -62,11 +62,11 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps
   double h = 0;
   int newest = 0;             // slot of the state's d
-  int n_known = 0;            // steps in the history
+  int n_known = 0;            // number of steps in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
 
-  /// Hands out the parts of the computation's state that a checkpoint must contain.
+  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     RattleWorkspace<S>::visit_memory(visit);
@@ -107,7 +107,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// One step. The velocity is left for `project_velocity`.
+  /// One step. Only `project_velocity` sets the velocity.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -129,13 +129,13 @@ struct SymmetricMultistep {
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // slot of the state still holds a_{n−(k−1)}
+    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)}
       axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     return Rattle::project_velocity(system, state, w);
   }
 
  private:
-  /// Steps that differ by the round-off of the sample times are the same.
+  /// True if the steps differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   template <class S>
@@ -150,7 +150,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// A step of the method that starts, from which the history is filled.
+  /// Makes a step by the starting method and adds it to the history.
   template <class S>
   static Status start_up(const S& system, State<S>& state, Workspace<S>& w) {
     if (Status status = w.start.acceleration(system, state, w, w.a[w.newest]); !status) return status;
@@ -170,8 +170,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state; if that costs little more, M⁻¹(f + Gᵀλ) with the extrapolated λ. At the end
-  /// of the start λ is 0, so that the acceleration known there will do.
+  /// w.acceleration ← M⁻¹f at the state, or M⁻¹(f + Gᵀλ) with the extrapolated λ if the system computes this sum at
+  /// little cost. At the end of the start-up λ is 0, so the known acceleration is valid.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -188,8 +188,9 @@ struct SymmetricMultistep {
     }
   }
 
-  /// d_{n+1}, q_{n+1} with a_n from the extrapolated multiplier, and then from the one that makes g(q_{n+1}) = 0.
-  /// Flattened: calls kept the temporaries of small systems in memory, a sixth of the step of an SL(3) body.
+  /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects them until g(q_{n+1}) =
+  /// 0. The function is flattened, because calls kept the temporaries of small systems in memory. This took a sixth of
+  /// the time of a step for a body on SL(3).
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -209,7 +210,7 @@ struct SymmetricMultistep {
     sum_history<S>(w, increment);
     add(1.0, increment, state.q, w.q_rounding);
     if constexpr (!unconstrained<S>) {
-      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // multiplier for a shift of q_{n+1}
+      const double per_shift = 1 / (w.h * w.h * formula.acceleration[0]);  // multiplier per displacement of q_{n+1}
       const auto apply = [&] {
         add(1.0, w.constraint.reaction, state.q, w.q_rounding);
         axpy(1.0, w.constraint.reaction, increment);
@@ -231,18 +232,20 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// For a few constraints the Gram matrix is exact, and Newton's iteration squares the residual, times the
-  /// curvature of g; a safety factor of 10⁴ is allowed for it.
+  /// Residual |g| below which one more iteration needs no check. For a fixed number of constraints the Gram matrix is
+  /// exact, so Newton's iteration gives the square of the residual times the curvature of g. The factor 1e-4 permits
+  /// curvatures up to 10⁴.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
   }
 
-  /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}; sum may be the oldest d.
+  /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}. `sum` may be the oldest d.
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // the newest last, which may not be there yet
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // adds the newest terms last, since the processor may
+                                                             // still compute them
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);
@@ -275,13 +278,13 @@ struct SymmetricMultistep {
     }
   }
 
-  /// w.multiplier ← λ_n by the polynomial through the last ones.
+  /// w.multiplier ← λ_n, extrapolated by the polynomial through the last multipliers.
   template <class S>
   static void extrapolate_multiplier(Workspace<S>& w) {
     constexpr double weights[7][6]{
         {}, {1}, {2, -1}, {3, -3, 1}, {4, -6, 4, -1}, {5, -10, 10, -5, 1}, {6, -15, 20, -15, 6, -1}};
     constexpr int n = Workspace<S>::n_extrapolated;
-    if (w.n_multipliers == n)  // the usual case, with a number of terms that the compiler knows
+    if (w.n_multipliers == n)  // the usual case, in which the compiler knows the number of terms
       sum_multipliers<S>(w, weights[n], n);
     else
       sum_multipliers<S>(w, weights[w.n_multipliers], w.n_multipliers);

@@ -1,6 +1,6 @@
 #pragma once
-/// The time loop. Samples t_k = k T/N, k = 0 … N; each interval holds a whole number n of steps, so that samples do not
-/// disturb the steps and the last sample is T exactly:  h = (t_{k+1} − t_k)/n,  t = t_k + j h.
+/// The time loop with samples t_k = k T/N, k = 0 … N. Each interval contains a whole number n of steps, so that the
+/// steps end at the samples and the last sample is exactly T: h = (t_{k+1} − t_k)/n, t = t_k + j h.
 
 #include <algorithm>
 #include <cmath>
@@ -19,30 +19,29 @@ struct SampleTimes {
   long n_samples = 1;
   double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
   double interval() const { return end / static_cast<double>(n_samples); }
-  /// Least whole number of steps, none longer than `step`, that fills an interval.
+  /// Least number of equal steps, none longer than `step`, that fill an interval.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
-    constexpr double most = 9e18;  // below the largest long; run_time_loop refuses far smaller numbers of steps
+    constexpr double most = 9e18;  // below the largest long; a run cannot make so many steps
     return static_cast<long>(std::clamp(n, 1.0, most));
   }
 };
 
-/// Position of a run: `step` steps of the interval after sample `sample` are done.
+/// Position of a run: the number of steps already made in the interval after sample `sample`.
 struct Cursor {
   long sample = 0, step = 0;
 };
 
 struct RunResult {
   Outcome outcome = Outcome::finished;
-  std::string reason;  ///< of a failure: one sentence
+  std::string reason;  ///< one sentence about a failure
   double t = 0;        ///< time reached
 };
 
-/// Actions of the caller during the loop.
-///   sample(k, state, workspace) → Status: at sample k (k = 0 included), the velocity being projected;
-///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1 (not asked by adaptive methods);
-///   step_done(cursor, state, workspace) → bool: after each step; false interrupts the run. All samples up to the
-///   state's time have been taken then.
+/// Actions of the caller during the loop:
+///   sample(k, state, workspace) → Status: at sample k (k = 0 included), with the projected velocity;
+///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
+///   step_done(cursor, state, workspace) → bool: after each step and the samples up to its time; false interrupts.
 template <class H, class S, class W>
 concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cursor cursor) {
   { hooks.sample(k, state, w) } -> std::same_as<Status>;
@@ -50,8 +49,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
-/// Runs from `cursor` (the start, or a checkpoint) to the last sample. `cursor` and `state` are left where the run
-/// ended; after a failure the state is that of the failing step and not to be used.
+/// Runs from `cursor` (the start or a checkpoint) to the last sample. `cursor` and `state` change with the run. If a
+/// step fails, `state` is not valid afterwards.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -81,8 +80,8 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// The same for methods that choose their steps: the steps pass the samples, which are interpolated; the last step ends
-/// at T.
+/// The same for methods that choose their steps. The steps do not end at the samples, where the state is interpolated.
+/// The last step ends at T.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,
