@@ -1,6 +1,6 @@
 #pragma once
-/// Any second-order field behind one type, as any_system.h has it for the constrained form. A field without an
-/// invariant manifold has a projection that leaves the state as it is.
+/// One type for any second-order field, as any_system.h for the constrained form. If the field has no invariant
+/// manifold, the projection does not change the state.
 
 #include <memory>
 #include <type_traits>

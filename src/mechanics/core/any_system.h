@@ -1,13 +1,14 @@
 #pragma once
-/// Any system in constrained form behind one type, so that a method is compiled once for all of them and not once for
-/// each system (any_field.h: the same for second-order fields). n is 0, or dynamic_constraints: a number of constraints
-/// that is known at run time.
+/// One type for any system in constrained form, so that the compiler compiles each method once and not once per system.
+/// any_field.h does the same for second-order fields. The number n of constraints is 0 or dynamic_constraints, which
+/// means a number that is known only at run time.
 ///
-/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). Small systems can
-/// afford that; bodies keep their own types.
+/// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is small for
+/// small systems; bodies use their own types.
 ///
-/// Acceleration and projection of a constrained system are those of its own type (explicit_multiplier.h). Whether it
-/// has energies and symmetries (conservative_system.h) is a question at run time, which fits() asks (field_of.h).
+/// The concrete type of a constrained system computes its acceleration and projection (explicit_multiplier.h). Only at
+/// run time is it known whether the system has energies and symmetries (conservative_system.h), and fits() checks this
+/// (field_of.h).
 
 #include <memory>
 #include <type_traits>
@@ -24,7 +25,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Functions of a system that methods call. A system without constraints does not have the functions of constraints.
+/// Functions of a system that methods call. The functions of the constraints do nothing if there are no constraints.
 struct SystemInterface {
   using Vector = Eigen::VectorXd;
   virtual ~SystemInterface() = default;
@@ -43,7 +44,7 @@ struct SystemInterface {
   virtual Status acceleration(double t, const Vector& q, const Vector& v, AnyWorkspace& w, Vector& a) const = 0;
   virtual Status project(Vector& q, Vector& v, AnyWorkspace& w) const = 0;
   virtual Status solve_stages(GaussStages& stages, AnyWorkspace& w) const = 0;
-  // Only for conservative systems. The others do not have energy and symmetries, and the rest is not called.
+  // The following functions are called for conservative systems only. For other systems they return 0 or do nothing.
   virtual double kinetic_energy(const Vector& v) const = 0;
   virtual double potential_energy(const Vector& q) const = 0;
   virtual void apply_mass(const Vector& v, Vector& f) const = 0;
@@ -52,7 +53,7 @@ struct SystemInterface {
   virtual void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const = 0;
 };
 
-/// The system's own part of a workspace that has been made for it.
+/// The part of a workspace that belongs to the system S.
 template <ConstrainedSystem S>
 typename S::Workspace& own_workspace(AnyWorkspace& w) {
   return w.as<typename ExplicitMultiplier<S>::Workspace>().system;
@@ -134,7 +135,7 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// The members that every constrained system has.
+/// Members that every constrained system has.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -223,7 +224,7 @@ class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// Properties on which methods may rely if the system is not conservative.
+  /// The base class, on whose properties alone methods may rely if the system is not conservative.
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

@@ -1,6 +1,6 @@
 #pragma once
-/// The workspace of a system behind AnySystem or AnyField. It belongs to the system that has made it, which knows its
-/// type.
+/// The workspace of a system behind AnySystem or AnyField. It is valid only for the system that made it, which has its
+/// concrete type.
 
 #include <memory>
 #include <utility>

@@ -1,16 +1,16 @@
 #pragma once
-/// Antisymmetric 3×3 matrices as vectors.
+/// Conversions between antisymmetric 3×3 matrices and vectors.
 
 #include <Eigen/Core>
 
 namespace pseudorigid::mechanics {
 
-/// The axial vector ε_ijk A_jk.
+/// The axial vector ε_ijk A_jk of the antisymmetric part of A.
 inline Eigen::Vector3d axial_vector(const Eigen::Matrix3d& A) {
   return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
 }
 
-/// The matrix of a ↦ w × a.
+/// The antisymmetric matrix of the map a ↦ w × a.
 inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
   return (Eigen::Matrix3d() << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0).finished();
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Fields over a body at one time, for pictures: values at the points of a model of the ball, in internal units. All
-/// that a picture shows is computed from them (io/body_picture.h), alike for every model.
+/// Fields over a body at one time, for pictures: values at points of the model of the ball, in internal units. Every
+/// quantity in a picture is computed from them, in the same way for every model (io/body_picture.h).
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -8,11 +8,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// Places of the points in the body: blocks of (degree + 1)³ points, the first coordinate fastest and right-handed,
-/// equidistant along the sides or not. Fields in a block are about as smooth as polynomials of its degree.
+/// Arrangement of the points in the body: blocks of (degree + 1)³ points. The first coordinate varies fastest, and the
+/// coordinates are right-handed. The points need not be equidistant. Fields in a block are about as smooth as
+/// polynomials of its degree.
 struct PointBlocks {
   int degree = 1;
-  std::vector<std::int64_t> points;  ///< numbers of points, block by block
+  std::vector<std::int64_t> points;  ///< indices of the points, block by block
 
   std::size_t points_per_block() const {
     const auto n = static_cast<std::size_t>(degree) + 1;
@@ -21,14 +22,14 @@ struct PointBlocks {
   std::size_t n_blocks() const { return points.size() / points_per_block(); }
 };
 
-/// One after the other: vectors as three numbers a point, matrices as nine, row by row.
+/// Values at the points, one point after the other. A vector has three numbers, a matrix nine, row by row.
 struct BodyFields {
-  std::vector<double> X, x, v;                       ///< reference position, position, velocity
-  std::vector<double> F, stress;                     ///< deformation gradient ∂x/∂X, Cauchy stress
-  std::vector<double> energy;                        ///< stored energy W per reference volume
-  std::vector<double> potential;                     ///< potential of self-gravity per mass; empty if it is not known
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< centre of mass x_c
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, of which the rotation is taken
+  std::vector<double> X, x, v;                           ///< reference position, position, velocity
+  std::vector<double> F, stress;                         ///< deformation gradient ∂x/∂X, Cauchy stress
+  std::vector<double> energy;                            ///< stored energy W per reference volume
+  std::vector<double> potential;                         ///< potential of self-gravity per mass; empty if not known
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();      ///< centre of mass x_c
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Identity();  ///< ∫ρ (x − x_c) Xᵀ dV, which determines the rotation
 
   void add(const Eigen::Vector3d& X_of_point, const Eigen::Vector3d& x_of_point, const Eigen::Vector3d& v_of_point,
            const Eigen::Matrix3d& F_of_point, const Eigen::Matrix3d& stress_of_point, double energy_of_point) {

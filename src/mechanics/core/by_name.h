@@ -1,17 +1,17 @@
 #pragma once
-/// Members of aggregates that keep initialisers from being wrong.
+/// Members of aggregates that prevent wrong initialisers.
 
 #include <utility>
 
 namespace pseudorigid {
 
-/// The first member of an aggregate whose values could be mistaken for one another, as those of loads: only
-/// initialisers with names compile, `{.viscosity = 0.1}`, so a value cannot slip into the place of another.
+/// The first member of an aggregate with several values of one type, such as a load. Only initialisers with names
+/// compile, `{.viscosity = 0.1}`, so a value cannot initialise the wrong member.
 struct ByName {
   explicit ByName() = default;
 };
 
-/// A member that every initialiser must name: there is no value that would be right by default.
+/// A member that every initialiser must set, because no default value would be right.
 template <class T>
 class Required {
  public:

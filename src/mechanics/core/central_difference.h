@@ -3,7 +3,7 @@
 ///
 ///   F′(0) ≈ Σ_{k=1..4} c_k [F(kh) − F(−kh)]/h,   c = (4/5, −1/5, 4/105, −1/280).
 ///
-/// With h = 1/100 of the scale on which F changes, truncation and round-off are both near 10⁻¹⁴.
+/// If h is 1/100 of the scale on which F changes, truncation and round-off are both near 10⁻¹⁴.
 
 #include <array>
 
@@ -11,7 +11,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// derivative ← F′(0); F(s, value) returns a Status.
+/// derivative ← F′(0). The function F(s, value) returns a Status.
 template <class Vector, class Function>
 Status central_difference(const Function& F, double h, Vector& derivative) {
   constexpr std::array<double, 4> c{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};

@@ -7,7 +7,7 @@
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
 ///
-/// The derivatives of g and of U are those of automatic differentiation.
+/// Automatic differentiation gives the derivatives of g and of U.
 
 #include <Eigen/Dense>
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// `metric` is a template over the scalar of q.
+/// A chart with its function `metric`, a template over the scalar type of q.
 template <class C>
 concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
                          const Coordinates<Dual<double, C::dimension>, C::dimension> x) {
@@ -33,7 +33,7 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// Optional parts of a chart, in addition to its metric; a missing part is zero.
+// Optional functions of a chart; a missing function means zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
@@ -51,7 +51,7 @@ concept HasPeriods = requires(const C chart) {
   chart.periods();
 };  // period of each coordinate; 0: not periodic
 
-/// The metric and its partial derivatives dg[k] = ∂g/∂q_k. From here on the scalar T is double, or a vector of lanes.
+/// The metric and its partial derivatives dg[k] = ∂g/∂q_k. The scalar T is double or a vector of lanes.
 template <Chart C, class T = double>
 struct MetricJet {
   Eigen::Matrix<T, C::dimension, C::dimension> g;
@@ -108,7 +108,7 @@ double kinetic_energy(const C& chart, const ChartVector<C>& q, const ChartVector
   return 0.5 * v.dot(chart.metric(q) * v);
 }
 
-/// E_m = K + U.
+/// Mechanical energy E_m = K + U.
 template <Chart C>
 double mechanical_energy(const C& chart, const ChartVector<C>& q, const ChartVector<C>& v) {
   return kinetic_energy(chart, q, v) + potential_energy(chart, q);
@@ -120,7 +120,7 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
   return chart.metric(q) * v;
 }
 
-/// v = μ⁻¹(p). Fails if the metric is not positive to round-off, as a chart's metric is at a pole.
+/// v = μ⁻¹(p). Fails if the metric is singular or not positive to round-off, for example at a pole of the chart.
 template <class Matrix, class Vector>
 Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   const Eigen::LLT<Matrix> factor(g);
@@ -134,7 +134,7 @@ Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   return {};
 }
 
-/// Γ[k](i, j) = Γᵏ_ij.
+/// Christoffel symbols Gamma[k](i, j) = Γᵏ_ij.
 template <Chart C>
 Status christoffel_symbols(const C& chart, const ChartVector<C>& q, std::array<ChartMatrix<C>, C::dimension>& Gamma) {
   const MetricJet<C> jet = metric_jet(chart, q);

@@ -4,8 +4,7 @@
 ///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
 ///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)
 ///
-/// that is, E = S + C_v(μ⁻¹F) with S the geodesic flow (5.22). One solve with g serves both terms:
-/// g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
+/// or E = S + C_v(μ⁻¹F) with the geodesic flow S (5.22). One solve with g gives both terms: g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
 
 #include <utility>
 
@@ -15,7 +14,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// F − Γ_l,ij q̇ⁱq̇ʲ of a chart whose force does not depend on time; the metric at q as well.
+/// F − Γ_l,ij q̇ⁱq̇ʲ for a chart whose force does not depend on time. Also sets g to the metric at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -42,8 +41,8 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// As in stage_by_stage.h, for charts with the functions `solve_stages_in_lanes_of(chart, stages)` and
-  /// `cost_of_iteration_of(chart)`.
+  /// Members for stages in lanes (stage_by_stage.h). They exist for charts with the functions
+  /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
   }
@@ -51,7 +50,7 @@ class ChartField {
   double cost_of_iteration() const requires requires(const C& c) { cost_of_iteration_of(c); }
   { return cost_of_iteration_of(chart_); }
 
-  /// Dq̇/dt = q̈ + Γ(q̇, q̇) of any curve with this velocity and second derivative.
+  /// D = Dq̇/dt = q̈ + Γ(q̇, q̇) of a curve with the velocity v and the given second derivative.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     if (Status status = apply_inverse_mass(jet.g, christoffel_of_first_kind(jet, v, v), D); !status) return status;
@@ -59,7 +58,7 @@ class ChartField {
     return {};
   }
 
-  /// F = −dU + F_ext + μ D(v).
+  /// The force F = −dU + F_ext + μ D(v).
   Vector force(double t, const Vector& q, const Vector& v) const { return force(t, q, v, chart_.metric(q)); }
 
   double energy(const Vector& q, const Vector& v) const { return mechanical_energy(chart_, q, v); }

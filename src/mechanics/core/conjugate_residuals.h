@@ -1,19 +1,20 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
-/// a matrix that is nearly symmetric. Its preconditioner M acts on the right, so that its residuals are those of the
-/// system itself. With w = A M⁻¹ r_k and sums over the last m of the j < k,
+/// a nearly symmetric matrix A. The preconditioner M acts on the right, so that the residuals are those of A x = r₀
+/// itself. With w = A M⁻¹ r_k and sums over the last m indices j < k,
 ///
-///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k likewise, A z_k = y_k,
+///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// With all j < k the residual is the least among all x of the iterations. Were A M⁻¹ symmetric and
-/// positive definite, one would do; it nearly is if A is and M is close to it, and a few do. As r_k is orthogonal to
-/// the y_j,
+/// With all j < k the residual is the least of all x in the span of the iterations. If A M⁻¹ were symmetric and
+/// positive definite, m = 1 would suffice. This nearly holds if A is symmetric and M is close to A, and a small m
+/// suffices. As r_k is orthogonal to the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
-/// so that an iteration needs one sum over the processes. This is the classical Gram–Schmidt process, which is accurate
-/// enough for a small number of vectors. Differences make |r|² good to 1e-16 |r₀|²: do not ask for less than 1e-7 |r₀|.
+/// so that an iteration needs only one sum over the processes. This is the classical Gram–Schmidt process, which is
+/// accurate enough for a small number of vectors. |r|² is computed by differences, with an error of 1e-16 |r₀|².
+/// Therefore the tolerance should be at least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +34,8 @@ class ConjugateResiduals {
     bool converged = false;  ///< |r| is at most the tolerance
   };
 
-  /// x from r, which becomes the residual. `multiply(z, y)`: y ← A z; `precondition(r, z)`: z ← M⁻¹ r. Norms are
-  /// Euclidean, `norm` that of r.
+  /// Computes x from r, which becomes the residual. `multiply(z, y)`: y ← A z; `precondition(r, z)`: z ← M⁻¹ r. `norm`
+  /// is the Euclidean norm of r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -53,7 +54,7 @@ class ConjugateResiduals {
         precondition(r, z_[slot]);
         multiply(z_[slot], y_[slot]);
         const double length = orthogonalise(k, r);
-        if (!(length > 0)) return;  // nothing new, or not finite
+        if (!(length > 0)) return;  // no new direction, or not finite
         const double alpha = of_residual_ / length;
         axpy(alpha, z_[slot], x);
         axpy(-alpha, y_[slot], r);
@@ -66,15 +67,16 @@ class ConjugateResiduals {
     return result;
   }
 
-  /// m. With one the Gram systems of degree 6 do not converge; of 1100 … 410,000 unknowns, two to six take as many
-  /// iterations as all within 2 %, and the products with all took a tenth of a step of the largest. Six leave a
-  /// reserve.
+  /// Number m of kept vectors. With m = 1 the Gram systems of degree 6 do not converge. For 1100 … 410,000 unknowns,
+  /// the iterations with m = 2 to 6 and with all vectors differ by 2 %. The products with all vectors took a tenth of a
+  /// step for the largest system. Six vectors leave a reserve.
   static constexpr int n_kept = 6;
-  /// If so many iterations have not been enough, M is not close to A: the next ones keep more.
+  /// If this number of iterations is not enough, M is not close to A, and the next iterations keep more vectors.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  /// Makes y_k orthonormal to those before, and z_k with it; returns its length before it became 1, or 0.
+  /// Makes y_k orthonormal to the previous vectors, and changes z_k with it. Returns the length of y_k before its
+  /// normalization, or 0.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
     Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];

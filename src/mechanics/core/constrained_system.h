@@ -3,12 +3,12 @@
 ///
 ///   M q̈ = f(t, q, q̇) + G(q)ᵀ λ,   g(q) = 0,   G = Dg,                                            (5.24)–(5.29)
 ///
-/// on a vector space with a constant mass operator M and perfect holonomic constraints g. Differentiating g twice gives
-/// the multiplier of the motion,
+/// on a vector space with a constant mass operator M and perfect holonomic constraints g. The second derivative of
+/// g(q(t)) = 0 gives the multiplier of the motion,
 ///
 ///   G M⁻¹ Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f.
 ///
-/// A system is an immutable object; everything that changes lives in the state and in the workspace.
+/// A system is an immutable object; the state and the workspace contain everything that changes.
 
 #include <cmath>
 #include <concepts>
@@ -19,11 +19,11 @@
 
 namespace pseudorigid::mechanics {
 
-/// n_constraints of a system whose number of constraints is known only at run time.
+/// Value of n_constraints if the number of constraints is known only at run time.
 inline constexpr int dynamic_constraints = -1;
 
-/// q, v, f are S::Vector; λ, g, r are S::Multiplier. Failures are values: J ≤ 0, a number that is not finite, a solve
-/// that does not converge.
+/// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return failures as values: J
+/// = det F ≤ 0, a number that is not finite, or a solve without convergence.
 template <class S>
 concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
                                      typename S::Vector f, const typename S::Multiplier lambda,
@@ -36,41 +36,43 @@ concept ConstrainedSystem = requires(const S s, double t, const typename S::Vect
   s.constraint_curvature(q, v, r);                                    // D²g(q)(v, v)
   s.add_reaction(q, lambda, f);                                       // f += G(q)ᵀ λ
   { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // G(q₁) M⁻¹ G(q₀)ᵀ λ = r
-  { s.constraint_tolerance() } -> std::convertible_to<double>;        // |g|_∞, |G v|_∞ that count as zero
-  { s.make_vector() } -> std::same_as<typename S::Vector>;            // zero, of the right size
+  { s.constraint_tolerance() } -> std::convertible_to<double>;        // largest |g|_∞, |G v|_∞ that count as zero
+  { s.make_vector() } -> std::same_as<typename S::Vector>;            // zero vector of the right size
   { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
   { s.make_workspace() } -> std::same_as<typename S::Workspace>;
 };
 
-/// True if the system has no constraint at all; methods then leave out everything that concerns constraints.
+/// True if the system has no constraints; methods then omit all work on constraints.
 template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
-/// Whether a force is so costly that pilot runs and estimates of the frequency are costly too. This is true of
-/// distributed vectors, and of systems with a member of this name that is true.
+/// True if a force is so costly that pilot runs and estimates of the frequency are costly too. This holds for
+/// distributed vectors, and for systems with a member `has_costly_force` that is true.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
   return !VectorSpace<typename S::Vector>::dense;
 }();
 
-/// A system may also find f + G(q)ᵀλ for less than the two apart, as `force_with_reaction(t, q, v, lambda, w, f)`.
+/// A system that computes f + G(q)ᵀλ at lower cost than the two terms separately, by `force_with_reaction(t, q, v,
+/// lambda, w, f)`.
 template <class S>
 concept FindsForceWithReaction = requires(const S s, const typename S::Vector q, typename S::Vector f,
                                           const typename S::Multiplier lambda, typename S::Workspace w) {
   { s.force_with_reaction(0.0, q, q, lambda, w, f) } -> std::same_as<Status>;
 };
 
-/// A system may also offer `constraint(q, q_rounding, g)`, the value g(q + q_rounding) to well below the round-off of
-/// q. The remainders of compensated sums are q_rounding; the constraint is then met by the sum.
+/// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
+/// round-off of q permits. q_rounding is the remainder of the compensated sum of q. The sum q + q_rounding then
+/// satisfies the constraint.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
   { s.constraint(q, q_rounding, r) } -> std::same_as<Status>;
 };
 
-/// Position and velocity at a time: the whole state of a mechanical system. Systems with the same vectors (constrained
-/// form and explicit-multiplier form, say) share it.
+/// Time, position and velocity, the whole state of a mechanical system. Systems with the same vectors have the same
+/// type of state, for example a constrained system and its field with an explicit multiplier.
 template <class Vector>
 struct VectorState {
   double t = 0;
@@ -79,9 +81,9 @@ struct VectorState {
 template <class S>
 using State = VectorState<typename S::Vector>;
 
-/// Multiplier of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
-/// refinement. Observables use this one, never a step's own multipliers, which belong to no instant. Fails if the
-/// force or the Gram solve fails.
+/// Multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
+/// refinement. Observables use this λ. The multipliers of a step belong to no time, and observables must not use them.
+/// Fails if the force or the Gram solve fails.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
@@ -101,7 +103,7 @@ Status multiplier_of_motion(const S& system, const State<S>& state, typename S::
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
       const double norm = max_norm(residual);
-      if (norm == 0 || norm > 0.5 * before) break;  // round-off is reached when the residual stops falling
+      if (norm == 0 || norm > 0.5 * before) break;  // a residual that no longer halves is round-off
       before = norm;
       if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
         return std::move(report.status);

@@ -1,13 +1,11 @@
 #pragma once
-/// Newton's iteration that meets a constraint by reactions: with the residual r = g(q) or G(q) v,
+/// Newton's iteration that satisfies a constraint by reactions. With the residual r = g(q) or G(q) v, it repeats
 ///
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///
-/// until |r| ≤ tolerance (or round-off).
-///
-/// Round-off of G(q) v grows with |G||v|, and that of g(q) with |G||q|, so that no constant bounds it for all motions.
-/// If a residual has stopped falling, it is compared with its changes if q and v change by units in their last place
-/// (rounding_noise.h).
+/// until |r| ≤ tolerance, or until r is round-off. Round-off of G(q) v grows with |G||v|, and round-off of g(q) with
+/// |G||q|, so that no constant bounds it for all motions. If a residual stops decreasing, it is compared with its
+/// noise: the changes of r if q and v change by units in their last place (rounding_noise.h).
 
 #include <cmath>
 #include <string>
@@ -22,14 +20,14 @@ namespace pseudorigid::mechanics::detail {
 
 inline constexpr int max_constraint_iterations = 30;
 
-/// The noise is the largest of a few changes, and errors may add up to more. In a sample of 4.3·10⁷ residuals that had
-/// stopped falling, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3 times the noise, and three above 16
-/// times, the largest 18.7; these are iterated once more.
+/// Factor on the noise, which is the largest of a few changes; a residual may contain the sum of several errors. In a
+/// sample of 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3
+/// times the noise. Three were above 16 times the noise, at most 18.7 times; the iteration continues for such
+/// residuals.
 inline constexpr double noise_reserve = 16;
 
-/// Decides on a residual in the constraint loops: done, go on, or stuck. At round-off a residual stops falling; it then
-/// counts as zero if it is at most `round_off`, or within `noise()` and its reserve. The noise is asked for there only,
-/// as it costs several evaluations.
+/// Verdict on a residual: done, go on, or stuck. A residual that no longer halves counts as zero if it is at most
+/// `round_off` or noise_reserve · noise(). Since noise() costs several evaluations, it is called only in this case.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -41,16 +39,16 @@ struct ConvergenceMonitor {
     const bool falling = residual < 0.5 * previous;
     if (!falling && std::isfinite(residual) && (residual <= round_off || residual <= noise_reserve * noise()))
       return Verdict::done;
-    // A residual may rise at first if Newton's iteration starts from far away. A NaN compares false everywhere and
-    // counts as stuck at once.
+    // A residual may grow at first if Newton's iteration starts far from the solution. Comparisons with NaN are false,
+    // so a NaN counts as stuck.
     if (!(residual < 10 * previous) || ++iteration > max_constraint_iterations) return Verdict::stuck;
     previous = residual;
     return Verdict::go_on;
   }
 };
 
-/// A single constraint is a number: its reactions are multiples of one direction, and its Gram matrix is G(q₁) times
-/// it.
+/// True if the multiplier is a number. All reactions are then multiples of one vector M⁻¹G(q₀)ᵀ, and the Gram matrix is
+/// a number.
 template <class S>
 inline constexpr bool single_constraint = std::is_same_v<typename S::Multiplier, double>;
 
@@ -64,7 +62,7 @@ struct ConstraintTemporaries {
 
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
-  bool direction_known = false;  // to be cleared if q₀ has changed
+  bool direction_known = false;  // a change of q₀ must clear it
   long n_gram_iterations = 0;
 };
 
@@ -94,7 +92,7 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
   }
 }
 
-/// w.delta and w.reaction from w.residual.
+/// Solves for w.delta and w.reaction from w.residual.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -102,7 +100,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   if constexpr (single_constraint<S>) {
     set_reaction(system, q0, 1.0, system_workspace, w);
     system.constraint_rate(q1, w.direction, w.delta);
-    w.delta = w.residual * (1 / w.delta);  // the quotient does not wait for the residual
+    w.delta = w.residual * (1 / w.delta);  // the processor computes the quotient before the residual is known
   } else {
     SolveReport report = system.solve_gram(q1, q0, w.residual, system_workspace, w.delta);
     w.n_gram_iterations += report.iterations;
@@ -112,7 +110,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// Apart from the steps' path: a message costs more than a step.
+/// The failure message, in a separate cold function because it costs more than a step.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;
@@ -120,15 +118,15 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return Status::failure(std::move(sentence));
 }
 
-/// Tells an inexact solver of Gram systems how small a residual is enough; 0: as small as it makes it by itself.
+/// Sets the residual that is sufficient for an inexact solver of Gram systems; 0: the solver's default.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
   constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. Tolerance 0: until round-off. A
-/// residual up to `foregone` takes one iteration, whose result is not checked.
+/// Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. With tolerance 0
+/// it iterates to round-off. If the residual is at most `foregone`, one more iteration ends it without a check.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -150,7 +148,7 @@ Status meet_constraint(const S& system, const char* what, double tolerance, cons
   }
 }
 
-/// G(q) v = 0, where `apply` adds w.reaction to v.
+/// Solves G(q) v = 0; `apply` adds w.reaction to v.
 template <ConstrainedSystem S, class Apply>
 Status meet_velocity_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& v, typename S::Workspace& system_workspace,
@@ -163,7 +161,7 @@ Status meet_velocity_constraint(const S& system, double tolerance, const typenam
                          [&] { return noise_of_rate(system, q, v); });
 }
 
-/// g(q) = 0, where `apply` adds w.reaction to q; the reactions act at q₀.
+/// Solves g(q) = 0; `apply` adds w.reaction to q. The reactions act at q₀.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -173,7 +171,7 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// The same, with the remainder of the compensated sum of q if the system supports it.
+/// The same for g(q + q_rounding) = 0 if the system resolves the remainder q_rounding of the compensated sum of q.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

@@ -1,14 +1,14 @@
 #pragma once
-/// Whether the force of a system depends on time and velocity only if the system says so (second_order_field.h). A
-/// misspelt member is ignored, and methods would then rely on a false property.
+/// Checks that a system declares each dependence of its force on time and velocity (second_order_field.h). The compiler
+/// does not report a misspelt declaration, and methods would then rely on a false property.
 
 #include "mechanics/core/constrained_system.h"
 #include "mechanics/core/second_order_field.h"
 
 namespace pseudorigid::mechanics {
 
-/// Compares forces at the position of `state` with those at another time and with those at rest, of a state at rest
-/// with those in motion: equal to the last bit, or declared to differ. For a field only the time is tested, since
+/// Compares the force at `state` with the force at another time and at another velocity: zero, or ones for a state at
+/// rest. If a force differs in any bit, the dependence must be declared. For a field only the time is tested, since
 /// accelerations of charts have terms in the velocity.
 template <class S>
 Status check_declared_dependence(const S& system, const State<S>& state) {

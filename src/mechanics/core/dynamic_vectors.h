@@ -1,8 +1,8 @@
 #pragma once
-/// Eigen vectors of dynamic size in place of a system's own vectors and multipliers, whose entries they hold column by
-/// column. `read_as<V>` and `WriteAs<V>` are the arguments of a function of a system: a copy if V has a fixed
-/// size. For matrices of dynamic size it is a view for a function that takes Eigen::Ref, and else a copy too, which is
-/// slow.
+/// Conversions between Eigen vectors of dynamic size and a system's own vectors and multipliers. The dynamic vectors
+/// have the entries column by column. `read_as<V>` and `WriteAs<V>` make arguments of a function of a system. They copy
+/// if V has a fixed size. For matrices of dynamic size they are views if the function takes Eigen::Ref; otherwise they
+/// copy, which is slow.
 
 #include <Eigen/Core>
 #include <optional>
@@ -35,7 +35,7 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// Its contents are copied to the dynamic vector when this object is destroyed.
+/// An output argument. Its destructor copies the contents to the dynamic vector.
 template <class V>
 class WriteAs {
  public:
@@ -92,7 +92,7 @@ class WriteAs<NoMultiplier> {
   NoMultiplier none_;
 };
 
-/// The reverse of read_as.
+/// The inverse of read_as: the entries of x as a dynamic vector.
 template <class V>
 Eigen::VectorXd flat(V x) {
   const auto entries = local_values(x);

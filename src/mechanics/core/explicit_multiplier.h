@@ -1,16 +1,16 @@
 #pragma once
-/// A constrained system as a second-order field with invariant manifold (Oliva, Geometric Mechanics, 5.29): the
-/// explicit multiplier of the motion,
+/// A constrained system as a second-order field with an invariant manifold (Oliva, Geometric Mechanics, 5.29). The
+/// explicit multiplier λ of the motion,
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
-/// keeps g = 0 and G q̇ = 0; Newton's iteration corrects the error of integration in them,
+/// keeps g = 0 and G q̇ = 0. Newton's iteration corrects the integration errors of both constraints:
 ///
 ///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
 ///
-/// A system that computes its acceleration or its projection faster says so by members `acceleration(t, q, v, w, a)`
-/// and `project(q, v, w)`. Gram solves of a number of constraints known at compile time are direct; the others may be
-/// inexact and are refined until the constraint on the acceleration is met.
+/// A system that computes its acceleration or its projection faster has members `acceleration(t, q, v, w, a)` and
+/// `project(q, v, w)`. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves
+/// may be inexact; they are refined until the accelerations satisfy the constraint.
 
 #include <cmath>
 
@@ -23,13 +23,13 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// a ← a + M⁻¹Gᵀλ with G a = −D²g(v, v).
+/// a ← a + M⁻¹Gᵀλ, with λ such that G a = −D²g(v, v).
 template <ConstrainedSystem S>
 Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
                               typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,
                               typename S::Multiplier& curvature, typename S::Vector& a) {
   constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
-  constexpr double needed_fall = 0.5;  // round-off is reached when the residual stops falling
+  constexpr double needed_fall = 0.5;  // a residual that no longer halves is round-off
   system.constraint_curvature(q, v, curvature);
   constraint.direction_known = false;
   double before = HUGE_VAL;
@@ -59,7 +59,7 @@ class ExplicitMultiplier {
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
 
-    /// Memory of a solver of Gram systems.
+    /// Passes the memory of a solver of Gram systems to `visit`.
     template <class Visit>
     void visit_memory(Visit&& visit) {
       if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -90,7 +90,7 @@ class ExplicitMultiplier {
     }
   }
 
-  /// As of stage_by_stage.h, of systems that have them.
+  /// Members for stages in lanes (stage_by_stage.h). They exist if the system has them, and call those of the system.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
     s.solve_stages_in_lanes(stages);
   }
@@ -112,7 +112,7 @@ class ExplicitMultiplier {
       return {};
     } else {
       auto& c = w.constraint;
-      c.direction_known = false;  // the velocity may use it too: the position's correction changes it by round-off
+      c.direction_known = false;  // valid for the velocity too: the position correction changes it by round-off
       const double tolerance = system_.constraint_tolerance();
       if (Status status = detail::meet_position_constraint(system_, tolerance, q, q, w.system, c,
                                                            [&] { axpy(1.0, c.reaction, q); });

@@ -1,6 +1,6 @@
 #pragma once
-/// Which form of a system a method works on: methods of fixed step on the constrained form, adaptive ones on a
-/// second-order field, which a constrained system becomes by its explicit multiplier.
+/// The form of a system that a method integrates. Methods of fixed step use the constrained form. Adaptive methods use
+/// a second-order field, which a constrained system has by its explicit multiplier.
 
 #include <type_traits>
 
@@ -8,7 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The field of a system: itself, if it is one without constraints to care for. It refers to the system.
+/// The second-order field of a system. It refers to the system. A system that is not a ConstrainedSystem is returned
+/// itself.
 template <class S>
 decltype(auto) field_of(const S& system) {
   if constexpr (ConstrainedSystem<S>)
@@ -19,7 +20,7 @@ decltype(auto) field_of(const S& system) {
 template <class S>
 using FieldOf = std::remove_cvref_t<decltype(field_of(std::declval<const S&>()))>;
 
-/// The form that a method works on: `form_for<Method>(system)`.
+/// The form of the system that Method integrates.
 template <class Method, class S>
 decltype(auto) form_for(const S& system) {
   if constexpr (Method::adaptive)
@@ -30,14 +31,15 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// The methods that need only the operations of VectorSpace, and declare it; the others need dense vectors of Eigen.
+/// True for methods that declare that they need only the operations of VectorSpace. Other methods need dense Eigen
+/// vectors.
 template <class Method>
 inline constexpr bool takes_any_vector = [] {
   if constexpr (requires { Method::takes_any_vector; }) return Method::takes_any_vector;
   return false;
 }();
 
-/// Whether a method can be compiled for a system.
+/// True if the method can be compiled for the type of the system.
 template <class Method, class S>
 consteval bool method_fits() {
   if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
@@ -46,8 +48,8 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
-/// Whether the method fits this system. The abilities of a system behind an interface are known at run time
-/// (any_system.h).
+/// True if the method fits this system. For a system behind an interface this depends on properties known only at run
+/// time (any_system.h).
 template <class Method, class S>
 constexpr bool fits(const S& system) {
   if constexpr (requires { typename S::WithoutEnergies; }) {

@@ -13,7 +13,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// g_h as a metric of its own, which ChartField turns into its geodesic flow.
+/// The metric g_h as a chart of its own. ChartField gives its geodesic flow.
 template <Chart C>
 struct JacobiMetric {
   static constexpr int dimension = C::dimension;
@@ -30,11 +30,11 @@ struct JacobiMetric {
   }
 };
 
-/// A curve of the chart with one more coordinate, a function of the curve's parameter that is integrated along.
+/// A curve of the chart, with the integral of a function along the curve as an additional coordinate.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
-/// Geodesics of g_h, of unit speed if they start so, with the time of the motion as the last coordinate:
+/// Geodesics of g_h, with the time t of the motion as the last coordinate. They have unit speed if they start with it:
 ///   q″ = −Γ(q′, q′) − 2 dρ(q′) q′ + ⟨q′, q′⟩ grad ρ,   t′ = 1/(2(h − U)),   t″ = 2 dU(q′)/(2(h − U))².
 template <Chart C>
 class JacobiGeodesicField {
@@ -61,7 +61,7 @@ class JacobiGeodesicField {
     return {};
   }
 
-  /// The geodesic of unit speed along the motion through (q, v) of energy h: q′ = v/(2(h − U)) (5.18).
+  /// Start of the unit-speed geodesic along the motion of energy h through (q, v): q′ = v/(2(h − U)) (5.18).
   Status start(const ChartVector<C>& q, const ChartVector<C>& v, Vector& x, Vector& dx) const {
     const double factor = 2 * (h_ - potential_energy(chart_, q));
     if (Status status = inside(factor); !status) return status;
@@ -83,7 +83,7 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion itself, with its Jacobi length s̃ as the last coordinate: ds̃/dt = 2K = 2(h − U), so s̃¨ = −2 dU(q̇).
+/// The motion, with its Jacobi length s̃ as the last coordinate: ds̃/dt = 2K = 2(h − U), so s̃¨ = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

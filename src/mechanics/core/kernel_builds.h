@@ -1,7 +1,7 @@
 #pragma once
-/// Kernels that are compiled several times, each for other instructions of the processor (cmake/Kernels.cmake). A build
-/// of them is a table of functions. Which one runs is chosen once for the process: the first that the processor can
-/// run, or the one that the environment variable PSEUDORIGID_INSTRUCTIONS names.
+/// Kernels that are compiled several times, for different instruction sets of the processor (cmake/Kernels.cmake). A
+/// build of the kernels is a table of functions. The process chooses one build once. This is the first build that the
+/// processor can run, or the build named by the environment variable PSEUDORIGID_INSTRUCTIONS.
 
 #include <cstddef>
 #include <span>
@@ -14,26 +14,27 @@ namespace pseudorigid::mechanics {
 
 template <class Table>
 struct KernelBuild {
-  std::string_view instructions;  ///< "x86-64-v3"; "native": those of the machine that compiled it
+  std::string_view instructions;  ///< "x86-64-v3"; "native" means those of the machine that compiled it
   bool (*runs_here)();
   const Table* table;
 };
 
-/// No build can be chosen; what() is one sentence for the user.
+/// Thrown if no build can be chosen; what() is one sentence for the user.
 struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A build, described by its instructions.
+/// The instruction set of a build, and whether this processor has it.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;
 };
 
-/// Index of the first build that runs here or, where `wanted` is not empty, of the one that it names. Throws NoKernels.
+/// Index of the first build that runs on this processor. If `wanted` is not empty, index of the build with this name.
+/// Throws NoKernels.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
-/// The value of the environment variable; empty if it is not set.
+/// The value of the environment variable PSEUDORIGID_INSTRUCTIONS; empty if it is not set.
 std::string_view wanted_instructions();
 
 /// The build that this process uses.

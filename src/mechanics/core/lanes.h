@@ -1,9 +1,10 @@
 #pragma once
-/// A SIMD vector of doubles, one lane a cell, a point or a body, on the compiler's vector extension: the packaged
-/// deal.II has no wide vectors, and with a deal.II that has them nothing changes here.
+/// A SIMD vector of doubles. Each lane is a cell, a quadrature point or a body. The type uses the vector extension of
+/// the compiler, because the packaged deal.II does not have wide vectors.
 ///
-/// This header depends on the instructions for which a file is compiled. So it is in a namespace of theirs: two
-/// files that are compiled for different ones have different vectors, functions and numbers of lanes, and share none.
+/// The definitions depend on the instruction set for which a file is compiled, so they are in a namespace of the
+/// instruction set. Files compiled for different sets have different vectors, functions and numbers of lanes, and the
+/// linker does not merge them.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -27,15 +28,15 @@
 namespace pseudorigid::mechanics {
 inline namespace PSEUDORIGID_LANES_OF {
 
-/// Lanes of the widest vector that this translation unit may use.
+/// Number of lanes of the widest vector that this translation unit may use.
 inline constexpr int native_lanes = PSEUDORIGID_NATIVE_LANES;
 
-/// The lesser of two numbers, a NaN being the least of all.
+/// The smaller of two numbers. A NaN counts as smaller than any number.
 inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
 
 namespace lanes_detail {
 template <int n_lanes>
-struct VectorTypes;  // spelled out, since the compiler ignores a vector size that depends on a template parameter
+struct VectorTypes;  // written out, since the compiler ignores a vector size that depends on a template parameter
 template <>
 struct VectorTypes<2> {
   typedef double Real __attribute__((vector_size(16)));
@@ -55,7 +56,7 @@ struct VectorTypes<8> {
   typedef unsigned long long Bits __attribute__((vector_size(64)));
 };
 
-/// The vector (a, b) of two numbers or vectors.
+/// The vector (a, b) of two numbers or of two vectors.
 [[gnu::always_inline]] inline VectorTypes<2>::Real join(double a, double b) { return VectorTypes<2>::Real{a, b}; }
 template <class Half>
 [[gnu::always_inline]] inline auto join(Half a, Half b) {
@@ -87,7 +88,7 @@ struct Lanes {
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
 
-  /// Lane l holds value(l). Built in registers: lanes set one by one would go through memory.
+  /// Lane l is value(l). The vector is built in registers; setting single lanes would go through memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
     return lanes_detail::collect<n_lanes>(value);
@@ -110,16 +111,16 @@ struct Lanes {
     v += b.v;
     return *this;
   }
-  /// The lesser lane by lane, a NaN being the least of all.
+  /// The smaller number in each lane. A NaN counts as smaller than any number.
   friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
   /// Natural logarithm of positive finite numbers, to about one unit in the last place:
-  /// x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
+  ///   x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
     NativeBits bits;
     std::memcpy(&bits, &x.v, sizeof bits);
     constexpr unsigned long long sqrt_half_bits = 0x3fe6a09e667f3bcdULL, mantissa_mask = 0x000fffffffffffffULL;
-    const NativeBits difference = bits - sqrt_half_bits;  // without a sign: it may overflow if x is not positive
+    const NativeBits difference = bits - sqrt_half_bits;  // unsigned, since it may overflow if x is not positive
     const NativeInt exponent = reinterpret_cast<NativeInt>(difference) >> 52;
     const NativeBits mantissa_bits = (difference & mantissa_mask) + sqrt_half_bits;
     Native m;
@@ -131,21 +132,21 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// ln(1 + x) without loss for small x: the rounding error of 1 + x is put back to first order.
+  /// ln(1 + x) without cancellation for small x: a term of first order corrects the rounding error of 1 + x.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
   }
 
-  /// 1/√x to about one unit in the last place, for positive x in the range of single precision: a guess y of 11 bits or
-  /// more, and with e = 1 − xy² the series y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The root and the quotient of the
-  /// processor take several times as long.
+  /// 1/√x to about one unit in the last place, for positive x in the range of single precision. It starts with a guess
+  /// y of 11 bits or more. With e = 1 − xy² the result is y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The processor's
+  /// square root and quotient take several times as long.
   friend Lanes inverse_sqrt(Lanes x) {
     const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
   }
 
-  /// x, y, z of the triples at base + offsets[lane].
+  /// Loads the triples (x, y, z) at base + offsets[lane].
   [[gnu::always_inline]] static void load_triples(const double* base, const unsigned int* offsets, Lanes& x, Lanes& y,
                                                   Lanes& z) {
     const auto pair = [&](int lane) {
@@ -168,7 +169,8 @@ struct Lanes {
     z = of([&](int lane) { return base[offsets[lane] + 2]; });
   }
 
-  /// Adds lane by lane to the triples at base + offsets[lane], for the first n_active lanes. Lanes may share a triple.
+  /// Adds (x, y, z) of the first n_active lanes to the triples at base + offsets[lane]. Several lanes may have the same
+  /// triple.
   [[gnu::always_inline]] static void add_triples(const Lanes& x, const Lanes& y, const Lanes& z, int n_active,
                                                  double* base, const unsigned int* offsets) {
     double xyz[3][n_lanes];
@@ -187,7 +189,7 @@ struct Lanes {
 
   static Native inverse_sqrt_guess(Native x) {
 #if defined(__AVX512F__)
-    // All lanes by a mask: gcc 12 says of the form without one that it reads an undefined vector.
+    // The mask has all lanes. Without a mask gcc 12 warns that the function reads an undefined vector.
     if constexpr (n_lanes == 8) return _mm512_maskz_rsqrt14_pd(0xff, x);
 #endif
 #if defined(__AVX__)

@@ -1,6 +1,6 @@
 #pragma once
-/// A vector of lanes (lanes.h) as a scalar of Eigen, and so of automatic differentiation. A function over any scalar
-/// is then computed in all lanes.
+/// A vector of lanes (lanes.h) as a scalar of Eigen and of automatic differentiation. A function over any scalar can
+/// then be computed in all lanes at once.
 
 #include <Eigen/Core>
 #include <type_traits>
@@ -10,7 +10,7 @@
 
 namespace pseudorigid::mechanics {
 
-// Without a branch, so that the compiler finds what the sine and the cosine of an angle have in common.
+// The functions have no branch, so that the compiler shares common terms of the sine and the cosine of an angle.
 [[gnu::always_inline]] inline Lanes<native_lanes> sin(Lanes<native_lanes> x) { return sine_cosine_of_moderate(x).sine; }
 [[gnu::always_inline]] inline Lanes<native_lanes> cos(Lanes<native_lanes> x) {
   return sine_cosine_of_moderate(x).cosine;

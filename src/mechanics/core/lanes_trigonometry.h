@@ -1,10 +1,10 @@
 #pragma once
-/// Sine and cosine of a vector of lanes (lanes.h), to about one unit in the last place.
+/// Sine and cosine of a vector of lanes (lanes.h), to about one unit in the last place, with the reduction
 ///
 ///   x = kπ/2 + r,   |r| ≤ π/4
 ///
-/// π/2 is the sum of three parts, and k times the first two is exact. sin r and cos r are the polynomials of fdlibm
-/// (Sun Microsystems 1993). For arguments beyond 2²⁰ the functions of the C++ library are called lane by lane.
+/// π/2 is the sum of three parts, and k times the first two parts is exact. sin r and cos r are the polynomials of
+/// fdlibm (Sun Microsystems 1993). For |x| > 2²⁰ the C++ library computes each lane.
 
 #include <cmath>
 #include <cstring>
@@ -17,7 +17,7 @@ struct SineCosine {
   Lanes<native_lanes> sine, cosine;
 };
 
-/// Whether |x| ≤ bound in all lanes. Not a loop over the lanes, which would take longer than a sine.
+/// True if |x| ≤ bound in all lanes. A loop over the lanes would take longer than a sine.
 [[gnu::always_inline]] inline bool all_within(Lanes<native_lanes> x, double bound) {
 #if defined(__AVX512F__)
   return _mm512_cmp_pd_mask(_mm512_abs_pd(x.v), _mm512_set1_pd(bound), _CMP_LE_OQ) == 0xff;
@@ -33,7 +33,7 @@ struct SineCosine {
 
 inline constexpr double most_of_moderate = 0x1p20;
 
-/// The result has a meaning for arguments up to most_of_moderate.
+/// Sine and cosine for |x| ≤ most_of_moderate; other arguments give wrong values.
 [[gnu::always_inline]] inline SineCosine sine_cosine_of_moderate(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   using Native = Vector::Native;

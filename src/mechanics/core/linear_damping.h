@@ -1,13 +1,13 @@
 #pragma once
-/// Forces −C(q) v that are linear in the velocity, with C symmetric and positive semidefinite: viscosity and drag.
-/// An implicit step of size 2s ends with the velocity v + u, if r is the residual of its equation at v:
+/// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. An implicit
+/// step of size 2s has a residual r at the velocity v. It ends with the velocity v + u, with u such that
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///
-/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G. The operator is symmetric and positive in the
-/// inner product ⟨x, y⟩ = xᵀM y, so the solution is that of conjugate gradients. The operator is at least 1, so the
-/// error of u is at most the residual. It is at most 1 + sγ, γ the largest rate of damping: the iterations grow like
-/// √(sγ), and no γ limits the step.
+/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G. The operator on the left is symmetric and
+/// positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The eigenvalues of the
+/// operator are at least 1, so the error of u is at most the residual. They are at most 1 + sγ with the largest damping
+/// rate γ. Therefore the number of iterations grows like √(sγ), and no γ limits the step.
 
 #include <algorithm>
 #include <limits>
@@ -18,16 +18,15 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also gives this part of its force, f += −C(q) v. It does not have other forces that depend on the
-/// velocity.
+/// A system that also computes its damping, f += −C(q) v. No other part of its force depends on the velocity.
 template <class S>
 concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(v, v, f);  // (q, v, f)
   s.apply_mass(v, f);      // f = M v
-  s.add_taken(0.0, f);     // (energy, v): the dissipated energy, a part of v, grows by that much
+  s.add_taken(0.0, f);     // (energy, v): adds to the dissipated energy, which is an entry of v
 };
 
-/// Temporaries of the solution.
+/// Temporaries of `solve_damping`; empty if the system has no linear damping.
 template <class S>
 struct DampingTemporaries {
   DampingTemporaries(const S&, bool) {}
@@ -42,10 +41,10 @@ struct DampingTemporaries<S> {
         force(residual),
         momentum(residual) {}
 
-  typename S::Vector residual;  ///< r, to be set by the caller
+  typename S::Vector residual;  ///< r, set by the caller
   typename S::Vector solution;  ///< u
   typename S::Vector direction, product, force, momentum;
-  long n_products = 0;  ///< with C
+  long n_products = 0;  ///< number of products with C
 
  private:
   static typename S::Vector vector_if(bool used, const S& system) {
@@ -55,7 +54,7 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// x ← P x at q.
+/// x ← P x at the configuration q.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
@@ -68,15 +67,14 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// w.solution from w.residual, until the rest of that is at most `enough`, or round-off of it. Fails if the operator
-/// is not positive, as in a step backwards in time that is too long, or if the iteration is slower than conjugate
-/// gradients are.
+/// Computes w.solution from w.residual. The iteration ends if the remaining residual is at most `enough`, or round-off.
+/// It fails if the operator is not positive, as in a long step backwards in time, or if it converges too slowly.
 template <LinearlyDamped S>
 Status solve_damping(const S& system, double s, const typename S::Vector& q, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,
                      DampingTemporaries<S>& w) {
   constexpr int most_iterations = 2000;
-  constexpr double part = 0.1;  // the part of the residual that projections may leave
+  constexpr double part = 0.1;  // fraction of `enough` that projections may leave
   const auto project = [&](typename S::Vector& x) {
     return detail::project_onto_tangent_space(system, part * enough, q, x, system_workspace, constraint);
   };

@@ -1,9 +1,9 @@
 #pragma once
-/// The data that a method keeps from step to step (multipliers known so far, positions of earlier steps, round-off kept
-/// back), as a plain list of numbers: saved with a checkpoint and put back, it makes a resumed run repeat the
-/// uninterrupted one bit by bit. A workspace hands out its numbers, lists of numbers and vectors by
-/// `visit_memory(visit)`, always the same ones in the same order. For a distributed vector the list holds the rank's
-/// own part.
+/// The memory of a method as a list of numbers: the data that it keeps from step to step, such as known multipliers,
+/// earlier positions and compensations of round-off. A checkpoint contains this list. A run resumed with it repeats the
+/// uninterrupted run bit by bit. The function `visit_memory(visit)` of a workspace passes its numbers, lists of numbers
+/// and vectors to `visit`, always in the same order. For a distributed vector the list contains the entries of the
+/// rank.
 
 #include <algorithm>
 #include <cstddef>
@@ -21,12 +21,12 @@ struct MemorySaver {
   std::vector<double>& numbers;
   void operator()(std::span<double> values) const {
     const std::size_t n = numbers.size();
-    numbers.resize(n + values.size());  // insert makes GCC 12 warn of a span of one number
+    numbers.resize(n + values.size());  // GCC 12 warns of an insertion of one number
     std::copy_n(values.begin(), values.size(), numbers.begin() + static_cast<std::ptrdiff_t>(n));
   }
   template <class Value>
   void operator()(Value& value) const {
-    if constexpr (std::is_arithmetic_v<Value>)  // whole numbers below 2^53 and truth values are doubles exactly
+    if constexpr (std::is_arithmetic_v<Value>)  // whole numbers below 2^53 and Booleans are exact as doubles
       numbers.push_back(static_cast<double>(value));
     else
       (*this)(local_values(value));
@@ -52,14 +52,14 @@ struct MemoryRestorer {
 
 }  // namespace detail
 
-/// `numbers` ← the memory of the workspace; its capacity is reused.
+/// `numbers` ← the memory of the workspace. The capacity of `numbers` is reused.
 template <class Workspace>
 void save_memory(Workspace& workspace, std::vector<double>& numbers) {
   numbers.clear();
   workspace.visit_memory(detail::MemorySaver{numbers});
 }
 
-/// The reverse. Returns false and changes nothing if the list does not have the length of the workspace.
+/// The memory of the workspace ← `numbers`. If the list has the wrong length, returns false and changes nothing.
 template <class Workspace>
 bool restore_memory(Workspace& workspace, std::span<const double> numbers) {
   std::vector<double> present;

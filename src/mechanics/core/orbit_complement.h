@@ -1,12 +1,12 @@
 #pragma once
-/// The part of a step that is not a motion along the symmetries of the system: P = ΔX without its components along the
-/// tangent space of the orbit at X = (q, v),
+/// The orthogonal complement of the orbit of the symmetries. P is ΔX without its components along the tangent space of
+/// the orbit at X = (q, v),
 ///
 ///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit),
 ///
-/// by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník, Comput. Math. Appl. 50
-/// (2005) 1069). If orbits are of lower dimension (axes that coincide, a point on its axis of rotation), the vectors
-/// that depend on earlier ones are left out.
+/// computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník, Comput. Math. Appl.
+/// 50 (2005) 1069). An orbit may have a lower dimension, for example if axes coincide or a point is on its axis of
+/// rotation. Vectors that depend on earlier ones are then omitted.
 
 #include <cmath>
 #include <cstddef>
@@ -24,7 +24,7 @@ class OrbitComplement {
   explicit OrbitComplement(const S& system)
       : basis_(static_cast<std::size_t>(system.n_symmetries()), {system.make_vector(), system.make_vector()}) {}
 
-  /// Sets the orbit: the one through (q, v).
+  /// Computes the basis of the tangent space of the orbit through (q, v).
   void set(const S& system, const Vector& q, const Vector& v) {
     rank_ = 0;
     for (int i = 0; i < system.n_symmetries(); ++i) {
@@ -38,8 +38,8 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit; the result is the length of the remainder, and 0 if this
-  /// is round-off. Repeated while cancellation takes more than half of the length; a NaN ends the loop.
+  /// (a, α) ← (a, α) without its components along the orbit. Returns the length of the remainder, or 0 if it is
+  /// round-off. The loop repeats as long as cancellation removes more than half of the length; a NaN ends it.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;
@@ -59,7 +59,8 @@ class OrbitComplement {
   struct Direction {
     Vector q, v;
   };
-  /// Remainder that is neglected: 10⁻¹² of the change of a step, and directions are known to ε/10⁻⁶.
+  /// Relative length of a remainder that counts as 0. Its square is 10⁻¹² of the change of a step; the directions have
+  /// an error of ε/10⁻⁶.
   static constexpr double dependent = 1e-6;
 
   static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }

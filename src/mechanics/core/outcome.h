@@ -2,7 +2,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// How a run ended, from the time loop to the manifest and the exit code.
+/// The outcome of a run. The time loop, the manifest and the exit code use it.
 enum class Outcome { finished, interrupted, failed };
 
 }  // namespace pseudorigid::mechanics

@@ -1,21 +1,23 @@
 #pragma once
-/// Principal axes of the ellipsoid F B, B the unit ball: F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
+/// Principal axes of the ellipsoid F B, with the unit ball B: F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
 ///
-/// One-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992): U is rotated until the rows of A = UᵀF are
-/// orthogonal; then A = diag(a)Vᵀ and a_i = |A_i|. Small axes keep their accuracy cond(F)·ε, which the eigenvalues of C
-/// would lose, and rows that are orthogonal already are left as they are, bit for bit. Three things make it fast:
+/// The method is one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). U is rotated until the rows A_i of A
+/// = UᵀF are orthogonal; then A = diag(a)Vᵀ and a_i = |A_i|. Small axes keep their accuracy cond(F)·ε, with the
+/// round-off ε; the eigenvalues of C would lose it. Rows that are already orthogonal are not changed. Three devices
+/// make the method fast.
 ///
 /// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and
 ///
 ///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
 ///
-/// λ is the eigenvalue of B farthest from the others. Its eigenvector is a column of adj(B − λ Id), and a plane
-/// rotation diagonalizes B on the complement. Second, the small angles that remain,
+/// λ is the eigenvalue of B farthest from the others. Its eigenvector is a column of adj(B − λ Id). A plane rotation
+/// diagonalizes B on the orthogonal complement of this vector. Second, one Cayley rotation removes all the remaining
+/// small angles
 ///
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
-/// are removed together by one Cayley rotation, which leaves angles of order θ². As a rule one such rotation is enough.
-/// Third, plane rotations one after the other are made only if an angle is not small, that is for nearly equal axes.
+/// and leaves angles of order θ². Usually one such rotation is enough. Third, single plane rotations are made only if
+/// an angle is not small, which occurs for nearly equal axes.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -27,15 +29,15 @@
 namespace pseudorigid::mechanics {
 
 struct PrincipalAxes {
-  Eigen::Matrix3d U;  ///< columns: directions of the axes, in no order
-  Eigen::Matrix3d A;  ///< UᵀF, rows orthogonal
+  Eigen::Matrix3d U;  ///< columns: directions of the axes, unsorted
+  Eigen::Matrix3d A;  ///< UᵀF, with orthogonal rows
   Eigen::Vector3d a;  ///< lengths of the semi-axes
 };
 
 namespace detail::axes {
 
-/// MN by entries: Eigen's packets of two doubles would have to wait for the single ones just stored, a quarter of the
-/// time
+/// The product MN by entries. Eigen's packets of two doubles would wait for single doubles just stored, which takes a
+/// quarter of the time.
 inline Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N) {
   Eigen::Matrix3d P;
   for (int j = 0; j < 3; ++j)
@@ -47,7 +49,7 @@ inline double dot(const Eigen::Vector3d& u, const Eigen::Vector3d& v) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
 }
 
-/// A symmetric matrix: entries (i, i), and (j, k) where i is the third index
+/// A symmetric matrix S: its diagonal, and opposite[i] = S_jk with (i, j, k) a permutation of (0, 1, 2).
 struct Symmetric {
   Eigen::Vector3d diagonal, opposite;
   Eigen::Vector3d operator*(const Eigen::Vector3d& u) const {
@@ -57,13 +59,13 @@ struct Symmetric {
   }
 };
 
-/// Products of the columns of W
+/// Gram matrix of the columns of W.
 inline Symmetric gram(const Eigen::Matrix3d& W) {
   const auto dot = [&W](int i, int j) { return W(0, i) * W(0, j) + W(1, i) * W(1, j) + W(2, i) * W(2, j); };
   return {{dot(0, 0), dot(1, 1), dot(2, 2)}, {dot(1, 2), dot(2, 0), dot(0, 1)}};
 }
 
-/// Whether all cosines of the angles between the columns are below a bound
+/// True if all cosines of the angles between the columns are at most `bound`, with G their Gram matrix.
 inline bool orthogonal(const Symmetric& G, double bound) {
   const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
   const auto below = [&](int i, int j, int k) {
@@ -83,23 +85,24 @@ struct PlaneRotation {
   }
 };
 
-/// Diagonalizes (α γ; γ β) by the smaller angle: with δ = β − α and h = √(δ² + 4γ²), tan = ±2γ/(h + |δ|) and
-/// cos² = (h + |δ|)/(2h).
+/// The rotation by the smaller angle that diagonalizes (α γ; γ β). With δ = β − α and h = √(δ² + 4γ²), tan = ±2γ/(h +
+/// |δ|) and cos² = (h + |δ|)/(2h).
 inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
-  constexpr double tiny = 1e-150;  // stands for δ = γ = 0
+  constexpr double tiny = 1e-150;  // avoids 0/0 for δ = γ = 0
   const double delta = beta - alpha, size = std::abs(delta) + tiny, h = std::sqrt(size * size + 4 * gamma * gamma);
   const double cosine = std::sqrt((h + size) / (2 * h));
   return {cosine, cosine * (std::copysign(2.0, delta) * gamma / (h + size))};
 }
 
-/// cos(⅓ arccos q), 0 ≤ q ≤ 1, to 1e-8: Halley's step for 4c³ − 3c = q from the parabola that is exact at 0 and 1
+/// cos(⅓ arccos q) for 0 ≤ q ≤ 1, to 1e-8. Halley's step for 4c³ − 3c = q starts from a parabola that is exact at 0 and
+/// 1.
 inline double cosine_of_third(double q) {
   const double c = 0.8660254037844386 + q * (0.1666666666666667 - 0.0326920704511053 * q);
   const double f = (4 * c * c - 3) * c - q, slope = 12 * c * c - 3, curvature = 24 * c;
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Eigenvectors of C in closed form, to about 1e-8; orthonormal to round-off
+/// Eigenvectors of C in closed form, to about 1e-8. They are orthonormal to round-off.
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};
@@ -117,7 +120,7 @@ inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
                             : minors[1] > minors[2]                    ? Eigen::Vector3d(m01, minors[1], m12)
                                                                        : Eigen::Vector3d(m02, m12, minors[2]);
 
-  // The reflection that takes v to the third coordinate axis takes the other two to a basis of the complement.
+  // The reflection that maps v to the third axis maps the first and second axis to a basis of the plane normal to v.
   const double length = std::sqrt(dot(v, v)), signed_length = std::copysign(length, v[2]), w = v[2] + signed_length;
   const double e = 1 / (signed_length * w), e0 = e * v[0], e1 = e * v[1];
   Eigen::Vector3d u0(1 - e0 * v[0], -e0 * v[1], -e0 * w), u1(-e1 * v[0], 1 - e1 * v[1], -e1 * w);
@@ -128,7 +131,7 @@ inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   return U;
 }
 
-/// The rotation (Id − W)⁻¹(Id + W) with W the skew matrix of w = θ/2
+/// The rotation (Id − W)⁻¹(Id + W) with the skew matrix W of w = θ/2.
 inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
   const Eigen::Vector3d w(theta[0] / 2, theta[1] / 2, theta[2] / 2);
   const double f = 2 / (1 + dot(w, w)), d = f - 1;
@@ -141,7 +144,7 @@ inline Eigen::Matrix3d cayley(const Eigen::Vector3d& theta) {
   return R;
 }
 
-/// One sweep of plane rotations of the columns of W, and of U with them
+/// One sweep of plane rotations, applied to the columns of W and of U.
 inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
   for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
     Eigen::Vector3d u = W.col(i), v = W.col(j), u_of_U = U.col(i), v_of_U = U.col(j);
@@ -156,8 +159,8 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
 
 }  // namespace detail::axes
 
-/// Entries of F are to be within 10^±20 (their eighth powers occur). A matrix that is not finite gives axes that are
-/// not.
+/// Principal axes of F. The entries of F must be within 10^±20, because their eighth powers occur. If F is not finite,
+/// the axes are not finite.
 inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;
@@ -170,7 +173,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
       G = detail::axes::gram(W);
       if (detail::axes::orthogonal(G, round_off)) break;
       const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
-      const auto angle = [&](int i, int j, int k) {  // none if both are zero: coinciding axes
+      const auto angle = [&](int i, int j, int k) {  // 0 if the product is 0, also for equal axes
         return product[k] == 0 ? 0 : product[k] / (square[j] - square[i]);
       };
       const Eigen::Vector3d theta(angle(1, 2, 0), angle(2, 0, 1), angle(0, 1, 2));
@@ -189,7 +192,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   return {U, W.transpose(), {length(0), length(1), length(2)}};
 }
 
-/// σ₁ ≥ σ₂ ≥ σ₃ of F, to cond(F)·ε each.
+/// Singular values σ₁ ≥ σ₂ ≥ σ₃ of F, each to cond(F)·ε.
 inline Eigen::Vector3d singular_values(const Eigen::Matrix3d& F) {
   Eigen::Vector3d sigma = principal_axes(F).a;
   std::sort(sigma.begin(), sigma.end(), std::greater<>());

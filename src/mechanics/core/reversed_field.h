@@ -1,5 +1,5 @@
 #pragma once
-/// A second-order field with time running backwards: along r(s) = q(−s), r' = −q̇,
+/// A second-order field with reversed time. For r(s) = q(−s) and r' = −q̇ it is
 ///
 ///   r'' = a(−s, r, −r').
 ///

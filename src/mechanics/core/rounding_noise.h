@@ -1,7 +1,6 @@
 #pragma once
-/// Round-off of functions of the state, measured: how much a value changes if the entries of its arguments change by
-/// a few units in their last place. A value that is computed stably cannot be known better, and no iteration makes it
-/// smaller.
+/// Measured round-off (noise) of functions of the state: the change of a value if the entries of the arguments change
+/// by a few units in their last place. Even a stable computation has this error, and no iteration can reduce it.
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +12,18 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// x_i ← x_i + a unit size_i, a between −2 and 2 as if at random; `pattern` 1, 2, … chooses how.
+/// x_i ← x_i + a unit size_i with pseudo-random a in (−2, 2). `pattern` 1, 2, … selects the random numbers.
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
-  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // neighbouring seeds start alike
+  std::minstd_rand random(static_cast<unsigned>(pattern) * 7654321U);  // similar seeds start with similar numbers
   constexpr double range = std::minstd_rand::max();
   const auto units = local_values(size), entries = local_values(x);
   for (std::size_t i = 0; i < entries.size(); ++i)
     entries[i] += units[i] * (static_cast<double>(random()) / range - 0.5);
 }
 
-/// The largest |r(pattern) − r| over some patterns. `evaluate(pattern, r)` sets r, with pattern 0 that of the unchanged
+/// The largest |r(pattern) − r(0)| of some patterns. `evaluate(pattern, r)` sets r; pattern 0 means unchanged
 /// arguments.
 template <ConstrainedSystem S, class Evaluate>
 double largest_change(const S& system, Evaluate&& evaluate) {
@@ -68,7 +67,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Round-off of g(q + q_rounding), which is computed with the digits of long double.
+/// Round-off of g(q + q_rounding), which is computed in the precision of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

@@ -1,18 +1,19 @@
 #pragma once
-/// Reactions without a multiplier (Oliva, Geometric Mechanics, 5.4): on the image N of an embedding φ into ℝⁿ with the
-/// metric M,
+/// Reactions without a multiplier, by the second fundamental form B (Oliva, Geometric Mechanics, 5.4). On the image N
+/// of an embedding φ into ℝⁿ with the metric M,
 ///
 ///   B(v, v) = (D²φ(q̇, q̇))^⊥,   v = Dφ q̇                                                            (5.28)
 ///   R = μ[B(v, v) − (μ⁻¹F)^⊥]                                                                       (5.29)
 ///
-/// w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. It is Gᵀλ of the same motion in multiplier form.
+/// The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. R equals the reaction Gᵀλ of the same motion in
+/// multiplier form.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace pseudorigid::mechanics {
 
-/// The columns of `tangents` are those of Dφ, `second` is D²φ(q̇, q̇), `mass` the diagonal of M.
+/// The reaction R. `tangents` has the columns of Dφ, `second` is D²φ(q̇, q̇), and `mass` is the diagonal of M.
 template <int n, int d>
 Eigen::Matrix<double, n, 1> reaction_by_second_fundamental_form(const Eigen::Matrix<double, n, d>& tangents,
                                                                 const Eigen::Matrix<double, n, 1>& second,

@@ -3,13 +3,12 @@
 ///
 ///   q̈ = a(t, q, q̇)
 ///
-/// on the vector space in which the configuration is written. A chart with a metric gives −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22);
-/// a moving frame gives the force and the inertial terms; a system with constraints gives, by its explicit multiplier
-/// (5.29),
+/// on the vector space of the configuration. A chart with a metric has the field −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22). A
+/// moving frame has the force and the inertial terms. A system with constraints has, by its explicit multiplier (5.29),
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
-/// whose solutions keep g = 0 and G q̇ = 0 as invariants.
+/// with the invariants g = 0 and G q̇ = 0.
 
 #include <concepts>
 #include <utility>
@@ -18,36 +17,37 @@
 
 namespace pseudorigid::mechanics {
 
-/// q, v, a are F::Vector. Failures are values, as in a ConstrainedSystem.
+/// A second-order field. q, v, a are F::Vector. Functions return failures as values, as in a ConstrainedSystem.
 template <class F>
 concept SecondOrderField = requires(const F field, double t, const typename F::Vector q, const typename F::Vector v,
                                     typename F::Workspace w, typename F::Vector a) {
   { field.acceleration(t, q, v, w, a) } -> std::same_as<Status>;
-  { field.make_vector() } -> std::same_as<typename F::Vector>;  // zero, of the right size
+  { field.make_vector() } -> std::same_as<typename F::Vector>;  // zero vector of the right size
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with invariant manifold: `project` brings a state that has left it by a little back, position and velocity.
+/// A field with an invariant manifold. `project` returns the position and velocity of a state near the manifold to it.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
   { field.project(q, v, w) } -> std::same_as<Status>;
 };
 
-/// Properties on which a method may rely. A system says so by members of these names; a property without a member is
-/// false.
+/// Properties on which a method may rely. A system declares them by members of the same names. A property without a
+/// member is false.
 template <class S>
-bool velocity_dependent(const S& system) {  // the force depends on v
+bool velocity_dependent(const S& system) {  // true if the force depends on v
   if constexpr (requires { system.velocity_dependent(); }) return system.velocity_dependent();
   return false;
 }
 template <class S>
-bool dissipative(const S& system) {  // a force dissipates energy, so the motion must not be run backwards in time
+bool dissipative(
+    const S& system) {  // true if a force dissipates energy; the motion must then not run backwards in time
   if constexpr (requires { system.dissipative(); }) return system.dissipative();
   return false;
 }
 template <class S>
-bool time_dependent(const S& system) {  // the force depends on t
+bool time_dependent(const S& system) {  // true if the force depends on t
   if constexpr (requires { system.time_dependent(); }) return system.time_dependent();
   return false;
 }

@@ -1,7 +1,7 @@
 #pragma once
-/// How a point of a material surface is written to shapes.csv by every model that has such surfaces: number of the
-/// face, plane (0: the surface; 1, 2, 3: the coordinate plane with this normal), X and x. The points of a face follow
-/// one another.
+/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface:
+/// number of the face, plane, X and x. Plane 0 is the surface; 1, 2, 3 is the coordinate plane with this normal. The
+/// points of a face are consecutive rows.
 
 #include <array>
 #include <cstddef>
@@ -9,6 +9,6 @@
 namespace pseudorigid::mechanics {
 
 inline constexpr std::array<const char*, 8> shape_columns{"face", "plane", "X1", "X2", "X3", "x1", "x2", "x3"};
-inline constexpr std::size_t first_length_of_shapes = 2;  ///< from this column on, values are lengths
+inline constexpr std::size_t first_length_of_shapes = 2;  ///< index of the first column with a length
 
 }  // namespace pseudorigid::mechanics

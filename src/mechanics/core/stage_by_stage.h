@@ -1,8 +1,7 @@
 #pragma once
-/// The stages of a Gauss step of any second-order field. A field that can evaluate its stages in the lanes of vectors
-/// has a member `solve_stages_in_lanes(stages)`. If this returns false, the stages are evaluated one after the other,
-/// as for all other fields. A field behind an interface (any_field.h) has a member `solve_stages(stages, workspace)`
-/// for both ways.
+/// Solves for the stages of a Gauss step of any second-order field. A field that can evaluate all stages at once in
+/// SIMD lanes has a member `solve_stages_in_lanes(stages)`. If it returns false, the stages are evaluated one by one,
+/// as for other fields. A field behind an interface (any_field.h) has `solve_stages(stages, workspace)`, which chooses.
 
 #include <concepts>
 #include <cstddef>
@@ -14,7 +13,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Evaluates a field at one stage after the other.
+/// Evaluates a field at the stages one by one.
 template <SecondOrderField F>
 class StageByStage final : public GaussField {
   using Vector = typename F::Vector;
@@ -35,7 +34,7 @@ class StageByStage final : public GaussField {
     }
     return true;
   }
-  /// Why the last evaluation failed, if it did.
+  /// The reason why the last evaluation failed.
   Status reason() const { return reason_; }
 
  private:
@@ -47,7 +46,7 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// Whether the stages of a field are evaluated in lanes, which takes about a quarter of the time.
+/// True if the stages of a field are evaluated in lanes, which takes about a quarter of the time.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })
@@ -56,8 +55,8 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Cost of an iteration on the eight stages. The unit is one force of the system, as the step search counts forces. A
-/// field with a member `cost_of_iteration()` has a measured value.
+/// Cost of an iteration on the eight stages, in forces of the system, the unit of the step search. A field with a
+/// member `cost_of_iteration()` has a measured value.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })
@@ -66,7 +65,7 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// The stages of any field, evaluated one after the other.
+/// Solves for the stages of any field, evaluated one by one.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -74,7 +73,8 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
   return by_stage.reason();
 }
 
-/// Returns the failure of the field, if it has failed. `stages.converged` says whether the stages have been found.
+/// Solves for the stages, and returns the failure of the field if it fails. `stages.converged` is true if the stages
+/// have been found.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Failure as a value, which a force, a constraint or a step returns instead of an exception or a NaN.
+/// Failures as values. A force, a constraint or a step returns them instead of an exception or a NaN.
 
 #include <cstdio>
 #include <memory>
@@ -8,7 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// x with six digits, for sentences: fixed notation writes hundreds for a large number, and 0.000000 for a small one.
+/// The text of x with six digits, for sentences. Fixed notation would write hundreds of digits for a large number, and
+/// 0.000000 for a small number.
 [[gnu::cold, gnu::noinline]] inline std::string six_digits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
@@ -26,14 +27,14 @@ class [[nodiscard]] Status {
   }
   bool ok() const { return !reason_; }
   explicit operator bool() const { return ok(); }
-  /// The sentence; empty after success.
+  /// The sentence about the failure; empty after success.
   std::string reason() const { return reason_ ? *reason_ : std::string(); }
 
  private:
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Outcome of a Gram solve: how many iterations it took (0 if the solve is a division).
+/// Outcome of a Gram solve with its number of iterations, 0 if the solve is a division.
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// The members of ConstrainedSystem for a system without constraints, as its base.
+/// Base class with the members of ConstrainedSystem for a system without constraints.
 
 #include "mechanics/core/constrained_system.h"
 

@@ -1,10 +1,10 @@
 #pragma once
-/// The operations that methods use on vectors of any kind: copy (the type's own), y ← y + a x, x ← a x and |x|_∞;
-/// frequency estimates also use xᵀy, and iterative solvers several of these in one sum over the processes, and sums of
+/// Operations of methods on vectors of any kind. All vectors have copies, y ← y + a x, x ← a x and |x|_∞. Frequency
+/// estimates also use xᵀy. Iterative solvers also use several products with one sum over the processes, and sums of
 /// several vectors. A distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
 ///
-/// Long sums of small increments keep their round-off (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, VIII.5): with t = a x + c,
+/// Long sums of small increments store their round-off c (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, VIII.5). With t = a x + c,
 ///
 ///   y ← fl(y + t),   c ← (y_old + t) − y   (exact, by Knuth's two-sum).
 
@@ -81,7 +81,7 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x with the round-off kept in c if the space compensates; c starts as zero.
+/// y ← y + a x. If the space compensates, c stores the round-off; initially c is zero.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)
