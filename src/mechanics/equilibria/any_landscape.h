@@ -1,6 +1,6 @@
 #pragma once
-/// A landscape of any system behind one type, so that the search for critical points is compiled once, not for each
-/// system. It keeps a reference to the data of the landscape.
+/// One type for the landscapes of all systems, so that the search for critical points is compiled only once. The object
+/// refers to the data of the landscape, which must outlive it.
 
 #include <concepts>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
-/// The potential landscape of a system in a chart: no constraint, M = g(q), Hessian of U by automatic differentiation
-/// and the damping C = −∂F/∂v at v = 0.
+/// The potential landscape of a system in a chart. It has no constraint, the mass M = g(q), the Hessian of U by
+/// automatic differentiation, and the damping C = −∂F/∂v at v = 0.
 
 #include <utility>
 
@@ -59,7 +59,7 @@ class ChartLandscape {
 
  private:
   const C& chart() const { return field_.chart(); }
-  /// Entry by entry: if there is but one, g++ 12 takes a copy by Eigen for an access beyond it, and warns.
+  /// Copies entry by entry. For a single entry g++ 12 warns that a copy by Eigen reads beyond it.
   static void copy(const auto& from, auto& to) {
     to.resize(from.rows(), from.cols());
     for (Eigen::Index i = 0; i < from.size(); ++i) to.data()[i] = from.data()[i];

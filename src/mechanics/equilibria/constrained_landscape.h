@@ -1,6 +1,6 @@
 #pragma once
-/// The potential landscape of a system in constrained form. Its force at rest is −∇V; the Hessian of the Lagrangian
-/// V − λᵀg is that of the force by differences, less Σ λ_k D²g_k, which is the rate of Gᵀλ.
+/// The potential landscape of a system in constrained form. The force at rest is −∇V, and its differences give the
+/// Hessian of V. The Hessian of V − λᵀg is less by Σ λ_k D²g_k, whose product with v is the rate of Gᵀλ along v.
 
 #include <algorithm>
 
@@ -93,7 +93,7 @@ class ConstrainedLandscape {
     f = flat(value);
     return f.allFinite() ? Status() : Status::failure("the force is not finite");
   }
-  /// Conversion between the system's vectors or multipliers and Eigen vectors.
+  /// Conversions between the system's vectors or multipliers and Eigen vectors.
   static Vector flat(auto& x) {
     const auto values = local_values(x);
     Vector entries(static_cast<Eigen::Index>(values.size()));

@@ -11,14 +11,17 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues count as zero below this part of the largest: Hessians by differences are good to about 1e-12.
+/// Eigenvalues below this fraction of the largest count as zero, since Hessians by differences have errors of about
+/// 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// And below this, the round-off of terms of order 1 that cancel: no force at all leaves 1e-170 behind.
+/// Smaller eigenvalues also count as zero: they can be round-off of terms of order 1 that cancel. Without any force the
+/// largest eigenvalue can be 1e-170.
 constexpr double round_off_curvature = 1e-14;
-/// A zero of H splits into rates of the size of the square root of its error where there is little damping.
+/// Rates with smaller real parts, relative to the largest rate, count as zero. With little damping, an error of a zero
+/// eigenvalue of H gives rates of the size of its square root.
 constexpr double zero_rate = 1e-6;
 
-/// T: a basis of ker G with TᵀMT = Id.
+/// A basis T of ker G with TᵀMT = Id.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -30,7 +33,7 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Without damping: z² = −κ for each eigenvalue κ of H, 0 where that counts as zero.
+/// Rates without damping: z² = −κ for each eigenvalue κ of H. z is 0 if κ counts as zero.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -47,7 +50,7 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
 /// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
 void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
-  Eigen::MatrixXd A(2 * n, 2 * n);  // of (y, ẏ)
+  Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)
   A << Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Identity(n, n), -H, -D;
   const Spectrum solution = spectrum(A);
   p.rates = solution.values;

@@ -38,7 +38,7 @@ class CriticalPointFinder {
   Status try_starts(int n_more, CriticalPoints& found) {
     for (const int end = found.n_starts + n_more; found.n_starts < end; ++found.n_starts) {
       Vector q = found.n_starts == 0 ? search_.center : random_start(), lambda;
-      if (!newton(q, lambda)) continue;  // this start leads nowhere
+      if (!newton(q, lambda)) continue;  // the iteration does not converge from this start
       ++found.n_converged;
       q = canonical(q);
       CriticalPoint p;
@@ -52,12 +52,11 @@ class CriticalPointFinder {
   }
 
   static constexpr int max_iterations = 200, max_halvings = 20;
-  static constexpr double converged = 1e-12;  // |r|, relative to the gradients met on the way
-  static constexpr double same_place =
-      1e-6;  // limits of Newton's iteration agree far better, except at degenerate points
-  static constexpr double singular = 1e-10;  // pivots of Newton's matrix, relative to the largest
+  static constexpr double converged = 1e-12;  // |r|, relative to the gradient and the Hessian at the start
+  static constexpr double same_place = 1e-6;  // solutions agree more closely, except at degenerate points
+  static constexpr double singular = 1e-10;   // pivots of Newton's matrix, relative to the largest
 
-  /// (q, λ) → a critical point; false if it is not found from here.
+  /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q.
   bool newton(Vector& q, Vector& lambda) const {
     const Eigen::Index n = q.size();
     Vector r;
@@ -107,7 +106,7 @@ class CriticalPointFinder {
     return r.allFinite();
   }
 
-  /// λ of least |∇V − Gᵀλ|, and the scale of the terms of r.
+  /// Sets λ such that |∇V − Gᵀλ| is least, and `scale` to the size of the terms of r.
   bool initial_multiplier(const Vector& q, Vector& lambda, double& scale) const {
     Vector dV;
     Matrix G;
@@ -121,7 +120,9 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
-    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // the same everywhere
+    const auto uniform = [&] {
+      return static_cast<double>(generator_() >> 11) * 0x1p-53;
+    };  // the same numbers on every platform
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)
@@ -129,7 +130,7 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Periodic coordinates in (−P/2, P/2]; just above −P/2 counts as P/2.
+  /// Maps periodic coordinates to (−P/2, P/2]; a value just above −P/2 becomes P/2.
   Vector canonical(Vector q) const {
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (const double P = periods_[i]; P > 0) {
@@ -161,14 +162,14 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
-/// A linear damping that every system can be given: the force −M v.
+/// The matrix of the linear damping −M v, which exists for every system.
 Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
   Eigen::MatrixXd M;
   landscape.mass(q, M);
   return M;
 }
 
-/// The rates as they are without any added damping.
+/// Replaces the rates and directions by those without added damping.
 Status find_own_rates(const AnyLandscape& landscape, CriticalPoint& p) {
   CriticalPoint undamped;
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());

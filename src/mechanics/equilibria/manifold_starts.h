@@ -1,10 +1,11 @@
 #pragma once
-/// Starting points of motions on the unstable and the stable manifold of a critical point: at q* + x, q̇ = y with (x,
-/// y) small and in the eigenspace of the linearised field, spanned by (Re δ, Re zδ) and (Im δ, Im zδ) of its rates z
-/// with directions δ; on the manifold up to terms of second order (Oliva, Geometric Mechanics, 5.8.3).
+/// Initial states of motions on the unstable and the stable manifold of a critical point q*, with q = q* + x, q̇ = y
+/// and small (x, y). The pair (x, y) is in the eigenspace of the linearised field. (Re δ, Re zδ) and (Im δ, Im zδ) span
+/// it, for the rates z with directions δ. Up to terms of second order the state is on the manifold (Oliva, Geometric
+/// Mechanics, 5.8.3).
 ///
-/// Around a point with several unstable directions the motions would all leave along the fastest. So they start at
-/// ε^{Re z/Re z_min} in each direction: all directions are of order 1 at the same time.
+/// If a point has several unstable directions, all motions would leave along the fastest one. Therefore the initial
+/// size in each direction is ε^{Re z/Re z_min}: all directions then reach order 1 at the same time.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -23,9 +24,9 @@ struct PhaseVector {
   double rate = 0;  ///< |Re z|
 };
 
-/// A basis of the tangent space of the unstable manifold, or of the stable one, the fastest rates first.
+/// A basis of the tangent space of the unstable or the stable manifold, with the fastest rates first.
 inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
-  constexpr double zero_rate = 1e-6;  // as critical_point.cpp counts
+  constexpr double zero_rate = 1e-6;  // the bound in critical_point.cpp
   const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
   std::vector<Eigen::Index> order;
   for (Eigen::Index i = 0; i < p.rates.size(); ++i)
@@ -38,7 +39,8 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // for any phase that the eigensolver gives it
+    delta *= std::conj(delta[largest]) /
+             std::abs(delta[largest]);  // makes the result independent of the eigensolver's phase
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});
@@ -47,7 +49,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
   return basis;
 }
 
-/// At ε along each vector of a basis, and along its opposite.
+/// States at ε and −ε along each vector of the basis.
 inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis, double epsilon) {
   std::vector<PhaseVector> starts;
   for (const PhaseVector& e : basis)
@@ -55,9 +57,9 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// n starts around the point: at equal angles in a plane, at random in more dimensions.
+/// n states around the point: at equal angles if the basis has two vectors, otherwise in random directions.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
-  constexpr double least = 1e-12;  // least size for a direction much faster than the slowest; above the round-off of q*
+  constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;
   for (const PhaseVector& e : basis) sizes.push_back(std::max(least, std::pow(epsilon, e.rate / basis.back().rate)));
   std::mt19937_64 generator(1);
@@ -66,7 +68,7 @@ inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis
   for (int k = 0; k < n; ++k) {
     Eigen::VectorXd part(static_cast<Eigen::Index>(basis.size()));
     if (basis.size() == 2) {
-      // Multiples of a quarter turn are along the basis itself, without round-off across.
+      // At multiples of π/2 the result is a basis vector, without round-off in the other component.
       const double quarters = 4.0 * k / n, whole = std::round(quarters),
                    angle = (quarters - whole) * std::numbers::pi / 2;
       const double c = std::cos(angle), s = std::sin(angle);

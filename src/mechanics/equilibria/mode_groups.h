@@ -1,8 +1,8 @@
 #pragma once
-/// Modes of a ball at rest, put together to frequencies. A mode of one kind and degree n of the sphere comes 2n + 1
-/// times: the 2n + 1 lowest of a class are the copies of its fundamental, the next those of its first overtone, and so
-/// on. Kind and degree of each mode are measured by the caller; the group of a mode is decided by them and by the
-/// order of ω² alone, without a threshold.
+/// Groups of modes of a ball at rest with the same frequency. In a sphere a mode of one kind and degree n occurs 2n + 1
+/// times. The 2n + 1 lowest modes of one kind and degree are the copies of the fundamental. The next 2n + 1 modes are
+/// the copies of its first overtone, and so on. The caller measures kind and degree of each mode. The group depends
+/// only on them and on the order of ω², without a threshold.
 
 #include <cstddef>
 #include <vector>
@@ -11,23 +11,24 @@ namespace pseudorigid::mechanics {
 
 struct ClassifiedMode {
   double omega_squared;
-  bool spheroidal;  ///< otherwise toroidal
+  bool spheroidal;  ///< false: toroidal
   int degree;
-  int n_copies = 1;  ///< modes of the same frequency for which this one stands
+  int n_copies = 1;  ///< number of modes with the same frequency that this one represents
 };
 
-/// One frequency with its copies, perhaps not with all of them. Roots of ω² have its sign: −ω is a rate of growth.
+/// One frequency with the copies that have been found, perhaps not all. The sign of ω is the sign of ω²: −ω > 0 is a
+/// growth rate.
 struct ModeGroup {
   bool spheroidal;
   int degree, overtone;            ///< overtone 0: the fundamental
-  std::vector<std::size_t> modes;  ///< places of the copies in the list, by rising ω²
+  std::vector<std::size_t> modes;  ///< indices of the copies in the list, by increasing ω²
   double omega;                    ///< mean of the copies
-  double least, largest;           ///< of the copies
+  double least, largest;           ///< least and largest ω of the copies
 
   bool complete() const { return modes.size() == 2 * static_cast<std::size_t>(degree) + 1; }
 };
 
-/// By their lowest copies.
+/// The groups of the modes, in the order of their lowest copies.
 std::vector<ModeGroup> group_modes(const std::vector<ClassifiedMode>& modes);
 
 }  // namespace pseudorigid::mechanics

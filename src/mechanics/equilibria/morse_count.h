@@ -1,6 +1,7 @@
 #pragma once
-/// Morse's count. Let V rise outwards at the boundary of a compact part D of a manifold of dimension n, and have there
-/// nondegenerate critical points only, c_k of index k. With the Betti numbers b_k of D (coefficients in Z/2),
+/// Morse's count. Let D be a compact part of a manifold of dimension n, with V increasing outwards at its boundary. Let
+/// V have only nondegenerate critical points in D, c_k of them with index k. With the Betti numbers b_k of D
+/// (coefficients in Z/2),
 ///
 ///   Σ c_k t^k − Σ b_k t^k = (1 + t) Σ r_k t^k,   r_k ≥ 0      (Milnor, Morse Theory, 5)
 ///
@@ -11,7 +12,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// Whether points with these indices can be all. `betti` has n + 1 numbers or fewer, those left out being 0.
+/// True if a list of points with these indices can be complete. `betti` has at most n + 1 numbers; the others are 0.
 bool obeys_morse(const std::vector<int>& indices, int dimension, std::span<const int> betti);
 
 }  // namespace pseudorigid::mechanics

@@ -1,5 +1,5 @@
 #pragma once
-/// How far a state (q, q̇) is from a critical point (q₀, 0):
+/// Distance of a state (q, q̇) from a critical point (q₀, 0):
 ///
 ///   d = |(q − q₀, q̇)|,   with coordinates of a period P > 0 taken modulo P.
 
@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// `periods`: P of each coordinate; 0 if it has none.
+/// The distance d. `periods` has the period P of each coordinate, or 0 if the coordinate is not periodic.
 template <class Vector>
 double phase_distance(const Vector& q, const Vector& v, const Eigen::VectorXd& q0, const Eigen::VectorXd& periods) {
   Eigen::VectorXd d = q - q0;

@@ -1,22 +1,23 @@
 #pragma once
-/// Special points along a family of relative equilibria, located to round-off of a smooth test function:
+/// Special points along a family of relative equilibria. They are located to the round-off of a smooth test function:
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
-///   index         the second variation of the energy at fixed J and Z changes its number of negative eigenvalues: in
-///                 rising order, the k-th one is zero. A rate of the motion passes through 0. Without dissipation the
-///                 motion need not become unstable there; with dissipation it may ("secular", as Maclaurin's spheroid
-///                 at Jacobi's bifurcation). The number also jumps by 2 if J or Z passes through 0, which is no
-///                 event of the motion
-///   instability   rates leave the imaginary axis, or come back: two rates of opposite energy meet (Krein), or a pair
-///                 ±s meets at 0
+///   index         the number of negative eigenvalues of the second variation of the energy at fixed J and Z changes:
+///                 the k-th eigenvalue in increasing order is zero, and a rate of the motion passes through 0. Without
+///                 dissipation the motion need not become unstable. With dissipation it may, as Maclaurin's spheroid at
+///                 Jacobi's bifurcation ("secular instability"). The number also jumps by 2 if J or Z passes through 0,
+///                 which is not a change of the motion.
+///   instability   rates leave the imaginary axis or return to it: two rates of opposite energy collide (Krein), or a
+///                 pair ±s collides at 0
 ///
-/// The largest real part starts at an instability like a square root, and is noisy. For the two rates s, s' that meet,
+/// Near an instability the largest real part is like a square root, and noisy. For the two colliding rates s, s',
+/// however,
 ///
 ///     δ = Re (s − s')²
 ///
-/// is a smooth function of the matrix, −(difference of frequencies)² before and +(2 growth rate)² after. Rates of equal
-/// energy (the sign of ½x̄ᵀSx for the vector x of a rate) only pass each other and are left out.
+/// is a smooth function of the matrix: −(difference of frequencies)² before and +(2 growth rate)² after the collision.
+/// Rates with equal signs of the energy ½x̄ᵀSx (x is the vector of a rate) pass each other and are omitted.
 
 #include <functional>
 #include <limits>
@@ -47,10 +48,10 @@ inline const char* name_of(SpecialKind kind) {
 
 struct SpecialPoint {
   SpecialKind kind;
-  double s;  ///< place on the searched interval
+  double s;  ///< parameter in the searched interval
 };
 
-/// The largest δ of two rates that can meet, over the square of the largest rate.
+/// The largest δ of two rates that can collide, divided by the square of the largest rate.
 inline double collision(const LinearStability& stability) {
   double largest = 0;
   for (const Rate& r : stability.rates) largest = std::max(largest, std::abs(r.s));
@@ -73,10 +74,10 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Stability along a curve of motions s ↦ motion(s); empty if there is no motion.
+/// Linear stability along a curve of motions s ↦ motion(s); empty if there is no motion at s.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
-/// Appends the changes of index and of stability between a and b, as exactly as `resolution` says of bracketed_root.
+/// Appends the changes of index and of stability between a and b. `resolution` is that of bracketed_root.
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
                                         std::vector<SpecialPoint>& found,
                                         double resolution = std::numeric_limits<double>::epsilon()) {
@@ -94,7 +95,7 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Not a jump, and not the partner of one that has been found (pairs vanish together on spheroids).
+    // Skip a jump through 0 and a root at the last place: on spheroids two eigenvalues vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
     last = *s;

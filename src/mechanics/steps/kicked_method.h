@@ -1,10 +1,10 @@
 #pragma once
-/// An adaptive method whose state is kicked after every step by the size of its own round-off,
+/// An adaptive method with a perturbation (kick) of the state after every step, of the size of its round-off:
 ///
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
-/// with signs that look random and are the same in every run; ε is the spacing of floating-point numbers at 1. The
-/// motion is one that arithmetic may give as well. As in arithmetic, an exact 0 stays 0.
+/// with pseudo-random signs that are the same in every run; ε is the spacing of floating-point numbers at 1. Other
+/// rounding errors could lead to the same motion. As in arithmetic, an exact 0 remains 0.
 
 #include <Eigen/Core>
 #include <bit>
@@ -20,7 +20,7 @@ struct Kicked : Method {
   template <class F>
   struct Workspace : Method::template Workspace<F> {
     using Method::template Workspace<F>::Workspace;
-    double part = 1;  // −1: all kicks the other way
+    double part = 1;  // −1 reverses all kicks
     std::uint64_t n_kicks = 0;
   };
 
@@ -35,7 +35,7 @@ struct Kicked : Method {
   }
 
  private:
-  /// The parity of a multiple of the golden ratio's digits: neither constant nor periodic.
+  /// A sign from the parity of the bits of a multiple of the golden ratio; the signs are neither constant nor periodic.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

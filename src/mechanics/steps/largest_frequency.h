@@ -1,21 +1,21 @@
 #pragma once
-/// Largest frequency of small motions about a state, tangent to the constraints: with λ the multiplier of the motion,
+/// Largest frequency ω of small motions about a state, tangent to the constraints. With λ the multiplier of the motion,
 ///
-///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (differences, λ and v fixed).
+///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (by differences, λ and v fixed).
 ///
-/// The stability limit of a method is a bound on hω. If forces dissipate, the largest rate of damping is in the same
-/// way
+/// The stability limit of a method is a bound of hω. If forces dissipate, the largest damping rate γ is
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
 ///
-/// and bounds the step of a method that iterates on it. Lanczos' iteration for M⁻¹K (M⁻¹C) in the inner product of M,
-/// with the projection
+/// It limits the step of a method that iterates on the damping. Both numbers are computed by Lanczos' iteration for
+/// M⁻¹K or M⁻¹C in the inner product of M. The projection
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
-/// keeps each u together with its w = M u. So only M⁻¹ is needed, and ⟨u, u'⟩_M = uᵀw' also if M⁻¹ has zeros
-/// (components that are held fixed: u = 0 there, whatever w is). Differences are central, with errors of about 1e-10;
-/// if vectors are distributed and forces cost much they are forward, with errors of about 1e-8.
+/// keeps u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
+/// uᵀw'. This holds also if M⁻¹ has zeros for components that are held fixed: u = 0 there for every w. Differences are
+/// central, with errors of about 1e-10. If vectors are distributed and forces cost much, differences are forward, with
+/// errors of about 1e-8.
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
 };
-/// γ, or why it could not be had.
+/// The damping rate γ, or the reason why it could not be computed.
 struct [[nodiscard]] DampingReport {
   Status status;
   double gamma = 0;
@@ -58,8 +58,8 @@ struct MassPair {
   double norm() const { return std::sqrt(std::max(0.0, dot(u, w))); }
 };
 
-/// Fixed numbers in (−1, 1) without pattern: every mode has a part in them. A system whose vectors are distributed has
-/// its own, which do not depend on the ranks.
+/// Fills x with fixed pseudo-random numbers in (−1, 1), so that x has a component along every mode. A system with
+/// distributed vectors has its own function, whose numbers do not depend on the number of ranks.
 template <class S>
 void fill_irregular(const S& system, typename S::Vector& x) {
   if constexpr (requires { system.fill_irregular(x); }) return system.fill_irregular(x);
@@ -70,11 +70,11 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   }
 }
 
-/// K or C.
+/// The operator K, or C if `of_velocity`, by differences of the force.
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of the vector that differences change, 0 counting as 1.
+  /// `scale` is the size of the vector that the differences change; 0 is replaced by 1.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -96,8 +96,8 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// w ← K u, u ← M⁻¹K u, projected. The usual increment may be too large for a body that is thin compared with its
-  /// length.
+  /// w ← K u, u ← M⁻¹K u, projected. The increment is reduced if the force fails, as for a body that is thin compared
+  /// with its length.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -125,7 +125,7 @@ class TangentOperator {
   }
 
  private:
-  /// w ← K u.
+  /// w ← K u, or C u.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     const double increment = increment_ / max_norm(u);
     typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
@@ -146,7 +146,7 @@ class TangentOperator {
     }
   }
 
-  /// force ← f + G(q)ᵀλ at `moved_`.
+  /// force ← f + G(q)ᵀλ at `moved_`; without the reaction for C.
   Status evaluate(typename S::Vector& force) {
     if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force); !status) return status;
     if constexpr (!unconstrained<S>)
@@ -167,15 +167,15 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta) and the residual of its vector, |β_n
-/// s_n|: an eigenvalue is at most so far away.
+/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta) and the residual |β_n s_n| of its
+/// eigenvector s. An eigenvalue of the operator lies within this distance.
 struct RitzValue {
   double value = 0, residual = 0;
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// Number of independent displacements that the constraints leave, if it can be known. After so many steps the
-/// iteration is complete, and further vectors would be round-off that can grow without bound.
+/// Number of independent displacements tangent to the constraints, if it is known. After this number of steps the
+/// iteration is complete. Further vectors would consist of round-off, which can grow without bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
@@ -186,8 +186,8 @@ int most_directions(const S& system) {
   return std::numeric_limits<int>::max();
 }
 
-/// The largest eigenvalue from at most `n_iterations` steps of Lanczos; fewer, where the residual is below this part of
-/// it.
+/// Largest eigenvalue from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the residual is at
+/// most `accuracy` times the eigenvalue.
 template <ConstrainedSystem S>
 Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double accuracy,
                           double& value) {
@@ -223,9 +223,10 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 
 }  // namespace detail
 
-/// ω from at most `n_iterations` steps of Lanczos. `accuracy`: the permitted relative uncertainty of ω², which ends the
-/// iteration earlier. The residual is added to the Ritz value, so that few iterations rather give a large ω and a small
-/// step. Exact up to the differences once the iteration has found every mode; 0 if no motion oscillates.
+/// ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω² is at
+/// most `accuracy`. The residual is added to the Ritz value, so that a short iteration gives a large ω and a small
+/// step. If the iteration finds every mode, the only errors are those of the differences. ω is 0 if no motion
+/// oscillates.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {
@@ -236,8 +237,8 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
   return {std::move(status), std::sqrt(omega_squared)};
 }
 
-/// γ in the same way, for a system with the largest frequency `omega`: ω|q| is a velocity that is large enough for the
-/// differences. 0 without dissipation.
+/// Largest damping rate γ, computed like ω. `omega` is the largest frequency: ω|q| is the scale of velocity for the
+/// differences if it exceeds |v|. Without dissipation γ is 0.
 template <ConstrainedSystem S>
 DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
                               int n_iterations, double accuracy = 0) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Pilot runs: short pieces of the motion that determine the method and the step for a tolerance.
+/// Pilot runs: short runs over the beginning of the motion, from which the program chooses the method and the step.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -20,32 +20,35 @@
 namespace pseudorigid::mechanics {
 
 struct StepRequest {
-  double end = 0;                    ///< T
-  double window = 0;                 ///< w, of the pilot runs
-  double tolerance = 0;              ///< permitted error of the configuration over [0, T]
-  double rattle_limit = 0;           ///< step at which RATTLE is still stable (rattle_step_limit); others scale with it
-  double step_bound = HUGE_VAL;      ///< largest outer step that the user allows
-  double interval = HUGE_VAL;        ///< between samples: methods with fixed steps have no longer ones
-  bool stiff = false;                ///< the damping is too strong for methods whose step it limits
-  bool spare_pilots = false;         ///< forces are costly: short estimates suffice, and small gains are not sought
-  std::optional<MethodId> method{};  ///< empty: the cheapest
-  std::function<bool()> give_up = {};  ///< asked after every pilot step; true ends the search
+  double end = 0;        ///< end T of the run
+  double window = 0;     ///< length w of the pilot runs
+  double tolerance = 0;  ///< permitted error of the configuration over [0, T]
+  double rattle_limit =
+      0;  ///< largest stable step of RATTLE (rattle_step_limit); the limits of other methods are proportional to it
+  double step_bound = HUGE_VAL;  ///< largest outer step that the user allows
+  double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
+  bool stiff = false;            ///< the damping is too strong for methods that are only stable with small steps
+  bool spare_pilots = false;     ///< forces are costly: the search makes short estimates and does not seek small gains
+  std::optional<MethodId> method{};    ///< empty: the cheapest method
+  std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
 };
 
 namespace detail {
 
-inline constexpr double error_safety = 0.5;  ///< part of the tolerance that the estimate may use
+inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Differences above this, in the system's unit of length, do not depend on the order: they are caused by collisions
-/// and chaos.
+/// Larger differences of two pilot runs, in the system's unit of length, do not follow the order of the method.
+/// Collisions and chaos cause them.
 inline constexpr double asymptotic_difference = 0.1;
-/// Forces of one pilot run, and of the search for the step of one method. A collapse could take any number of them.
+/// Largest number of forces of one pilot run, and of the search for the step of one method. The steps of a collapsing
+/// body shrink without end.
 inline constexpr long max_pilot_forces = 4'000'000;
-/// Pilot runs meet constraints that cost a solve to this part of the difference that two of them may have: the steps
-/// found are the same to three digits (measured for the ball with 0 … 5e-3; with 5e-2 one changed by 4 %).
+/// Tolerance of the constraints in pilot runs with costly forces, as a fraction of the permitted difference of two
+/// pilot runs. For the ball, the steps found are the same to three digits for fractions 0 … 5e-3; with 5e-2 one step
+/// changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// The configuration at the samples of a pilot run, and the size of the velocity.
+/// Configurations at the samples of a pilot run, and the largest velocity.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time reached
@@ -54,28 +57,28 @@ struct PilotRun {
   long n_force = 0;
 };
 
-/// Stands for the function of kinetic and potential energy if these are not requested.
+/// Replaces the function for kinetic and potential energy if the energies are not requested.
 struct NoEnergies {};
 
-/// Methods as the searches see them: their traits, and pilot runs of one system over the window.
+/// Data of a method for the searches, with functions that make pilot runs of one system.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
-  /// Over a window, n_steps from each sample to the next.
+  /// Pilot run over a window, with n_steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
-  /// The same with the kinetic and the potential energy in place of the configuration; empty if they are not known.
+  /// The same pilot run with kinetic and potential energy instead of the configuration; empty if they are not known.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
-  /// The same with a perturbation by round-off times `part` after every step (kicked_method.h).
+  /// The same pilot run with a perturbation of `part` times round-off after every step (kicked_method.h).
   std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Q_of(state) is the configuration to which the tolerance applies.
+/// Hooks of the time loop that record a pilot run. The tolerance applies to the configuration Q_of(state).
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -101,13 +104,14 @@ struct PilotHooks {
   }
 };
 
-/// The failure of a pilot run that has not reached its end.
+/// The reason why a pilot run did not reach its end.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
 }
 
-/// `form`: the form of the system that the method integrates. `prepare(workspace)` comes first.
+/// Makes a pilot run. `form` is the form of the system that the method integrates; `prepare(workspace)` is called
+/// first.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -122,16 +126,16 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
   return std::move(hooks.run);
 }
 
-/// An adaptive step does not react to perturbations far below its tolerance. For a body at rest the steps would grow
-/// beyond stability, and the method itself would amplify the perturbations. For a stiff system this costs a bounded
-/// number of steps.
+/// Longest step of a pilot run with perturbations. An adaptive step does not react to perturbations far below its
+/// tolerance. For a body at rest its steps would exceed the stability limit, and the method itself would amplify the
+/// perturbations. For a stiff system the bound permits at most 4096 steps.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
   return std::max(request.rattle_limit, pilot_window(request) / most_steps);
 }
 
-/// Forces that one step counts for.
+/// Cost of one step as a number of forces.
 template <class Method, class S>
 double forces_of_step(const S& system) {
   if constexpr (requires { Method::forces_of_step(system); })
@@ -140,12 +144,12 @@ double forces_of_step(const S& system) {
     return Method::n_stages;
 }
 
-/// The result keeps references to the arguments.
+/// Makes a FixedStepMethod that keeps references to the arguments.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // If the steps of both pilots were halved to the same length, their difference would be meaningless.
+    // If halvings made the steps of both pilot runs equal, their difference would be meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
@@ -194,8 +198,8 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Random walk of round-off through N substeps of size h: of the velocity itself, or, where sums are compensated, of
-/// the kicks alone, which are smaller by hω.
+/// Error at `end` from the random walk of round-off over n_substeps of size h. Every substep rounds the velocity. If
+/// sums are compensated, only the increments of the velocity have round-off, which is smaller by hω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
@@ -205,12 +209,12 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< outer step; of an adaptive method: its bound
+  double limit = 0, step = 0;  ///< outer step, or the bound of the step of an adaptive method
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
-  bool set_by_energy = false;  ///< the step
-  /// The time from which on round-off exceeds the tolerance, if it does.
+  bool set_by_energy = false;  ///< the energy error determines the step
+  /// Time after which round-off exceeds the tolerance, if it does.
   std::optional<double> round_off_rules_from{};
   std::string reason{};
 };

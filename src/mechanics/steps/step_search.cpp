@@ -11,7 +11,8 @@ constexpr int max_step_halvings = 12;
 /// Largest number of forces in a run; more would take hours.
 constexpr double max_run_forces = 1e11;
 
-/// n_samples times n_steps steps, none longer than h, fill the window; as few steps as the choice of n_samples allows.
+/// Division of a window into n_samples intervals of n_steps steps, none longer than h. The number of samples is chosen
+/// such that the total number of steps is least.
 struct Grid {
   long n_samples, n_steps;
   Grid(double window, double h) {
@@ -26,14 +27,14 @@ struct Grid {
   }
 };
 
-/// Whether the method has one force a step and an order above that of RATTLE.
+/// True if the method has one force per step and an order above that of RATTLE.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Change of the energy over the whole run, extrapolated from the pilot and relative to the energy of the motion above
-/// the least potential energy. The oscillating part is its largest change so far. The lasting part is the difference of
-/// the means over both halves, which is assumed to grow like t^(3/2).
+/// Change of the energy over the whole run, extrapolated from the pilot run. It is relative to the energy of the motion
+/// above the least potential energy. The oscillating part is the largest change in the pilot run. The lasting part is
+/// the difference of the means over both halves, which is assumed to grow like t^(3/2).
 double change_of_energy(const PilotRun& run, double part) {
-  const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // of t^(3/2) over [0, 1]
+  const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // difference of the means of t^(3/2) over both halves of [0, 1]
   const double start = run.q.front().sum();
   const std::size_t middle = run.q.size() / 2;
   double change = 0, size = 1, most = start, least = start, early = 0, late = 0;
@@ -53,8 +54,8 @@ double change_of_energy(const PilotRun& run, double part) {
   return (change + drift) / (most - least);
 }
 
-/// Steps h and h/2 that fail at nearly the same time, many steps from the start: it is the motion that ends there, and
-/// no step helps. (Steps beyond stability fail within the first few.)
+/// True if the runs with steps h and h/2 fail at nearly the same time, many steps after the start. The motion then ends
+/// there, and no step helps. Steps beyond the stability limit would fail within the first few steps.
 bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
   return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
 }
@@ -100,15 +101,16 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
   return std::min(request_.end, std::max(pilot_window(request_), least));
 }
 
-/// Forces of the run if the difference d at h falls as the order promises. Above the asymptotic regime errors saturate
-/// and this is too small, so a method that it rules out is ruled out.
+/// Forces of the run if the difference d at h decreases according to the order. For large errors, which saturate, this
+/// prediction is too small. Therefore a method that it excludes is too costly.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Accepts the stability limit if the error estimated over a part of the window, times its possible growth in the rest,
-/// is permitted. The longer part is tried only if the estimate of the shorter part leaves a chance.
+/// Estimates the error at the stability limit over a part of the window, and multiplies it by its possible growth in
+/// the remaining window. Accepts the stability limit if the product is permitted. The longer part is tried only if the
+/// estimate of the shorter part permits it.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -130,7 +132,7 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
 
 /// Shortens the step until the change of the energy over the run is permitted (step_search.h).
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
-  // Chosen after the measurements that step_search.h reports, as is the power in change_of_energy().
+  // Both values were chosen after the measurements in step_search.h, and so was the power in change_of_energy().
   constexpr double part = 1.0 / 8, least_windows = 5;
   const double window = part * request_.end;
   if (!is_multistep(method) || !method.energies || window < least_windows * pilot_window(request_)) return;
@@ -154,7 +156,7 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step if the differences d at h, and d_before at 2h (0: unknown), suffice to say it.
+/// Sets the step if the differences d at h, and d_before at 2h (0: unknown), are sufficient. Returns true if it is set.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;
@@ -166,11 +168,11 @@ bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, d
 
   if (!regular && !enough) return false;
   if (fall == 0 || e == 0) {
-    // The grid of the pilot rounds its step down; where accuracy has room, the limit itself is taken.
+    // The grid of the pilot run has a step slightly below the limit. If the error permits, the limit itself is chosen.
     const double step = std::min(trial.limit, h * std::clamp(e > 0 ? std::pow(target / e, 1 / p) : 1.25, 1.0, 1.25));
     return accept(method, trial, step, e * std::pow(step / h, p), walk);
   }
-  const double exponent = e > target ? p : std::max(p, fall);  // never trust a fast fall to go on
+  const double exponent = e > target ? p : std::max(p, fall);  // a faster decrease than the order may not continue
   const double h_accuracy = h * (e > target ? std::exp2(-0.25) : 1.0) * std::pow(target / e, 1 / exponent);
   const double h_round_off = h * std::pow(walk / e, 1 / (p + 0.5));  // e (h'/h)^p = walk (h/h')^½
   const double step = std::min(std::max(h_accuracy, h_round_off), trial.limit);
@@ -188,7 +190,7 @@ bool StepSearch::accept(const FixedStepMethod& method, Trial& trial, double step
 }
 
 double StepSearch::round_off(const FixedStepMethod& method, double speed, double h) const {
-  // The frequency is not known for a first-order field.
+  // The frequency of a first-order field is not known.
   const double h_omega = std::isfinite(request_.rattle_limit)
                              ? Rattle::stability_limit * h / (method.n_stages * request_.rattle_limit)
                              : 1;

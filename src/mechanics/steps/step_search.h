@@ -1,55 +1,57 @@
 #pragma once
-/// The step of one method from a tolerance of the time error of the configuration over a run of length T (maximum norm
-/// over samples).
+/// The search for the step of one method. The tolerance applies to the time error of the configuration over a run of
+/// length T, in the maximum norm over the samples.
 ///
 /// Pilot runs over a window w ≤ T with steps h and h/2 give, for a method of order p, Richardson's estimate
 ///
 ///   e(h) = max_k |Q_h(t_k) − Q_{h/2}(t_k)| · 2^p/(2^p − 1) · T/w.
 ///
-/// T/w supposes that the error grows linearly beyond the window, as it does for symmetric methods on regular motions
-/// (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3): the window should hold several periods of the
-/// slowest motion that matters, and on a chaotic motion nothing but w = T is safe. In a test with 1500 short scenes,
-/// all met their tolerances. Another release, from the stretches 1.29, 1.29, 0.60, had 1.12 times its tolerance: its
-/// motion magnifies a change of its start 2000 times in 6.4 r/c.
+/// The factor T/w assumes that the error grows linearly after the window. This holds for symmetric methods on regular
+/// motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several periods of
+/// the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes, all met
+/// their tolerances. Another release, from the stretches 1.29, 1.29, 0.60, had 1.12 times its tolerance: its motion
+/// magnifies a change of its initial state 2000 times in 6.4 r/c.
 ///
-/// From the stability limit the step is halved until e ≤ target or until e, small by then, falls by 2^p (to within
-/// √2); then e ~ hᵖ gives the step, without runs as fine as it, and with a reserve of 2^(p/4) for what such runs would
-/// have shown.
+/// The search starts at the stability limit and halves the step. It ends if e ≤ target, or if a small e falls by 2^p
+/// (to within √2) at a halving. Then the relation e ~ hᵖ gives the step. No pilot run has so small a step, so e gets a
+/// reserve of 2^(p/4).
 ///
-/// A multistep method of order p begins with p − 1 steps of another method, which do not show its own error: its window
-/// holds 4p of its steps, or the whole run.
+/// A multistep method of order p begins with p − 1 steps of another method, which do not show its own error. Therefore
+/// its window contains at least 4p of its steps, or the whole run.
 ///
-/// If it is asked for, a glance comes first, the same with a part w' of the window: w/8, and if that leaves it a
-/// chance w/2. Errors have hardly begun to grow in it, so its estimate is multiplied by (w/w')^(3/2): 23 and 2.8. In
-/// releases, spins, tides and figures of equilibrium of the ball it was 0.07 to 9 times too small at w/8, and 0.4 to
-/// 2.1 times at w/2. A method of high order at its stability limit often has room for that, and the pilots cost a fifth
-/// or a half.
+/// If forces are costly, the search first makes a shorter estimate over a part w' of the window: w/8, and then w/2 if
+/// the first estimate permits. The errors have hardly begun to grow in it, so the estimate is multiplied by
+/// (w/w')^(3/2), 23 or 2.8. In releases, spins, tides and figures of equilibrium of the ball the estimate without this
+/// factor was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order at its stability
+/// limit is often accurate enough for this test, and the pilot runs then cost a fifth or a half.
 ///
-/// A symmetric multistep method keeps a modified energy, of a mode of frequency ω and energy E_ω
+/// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω it is
 ///
 ///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of that of its differential equation),
 ///
-/// so that the energy itself changes with what the motion hands on from slow modes to fast ones. On a body of many
-/// modes that goes on for long, with constraints and without, and not in small motions. (RATTLE-4 has C = −0.0009, and
-/// its energy changes the other way by a hundredth of that.) So a run of five windows of the pilots in its first eighth
-/// is given a look at that eighth with the step found. D is the largest change of the energy there and δ the difference
-/// of its means over the halves of that window, both over the energy of the motion. The step is shortened until
+/// so that the energy changes if the motion transfers energy from slow modes to fast modes. For a body of many modes
+/// this transfer continues for a long time, with and without constraints, but not in small motions. (RATTLE-4 has C =
+/// −0.0009, and the change of its energy has the opposite sign and a hundredth of the size.) If the first eighth of the
+/// run has at least five windows of the pilot runs, another pilot run over this eighth uses the step found. D is the
+/// largest change of the energy in it. δ is the difference of the means of the energy over both halves of the eighth.
+/// Both are divided by the energy of the motion. The step is shortened to h' such that
 ///
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///
-/// for a change like t^(3/2) is 44 δ at the end; in small motions it comes and goes, and δ is small. In 123 runs of
-/// releases and spins of the ball (stretches of 1.001 to 1.3, degrees 2 to 4, 3 to 9 of polynomials, with the
-/// constraint and without, t = 20 to 1000) the change at the end was 0.09 to 42 times D + 44 δ, 0.9 in the median. It
-/// was more than 5 times in 12 runs: violent motions get more violent with time, and at the worst a compressible ball
-/// is squeezed to a fifth. The power 3/2 was chosen after that. A factor of 5 is in the target and in the reserve of
-/// the models. What goes beyond are parasitic roots, ±i for order 4, which sums of frequencies of the motion meet, of
-/// two from hω = 0.79 on, of three from 0.52 on. It falls faster than h^p.
+/// since a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and δ
+/// is small. In 123 runs of releases and spins of the ball the change at the end was 0.09 to 42 times D + 44 δ, with
+/// the median 0.9. (Stretches were 1.001 to 1.3, degrees 2 to 4, and 3 to 9 of polynomials, with and without the
+/// constraint, t = 20 to 1000.) In 12 runs it was more than 5 times: violent motions become more violent with time, and
+/// in the worst case a compressible ball is compressed to a fifth. The power 3/2 was chosen after these measurements.
+/// The target and the reserve of the models permit a factor of 5. A larger excess comes from the parasitic roots of the
+/// method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies do so from hω = 0.79 on,
+/// sums of three from 0.52 on. This part of the error falls faster than h^p.
 ///
-/// Round-off walks at random through the velocity and so costs about
+/// The random walk of round-off in the velocity causes an error of the configuration of about
 ///
 ///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps,
 ///
-/// of accuracy, times hω if sums are compensated: no step smaller than where e = e₀ is taken.
+/// If sums are compensated, e₀ has the additional factor hω. The step is never smaller than the step at which e = e₀.
 
 #include <algorithm>
 #include <cmath>
@@ -58,13 +60,13 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// `compensated`: whether the vectors of the system are summed so.
+/// The search for the step. `compensated` is true if sums of the system's vectors are compensated.
 class StepSearch {
  public:
   StepSearch(const StepRequest& request, bool compensated)
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
-  /// The step of one method; given up as soon as it needs more than `n_forces_to_beat` forces for the run.
+  /// Finds the step of one method. The search ends early if the run would need more than `n_forces_to_beat` forces.
   Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
     Trial trial = meet_tolerance(method, n_forces_to_beat);
     if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)
@@ -72,7 +74,7 @@ class StepSearch {
     return trial;
   }
 
-  /// Forces of the whole run at the stability limit: the least that a method can cost.
+  /// Forces of the whole run with the largest permitted step, the least cost of the method.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
   long n_force() const { return n_force_; }
 

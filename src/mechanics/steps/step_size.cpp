@@ -19,13 +19,14 @@ double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot) {
 namespace detail {
 namespace {
 
-/// A method that needs this many times the least cost of a method of higher order is not pursued.
+/// The search stops for a method that needs this many times the least cost of a later method of higher order. If forces
+/// are costly, it compares with all later methods.
 constexpr double clearly_dearer = 4;
-/// If forces are costly, a method whose least cost is not below this part of the cost found so far does not repay its
-/// pilot runs.
+/// If forces are costly, a method is tried only if its least cost is below this fraction of the least cost so far.
+/// Otherwise its pilot runs would cost more than it can save.
 constexpr double worth_dear_pilots = 0.8;
-/// Value of the invariants of a motion: the number of forces that a geometric method may need for each force of an
-/// adaptive method.
+/// Value of the invariants of a motion: a geometric method may need this number of forces for each force of an adaptive
+/// method.
 constexpr double price_of_invariants = 2;
 
 std::string describe(const Trial& chosen, const StepRequest& request, const std::vector<Trial>& others) {
@@ -105,11 +106,11 @@ class MethodChoice {
   }
 
  private:
-  /// Accuracy seldom admits a step of order 2 near its limit.
+  /// Likely cost of a method. A method of order 2 counts twice, since accuracy seldom permits a step near its limit.
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// Cost of the adaptive method in the comparison; infinite if it misses the tolerance.
+  /// Cost of the adaptive method in the comparison; infinite if it does not reach the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }
@@ -119,7 +120,7 @@ class MethodChoice {
   const StepRequest& request_;
   std::vector<Trial> trials_;
   std::optional<Trial> best_, adaptive_;
-  bool hopeless_ = false;  // a motion that ends within the window, or is too sensitive, is so for every method
+  bool hopeless_ = false;  // the motion ends within the window, or is too sensitive for every method
   long n_force_ = 0;
 };
 

@@ -1,12 +1,14 @@
 #pragma once
-/// Method and step from a tolerance of the time error of the configuration over a run (maximum norm over samples).
+/// Choice of the method and the step. The tolerance applies to the time error of the configuration over a run, in the
+/// maximum norm over the samples.
 ///
-/// An adaptive method (tolerance_search.h) is tried first: it can follow motions of every kind, and its cost bounds
-/// that of the search among the others. It is taken if it needs less than half of their forces, for it does not keep
-/// the invariants of the motion; that is on short runs, since its error grows like T², and on motions with short
-/// violent phases. Methods of fixed step are tried by rising order (step_search.h), as long as the next one at its
-/// stability limit would be cheaper than the best so far at the step that accuracy asks of it, and dropped as soon as a
-/// pilot shows that a higher order must be cheaper.
+/// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
+/// cost of the search among the other methods. Since it does not conserve the invariants of the motion, it is chosen
+/// only if it needs less than half of the forces of the others. This occurs on short runs, since its error grows like
+/// T², and on motions with short violent phases. Then methods of fixed step are tried (step_search.h), in the order of
+/// their least cost, the cost at the stability limit. A method is skipped if its least cost exceeds the cost of the
+/// best method so far. Its search ends if a pilot run shows that it will cost more than the best method, or clearly
+/// more than a later method of higher order.
 
 #include <Eigen/Core>
 #include <optional>
@@ -26,34 +28,34 @@ struct [[nodiscard]] StepChoice {
   double local_tolerance = 0;  ///< of an adaptive method
   double error = 0;            ///< estimated error of the configuration over the run
   bool at_round_off = false;   ///< the tolerance is below the limit of double precision
-  /// Time from which on round-off, which grows with the motion, exceeds the tolerance.
+  /// Time after which round-off, which grows with the motion, exceeds the tolerance.
   std::optional<double> round_off_rules_from{};
-  double rattle_limit = 0;  ///< as requested
+  double rattle_limit = 0;  ///< the value of the request
   long n_force = 0;         ///< forces spent on pilot runs
-  std::string why{};        ///< one sentence for the log
+  std::string why{};        ///< the reason of the choice, one sentence for the log
 };
 
-/// |Q⁻¹Q̇|₂: the rate of an affine motion, which stands for the turning and stretching of the modes themselves.
+/// |Q⁻¹Q̇|₂, the rate of an affine motion. It estimates how fast the modes of vibration rotate and stretch.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate), ω the largest frequency of small motions
-/// and the rate that of the motion about which they are small.
+/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). ω is the largest frequency of small motions
+/// about a motion, and `rate` is the rate of that motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
 
-/// Step at which RATTLE's iteration on a force that depends on the velocity, which contracts by hγ/2, gains more than
-/// half a digit each time, γ the largest rate of damping.
+/// Step at which RATTLE's iteration on a force that depends on the velocity converges well. An iteration multiplies the
+/// error by hγ/2 with the largest damping rate γ. At this step it gains more than half a digit.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
-/// Whether auto takes a method only for systems whose stages are evaluated in lanes.
+/// True if Method = auto chooses the method only for systems whose stages are evaluated in lanes.
 template <class Method>
 inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// Whether Method = auto considers a method for systems of type S, if `accepts` agrees. If forces are cheap, methods of
-/// fixed step that are not symplectic are left to explicit requests, unless stages in lanes make their steps as cheap.
+/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If forces are cheap,
+/// methods of fixed step that are not symplectic are considered only if stages in lanes make their steps as cheap.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto &&
                                        (Method::adaptive || Method::symplectic || wants_stages_in_lanes<Method> ||
@@ -61,13 +63,15 @@ inline constexpr bool auto_considers = Method::chosen_by_auto &&
 
 namespace detail {
 
-/// Among these methods, in the order of the table; `compensated`: whether the vectors of the system are summed so.
+/// The best of these methods, in the order of the table. `compensated` is true if sums of the system's vectors are
+/// compensated.
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
-/// The one that is asked for, or any that auto may take and whose promises hold. If a force costs much, an adaptive
-/// method is for dissipative systems, to which no method of fixed step and high order is open. If they are stiff,
-/// RATTLE alone is left, whose kicks solve for the velocity.
+/// True for the requested method. Without a request, true for each method that Method = auto may choose and that
+/// accepts the system. If a force is costly, an adaptive method is only for dissipative systems, which exclude methods
+/// of fixed step and high order. If the system is stiff, RATTLE is the only candidate, because its kicks solve for the
+/// velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
@@ -81,10 +85,10 @@ bool is_candidate(const S& system, const StepRequest& request) {
 
 }  // namespace detail
 
-/// The cheapest method, or the step of the one that is asked for. Q_of(state) is the configuration to which the
-/// tolerance applies: a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated with half
-/// the step. energies_of(state), if given, are the kinetic and the potential energy, of which methods that are not
-/// symplectic may change the sum by the tolerance.
+/// Chooses the cheapest method and its step, or the step of the requested method. The tolerance applies to the
+/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated
+/// with half the step. If given, energies_of(state) returns the kinetic and the potential energy. Methods that are not
+/// symplectic may change the sum of both by the tolerance.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {

@@ -1,25 +1,28 @@
 #pragma once
-/// The local tolerance of an adaptive method from a tolerance of the time error of the configuration over a run of
-/// length T: pilot runs over a window w ≤ T with local tolerances τ and τ/16 give
+/// The search for the local tolerance of an adaptive method. The given tolerance applies to the time error of the
+/// configuration over a run of length T. Pilot runs over a window w ≤ T with local tolerances τ and τ/16 give the
+/// estimate
 ///
 ///   e(τ) = max_k |q_τ(t_k) − q_{τ/16}(t_k)| · (T/w)²,
 ///
-/// for the error of a method without geometric structure grows like t² (its energy drifts; Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, X.3). Then e ~ τ gives the tolerance.
+/// because the error of a method without geometric structure grows like t²: its energy drifts (Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, X.3). The relation e ~ τ then gives τ.
 ///
-/// Round-off grows with the motion, near an unstable point like e^{λt}, and two pilots that leave such a point on the
-/// same side by the same rounding error do not show it. So two more pilots are perturbed by round-off after every step,
-/// in opposite directions (kicked_method.h), and their distance from the first is part of the estimate. If that is more
-/// than the tolerance, and a thousand times what kicks add up to on a regular motion, the run says from which time on.
-/// On a regular motion it grows like t^(3/2), since kicks are as often one way as the other.
+/// Round-off grows with the motion, near an unstable point like e^{λt}. Two pilot runs with the same rounding errors do
+/// not show this growth. Therefore, unless forces are costly, two more pilot runs are perturbed by round-off after
+/// every step, in opposite directions (kicked_method.h). Their distance from the first pilot run is part of the
+/// estimate. If the distance is more than a thousand times the sum of such perturbations on a regular motion, the
+/// result has the time after which it exceeds the tolerance. On a regular motion the distance grows like t^(3/2), since
+/// the perturbations have random signs.
 ///
-/// A body that rests where kicks do not grow is as right at the end as within the window, and takes no more steps.
+/// For a body at rest that does not amplify perturbations, the error and the number of steps do not grow after the
+/// window.
 
 #include "mechanics/steps/pilot_run.h"
 
 namespace pseudorigid::mechanics::detail {
 
-/// `compensated`: whether the vectors of the system have compensated sums. n_force grows by the forces of the pilots.
+/// `compensated` is true if sums of the system's vectors are compensated. Adds the forces of the pilot runs to n_force.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
