@@ -12,7 +12,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// std::from_chars knows no leading '+', which people and other programs write.
+/// Removes a leading '+', which people and other programs write but std::from_chars does not accept.
 std::string_view without_plus(std::string_view text) {
   const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return plus ? text.substr(1) : text;
@@ -74,7 +74,7 @@ std::string print_number(double value) {
 
 namespace {
 
-/// Three digits, rounded towards the permitted values.
+/// The value in three digits, rounded by `towards`, floor or ceil.
 std::string three_digits(double value, double (*towards)(double)) {
   if (!std::isnormal(value)) return print_number(value);
   const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2);
@@ -122,7 +122,7 @@ std::string Number::expected() const {
 
 namespace {
 
-/// The word `auto`, or a value of `kind`.
+/// Reads the word `auto` (no value), or a value of `kind`.
 template <class T, class Kind>
 Problem read_unless_auto(std::string_view text, const Kind& kind, std::optional<T>& value) {
   if (text == "auto") return value.reset(), std::nullopt;
@@ -198,7 +198,7 @@ Problem Text::read(std::string_view text, std::string& value) const {
 
 namespace {
 
-/// The expansion of a shell at the beginning of a text: "~" or "$NAME" and its value, "" if it does not have one.
+/// An expansion of a shell at the beginning of a text, "~" or "$NAME". Its value is empty if the shell has none.
 struct ShellWord {
   std::string word, value;
 };

@@ -1,9 +1,8 @@
 #pragma once
-/// The kinds of values that an entry of a parameter file can have. Each kind turns text into a value and back, and
-/// describes the expected value in words. The entries themselves are in scene/entries.h and in the headers of
-/// src/loads/.
+/// Kinds of values that an entry of a parameter file can have. Each kind converts text to a value and back, and
+/// describes the expected value in words. The headers scene/entries.h and src/loads/ define the entries.
 ///
-/// Every kind has, for its value type T:
+/// Every kind has these members, with T the type of its value:
 ///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
 ///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
 ///   std::string expected() const;                                             // "a number > 0"
@@ -27,10 +26,10 @@ namespace pseudorigid::scene {
 
 using Problem = std::optional<std::string>;
 
-/// The value of `Continuum/Mesh` that stands for the ball's own mesh; others are files.
+/// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// `got "…"`: the general description of a problem.
+/// The general message of a problem, `got "…"`.
 std::string got(std::string_view text);
 
 /// The number if the whole text is a finite number; otherwise empty.
@@ -39,17 +38,17 @@ std::optional<double> finite_number(std::string_view text);
 /// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
 std::string print_number(double value);
 
-/// A bound that was computed, for people: three digits, and a number that satisfies it.
+/// A computed bound in three digits for messages, rounded such that the printed number satisfies the bound.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
-/// "1, 0.5, 2".
+/// The numbers in one line, "1, 0.5, 2".
 std::string print_row(std::span<const double> numbers);
 
-/// "1, 0, 0; 0, 1, 0; 0, 0, 1".
+/// The rows of the matrix in one line, "1, 0, 0; 0, 1, 0; 0, 0, 1".
 std::string print_matrix(const Matrix3& matrix);
 
-/// A finite number, > low or >= low, and <= high.
+/// A finite number with low <= number <= high, or low < number if `low_excluded`.
 struct Number {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -76,7 +75,7 @@ struct AutoOrNumber {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A whole number, low <= value <= high; the largest int stands for no upper limit.
+/// A whole number with low <= number <= high; the largest int means that there is no upper limit.
 struct Integer {
   int low = 0;
   int high = std::numeric_limits<int>::max();
@@ -99,7 +98,7 @@ struct AutoOrInteger {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// The word `auto` (an empty list), or whole numbers separated by `,` that rise.
+/// The word `auto` (an empty list), or increasing whole numbers separated by `,`.
 struct AutoOrIntegers {
   Integer number;
 
@@ -129,7 +128,7 @@ struct Text {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The name of a directory, which is taken literally: text that a shell would have replaced is refused.
+/// The name of a directory. The name is used literally, so text that a shell would replace is an error.
 struct Directory {
   static constexpr std::string_view type = Text::type;
   Problem read(std::string_view text, std::string& value) const;
@@ -145,13 +144,13 @@ struct BuiltinOrMeshFile {
   std::string print(const std::string& value) const { return value; }
   std::string expected() const { return "builtin or the name of a .msh file"; }
   std::vector<std::string_view> words() const { return {builtin_mesh}; }
-  /// The file as an absolute path, if it is sought in this folder.
+  /// The absolute path of the file, relative to `folder`; `builtin` is returned unchanged.
   std::string located(const std::string& value, const std::filesystem::path& folder) const;
 };
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
-  bool symmetric = false;  ///< scene/validate.h checks the symmetry, and its message has the symmetric part
+  bool symmetric = false;  ///< the check and its message are in scene/validate.h
 
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
@@ -169,9 +168,9 @@ struct AutoOrMatrix {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// Numbers separated by `,`: exactly n of them, or one or more.
+/// A list of numbers separated by `,`, with n entries or any positive number of entries.
 struct Numbers {
-  std::size_t n = 0;  ///< 0: one or more
+  std::size_t n = 0;  ///< 0: any positive number of entries
   Number number{};
 
   static constexpr std::string_view type = "list of numbers";
@@ -181,7 +180,7 @@ struct Numbers {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// Rows of n_columns numbers; rows separated by `;`, entries by `,`. The value holds the numbers row after row.
+/// Rows of n_columns numbers; rows are separated by `;`, entries by `,`. The value has the numbers row by row.
 struct Rows {
   std::size_t n_columns;
   bool may_be_empty = false;
@@ -196,7 +195,7 @@ struct Rows {
 /// The message for a word that is not permitted.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// The names of an enumeration, each with its value.
+/// Names of an enumeration with their values.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 
@@ -207,13 +206,13 @@ std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   return words;
 }
 
-/// "a, b, c".
+/// The words in one line, "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
-/// "a", "a or b", "one of a, b, c".
+/// The permitted words in a message: "a", "a or b" or "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
-/// Whether every name occurs exactly once and has its own value.
+/// True if no name is empty, and no name and no value occurs twice.
 template <class E, std::size_t n>
 constexpr bool is_sound(const NameTable<E, n>& table) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -224,7 +223,7 @@ constexpr bool is_sound(const NameTable<E, n>& table) {
   return true;
 }
 
-/// One word out of a table of names.
+/// One word of a table of names.
 template <class E, std::size_t n>
 struct Choice {
   consteval explicit Choice(const NameTable<E, n>& names) : table(names) {
@@ -248,13 +247,13 @@ struct Choice {
   std::vector<std::string_view> words() const { return words_of(table); }
 };
 
-/// choice<E>({{"name", E::value}, …}): it counts its words itself.
+/// Makes a Choice: choice<E>({{"name", E::value}, …}). The compiler deduces the number of words.
 template <class E, std::size_t n>
 consteval Choice<E, n> choice(const std::pair<std::string_view, E> (&names)[n]) {
   return Choice<E, n>(std::to_array(names));
 }
 
-/// One word out of a list that is known at run time.
+/// One word of a list that is known only at run time.
 struct Word {
   std::vector<std::string_view> allowed;
 
@@ -265,8 +264,8 @@ struct Word {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// A comma-separated list of words out of a list that is known at run time; the value has them in the order of that
-/// list.
+/// A comma-separated list of words from `allowed`, which is known only at run time. The value has the words in the
+/// order of `allowed`.
 struct Words {
   std::vector<std::string_view> allowed;
 
@@ -277,11 +276,11 @@ struct Words {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// Splits at the separator and trims the parts; an empty text has no parts.
+/// Splits the text at the separator and trims the parts; a blank text has no parts.
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
-/// A comma-separated list of words, each a switch (member of type bool) of the value; `all` stands for the first
-/// n_in_all of them, where that is not 0.
+/// A comma-separated list of words. Each word sets a member of type bool of the value. If n_in_all is not 0, `all` sets
+/// the first n_in_all members.
 template <class S, std::size_t n>
 struct Switches {
   consteval Switches(const NameTable<bool S::*, n>& names, std::size_t n_of_all) : table(names), n_in_all(n_of_all) {
@@ -319,7 +318,7 @@ struct Switches {
   }
 };
 
-/// switches<S>({{"name", &S::member}, …}); the word `all` sets all members.
+/// Makes a Switches: switches<S>({{"name", &S::member}, …}). The word `all` sets all members.
 template <class S, std::size_t n>
 consteval Switches<S, n> switches(const std::pair<std::string_view, bool S::*> (&names)[n]) {
   return Switches<S, n>(std::to_array(names), n);

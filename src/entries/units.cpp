@@ -29,8 +29,8 @@ Powers read_powers(scene::Unit unit) {
   return powers;
 }
 
-/// The words of a unit are a literal of the program, known by its place. To read them takes longer than the rest of a
-/// row does.
+/// Powers of a unit, cached by the address of its words, which are a string literal. Reading the words takes longer
+/// than all other work on a row.
 const Powers& powers_of(scene::Unit unit) {
   thread_local std::unordered_map<const char*, Powers> known;
   const auto [found, is_new] = known.try_emplace(std::string_view(unit).data());
@@ -43,8 +43,8 @@ const Powers& powers_of(scene::Unit unit) {
 double Units::to_physical(double internal, scene::Unit unit) const {
   const auto [of_length, of_mass, time_power, of_stress] = powers_of(unit);
   int of_time = time_power;
-  // Lengths per time are velocities, and 1/t² is the unit of the multiplier, as in the functions above: equal
-  // quantities have equal last digits.
+  // Length per time is a velocity, and 1/t² is the unit of the multiplier, as in the member functions of Units.
+  // Therefore equal quantities have equal last digits.
   const int of_velocity = std::clamp(-of_time, 0, std::max(of_length, 0));
   double factor = 1;
   const auto multiply = [&](double size, int power) {
@@ -61,7 +61,7 @@ double Units::to_physical(double internal, scene::Unit unit) const {
 
 double Units::to_internal(double physical, scene::Unit unit) const {
   const Powers powers = powers_of(unit);
-  double above = 1, below = 1;  // of the factor
+  double above = 1, below = 1;  // numerator and denominator of the factor
   for (const auto& [size, power] : {std::pair{length, powers.length}, std::pair{mass, powers.mass},
                                     std::pair{stress(), powers.stress}, std::pair{time, powers.time}})
     for (int i = 0; i < std::abs(power); ++i) (power < 0 ? above : below) *= size;

@@ -8,7 +8,7 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr std::size_t longest_quotation = 100;
-/// Longer words are not misspelt names; the limit also bounds the cost of the search.
+/// Longer words are not misspelt names. The bound also limits the cost of the search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -19,7 +19,7 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
-/// A character that comes from web pages and word processors in place of one that is typed.
+/// A character from web pages or word processors that looks like a typed character.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };
@@ -53,7 +53,7 @@ constexpr Lookalike lookalikes[] = {
     {"\uFF1D", "the full-width equals sign U+FF1D", "="},
 };
 
-/// ` (with the minus sign U+2212 in place of "-")`, for the first such character; empty if there is none.
+/// The note ` (with the minus sign U+2212 in place of "-")` about the first such character; empty if there is none.
 std::string note_of_lookalike(std::string_view text) {
   const Lookalike* first = nullptr;
   std::size_t place = text.npos;
@@ -93,7 +93,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 int edit_distance(std::string_view from, std::string_view to) {
-  // Levenshtein's recursion; row[j] is the distance from the part of `from` seen so far to the first j letters of `to`.
+  // Levenshtein's recursion: row[j] is the distance from the letters of `from` so far to the first j letters of `to`.
   std::vector<int> row(to.size() + 1);
   std::iota(row.begin(), row.end(), 0);
   for (const char letter : from) {

@@ -1,11 +1,11 @@
 #pragma once
-/// Contact of a surface with rigid planes (plane.h), as sums over the points of a quadrature of the reference surface.
-/// With x the place of a point and w its weight, they are
+/// Contact of a surface with rigid planes (plane.h), as sums over the quadrature points of the reference surface. With
+/// the position x of a point, its penetration d, its pressure p and its weight w, the sums are
 ///
 ///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
 ///
-/// Every model has these sums for its computed part; those of the whole body follow by reflections, under which the
-/// planes as a whole do not change.
+/// Each model computes these sums for its computed part. Reflections give the sums for the whole body; they map the set
+/// of planes to itself.
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace pseudorigid::loads {
 
-/// Contact with one plane, without damping.
+/// Contact with one plane, without its damping.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
-  double height = std::numeric_limits<double>::infinity();  ///< the least n·x − z₀
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< of the pressure: ∫p x dA
+  double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< moment of the pressure, ∫p x dA
 
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);
@@ -44,11 +44,11 @@ struct PlaneContact {
   }
 };
 
-/// Contact as the columns have it: its energy with all planes, and of the plane that presses most, or is nearest, the
-/// rest.
+/// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least. The other
+/// members belong to the plane with the largest force, or without contact to the nearest plane.
 struct Contact {
   double energy = 0, force = 0;
-  double height = std::numeric_limits<double>::infinity();  ///< the least over all planes
+  double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
   double radius = 0;                                        ///< √(area/π)
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -56,7 +56,8 @@ struct Contact {
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// A plane j touches the image R x of a point if the plane R j touches x.
+/// Contact of the whole body from the contact of its computed part. A plane j touches the image R x of a point x under
+/// a reflection R if the plane R j touches x.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

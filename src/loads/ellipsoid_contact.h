@@ -1,19 +1,20 @@
 #pragma once
-/// Contact of an affine body x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form; dA is that of the sphere
-/// ξ. With
+/// Contact of an affine body x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form. dA is the area element of
+/// the sphere of ξ. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
-/// the largest penetration is δ = h + G, and if the whole body is beyond the plane, the least one is μ = h − G, else
-/// μ = 0. The points u > −h/G touch, and with dA = 2π du after the turn about g
+/// the largest penetration is δ = h + G. The least penetration is μ = h − G if the whole body is beyond the plane, and
+/// otherwise μ = 0. The points with u > −h/G are in contact. The integral over the angle about g gives dA = 2π du, and
 ///
 ///   V = πk (δ³ − μ³)/(3G),
 ///   ∂V/∂h = N = πk (δ² − μ²)/G,                 the force along n,
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
 ///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
 ///
-/// The area that touches is 2πδ/G, so that a rigid ball has the contact radius √(2δ) of its cut. At the first contact
-/// the second derivative of N = πkδ² jumps. The damping force of β has the moments
+/// The contact area is 2πδ/G. A rigid unit ball thus has the contact radius √(2δ), the radius of its small intersection
+/// with the plane. At the first contact the second derivative of N = πkδ² jumps. The damping force with the coefficient
+/// β needs the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ).
 
@@ -25,7 +26,7 @@
 
 namespace pseudorigid::loads {
 
-/// Forces on Q and c, or rates of them.
+/// Forces on Q and c, or rates of these forces.
 struct AffineForce {
   Eigen::Matrix3d on_Q = Eigen::Matrix3d::Zero();
   Eigen::Vector3d on_center = Eigen::Vector3d::Zero();
@@ -51,7 +52,7 @@ class EllipsoidContact {
     result.energy = strength() * (cube(deepest_) - cube(least_)) / (3 * G_);
     result.force = by_h();
     result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
-    // ∫p ξ dA = −ĝ ∂V/∂G, since ∂d/∂G = u.
+    // The moment is ∫p ξ dA = −ĝ ∂V/∂G, since ∂d/∂G = u.
     result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
     return result;
   }
@@ -62,7 +63,7 @@ class EllipsoidContact {
     f.on_Q -= by_G() * plane_.normal * (S_ * direction_).transpose();
   }
 
-  /// The rate of that force along (dQ, dc).
+  /// Adds the rate of the force of add_force() along (dQ, dc).
   void add_force_rate(const Eigen::Matrix3d& dQ, const Eigen::Vector3d& dc, AffineForce& f) const {
     if (!touches()) return;
     const Eigen::Vector3d dg = S_.transpose() * (dQ.transpose() * plane_.normal);
@@ -77,7 +78,7 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// f ← f + the damping force of the velocities; returns the power that it takes.
+  /// f ← f + the damping force of the velocities. Returns the dissipated power.
   double add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return 0;
     const double factor = plane_.stiffness * plane_.damping;
@@ -100,7 +101,8 @@ class EllipsoidContact {
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// (I₀, I₁, I₂), with t = 1 − u from 0 to T and ∫d t^j dt: small penetrations do not cancel.
+  /// (I₀, I₁, I₂) from the integrals ∫d t^j dt of t = 1 − u from 0 to T. They have no cancellation for small
+  /// penetrations.
   Eigen::Vector3d moments() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;

@@ -1,15 +1,15 @@
 #pragma once
-/// All loads on an elastic body, as numbers; a load (list.h) is a name for some of them.
-/// Forces on the mass are linear in x and ẋ and tractions on the surface come from stresses that have no divergence, so
-/// that both models of the body know them, with the same work on the motions x = x_c + QX:
+/// All loads on an elastic body, as numbers. A load (list.h) sets some of these numbers. Forces per mass are linear in
+/// x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of the body can
+/// represent them, with the same work on the motions x = x_c + QX:
 ///
-///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag takes c|ẋ|²
+///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
 ///                  pressure −p n per current area; energy −P̄:∫F dX + p V
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
 ///   at planes      the pressure of contact with rigid planes (plane.h)
 ///
-/// The holder decides whether it is in the user's units or in internal ones.
+/// The numbers are in the user's units or in internal units; the owner of the object decides.
 
 #include <Eigen/Core>
 
@@ -27,9 +27,9 @@ struct Forcing {
   Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress
   double pressure = 0;                                         ///< p
   double viscosity = 0, drag = 0;                              ///< η, c
-  Planes planes{};                                             ///< that the body may touch
+  Planes planes{};                                             ///< planes that the body may touch
 
-  /// Calls visit(of a, of b) with every number of both. One that is not listed does not compile.
+  /// Calls visit(number of a, number of b) for every number of both. A member without a name here does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;
@@ -50,7 +50,7 @@ struct Forcing {
   }
 
   bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped(); }
-  /// Whether a load other than a pressure acts; a body of constant volume does not react to a pressure.
+  /// True if there is a load other than a pressure. A body of constant volume does not react to a pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;
@@ -63,8 +63,8 @@ struct Forcing {
     return any;
   }
 
-  /// The energy without self-gravity and contact, of a body with ∫ρ x xᵀ, ∫ρ x, ∫F dX and the volume V; of the rate of
-  /// a forcing, the power that its change gives to the body.
+  /// The energy without self-gravity and contact, of a body with the moments ∫ρ x xᵀ and ∫ρ x, the integral ∫F dX and
+  /// the volume V. For the rate of a forcing, it is the power that the change of the forcing gives to the body.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

@@ -1,5 +1,5 @@
 #pragma once
-/// The loads, and the functions that all of them have. A new load is its header and one line of the list.
+/// The list of loads, and functions of all loads. A new load needs a header and one line of the list.
 
 #include <tuple>
 #include <type_traits>
@@ -18,7 +18,7 @@
 
 namespace pseudorigid::loads {
 
-/// In the order of a parameter file.
+/// The loads in the order of a parameter file.
 using LoadList = std::tuple<Viscosity,     //
                             Drag,          //
                             SelfGravity,   //
@@ -44,7 +44,7 @@ static_assert(detail::are_loads(static_cast<LoadList*>(nullptr)), "a load of the
 template <class L>
 concept KnownLoad = detail::is_one_of<L>(static_cast<LoadList*>(nullptr));
 
-/// Loads with the named members, and the others absent: Loads{Tide{T}, Drag{0.1}}.
+/// One object of each load. Loads{Tide{T}, Drag{0.1}} sets the given loads; the others are absent.
 class Loads {
  public:
   template <KnownLoad... Named>
@@ -87,7 +87,7 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// The sum of the loads that do not depend on time.
+/// Sum of the loads that do not depend on time.
 inline Forcing constant_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -96,7 +96,7 @@ inline Forcing constant_forcing(const Loads& loads) {
   return sum;
 }
 
-/// The sum of the loads that depend on time, and its derivative.
+/// Sum of the loads that depend on time, and its derivative with respect to time.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -119,7 +119,7 @@ inline bool depend_on_time(const Loads& loads) {
   return any;
 }
 
-/// The periodic loads only.
+/// Angular frequencies of the periodic loads.
 inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {
@@ -129,7 +129,7 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
   return frequencies;
 }
 
-/// The loads that move a body of constant volume; the constraint balances a pressure.
+/// The loads that move a body of constant volume. Others, such as a pressure, are balanced by the constraint.
 inline Loads at_constant_volume(Loads loads) {
   loads.for_each([]<class L>(L& load) {
     if (!largest_forcing(load).acts_at_constant_volume()) load = L{};

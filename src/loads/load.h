@@ -1,21 +1,22 @@
 #pragma once
-/// Interface of a load; one header and one line in list.h add it to the whole program.
+/// Interface of a load. To add a load to the whole program, write a header and add one line to list.h.
 ///
-/// A load is a struct of parameters, absent by default, in the user's units as in internal ones, with
+/// A load is a struct of parameters, in the user's units or in internal units. The default parameters mean that the
+/// load is absent. Its members are
 ///
-///   visit_entries(self, visit)    its entries: visit(member, kind, About), as in scene/entries.h. The kinds say
-///                                 which reflections it admits: a matrix without entries off the diagonal in the rows
-///                                 and columns of the normal, a vector without the component along it. The units give
-///                                 its values in internal units.
-///   forcing()                     what it does (forcing.h); zero if it is absent
-///   no_equilibria                 why no relative equilibrium is known under it, a sentence for the first of its
-///                                 entries; empty if the families of equilibria know it
-///   needed(body), skipped         the lines of `pseudorigid check` if it is present and if not; empty: none
+///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
+///                                 decides which reflections the load admits: a matrix must not have entries off the
+///                                 diagonal in the row and column of the normal, a vector no component along it. The
+///                                 unit converts the value to internal units.
+///   forcing()                     the load as numbers (forcing.h); zero if it is absent
+///   no_equilibria                 empty if the families of equilibria include this load; otherwise a sentence with the
+///                                 reason why no relative equilibrium is known
+///   needed(body), skipped         the lines of `pseudorigid check` if the load is present or absent; empty: none
 ///
-/// or, where the force depends on time, in place of forcing() both  forcing(t)  and  forcing_rate(t), its derivative,
-/// with  largest_forcing()  of all times, and if it is periodic  angular_frequency(), so that a motion that follows it
-/// is not taken for a pulsation of the body. Consequences of the forcing are not declared again: whether it dissipates,
-/// its effect on the centre of mass, its energy and that of a change in time, and its scale of time.
+/// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(), and
+/// largest_forcing() over all times. A periodic load also has angular_frequency(), so that the forced motion is not
+/// mistaken for a pulsation of the body. The load does not declare consequences of its forcing: dissipation, the effect
+/// on the centre of mass, the energy and its rate, and the scale of time.
 
 #include <concepts>
 #include <string>
@@ -27,13 +28,13 @@
 
 namespace pseudorigid::loads {
 
-/// Data of the body for a line about a load.
+/// Data of the body for the line about a load.
 struct BodyFacts {
   bool incompressible;
-  double volume_by_inertia;  ///< Vol/m̄, by which a pressure is that of the column `multiplier`
+  double volume_by_inertia;  ///< Vol/m̄, which converts a pressure to the column `multiplier`
 };
 
-/// For the entries of a load that are not used.
+/// A visitor that ignores the entries, used to check the interface.
 struct IgnoresEntries {
   void operator()(auto&, const auto&, const scene::About&) const {}
 };

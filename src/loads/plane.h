@@ -1,11 +1,12 @@
 #pragma once
-/// Rigid planes n·x = z₀, on whose side n·x > z₀ the body is, and the law of contact with one of them. At a point of
-/// the surface with the penetration d = z₀ − n·x > 0 the plane presses with
+/// Rigid planes n·x = z₀, with the body on the side n·x > z₀, and the law of contact with a plane. At a point of the
+/// surface with the penetration d = z₀ − n·x > 0, the pressure of the plane is
 ///
 ///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
 ///
-/// without friction. Its energy k d²/2 is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. β is the damping of Hunt
-/// and Crossley (1975), 0 in a conservative contact. It takes the power β k d ḋ² from the body.
+/// without friction. Its energy k d²/2 is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. β is the damping
+/// coefficient of Hunt and Crossley (1975), 0 in a conservative contact. The damping dissipates the power k β d ḋ² per
+/// area.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -15,7 +16,7 @@
 namespace pseudorigid::loads {
 
 struct Plane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n, to the side of the body
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n, pointing to the side of the body
   double position = 0;                                ///< z₀
   double stiffness = 0;                               ///< k
   double damping = 0;                                 ///< β
@@ -27,7 +28,7 @@ struct Plane {
   }
 };
 
-/// A sum of planes is the list of both.
+/// A list of planes; a sum of lists has the planes of both.
 struct Planes : std::vector<Plane> {
   using std::vector<Plane>::vector;
 
@@ -41,7 +42,7 @@ struct Planes : std::vector<Plane> {
     return false;
   }
   /// A bound for the stiffness along any direction if every point of the surface touched all planes. Parallel planes
-  /// count once. It is the norm of Σ k n nᵀ, bounded by that of Frobenius and by the largest sum of a row.
+  /// count once. The bound is the smaller of the Frobenius norm and the largest row sum of Σ k n nᵀ.
   double stiffness_of_all() const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < size(); ++i) {

@@ -9,11 +9,11 @@
 namespace pseudorigid::loads {
 
 struct RigidPlanes {
-  std::vector<double> normals, points;  ///< of each plane n, of any length, and a point; three numbers each
+  std::vector<double> normals, points;  ///< n (of any length) and a point of each plane, three numbers each
   std::optional<double> stiffness;      ///< k; empty: `usual_stiffness`
   double damping = 0;                   ///< β
 
-  /// In internal units: of an elastic body without self-gravity 1000 shear moduli per radius.
+  /// Default stiffness in internal units. For an elastic body without self-gravity it is 1000 shear moduli per radius.
   static constexpr double usual_stiffness = 1000;
 
   template <class Self, class Visit>
@@ -43,10 +43,10 @@ struct RigidPlanes {
   std::string needed(const BodyFacts&) const {
     return "contact with rigid planes: " + std::to_string(forcing().planes.size());
   }
-  /// Bodies at rest on a plane are not looked for.
+  /// The search for equilibria does not include bodies at rest on a plane.
   static constexpr bool has_static_equilibria = false;
 
-  /// Rows without a partner and normals without a direction, which scene/contact.h refuses, are left out.
+  /// The planes as numbers. Rows without a partner and normals of length 0 are omitted; scene/contact.h refuses them.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
@@ -60,7 +60,7 @@ struct RigidPlanes {
     return sum;
   }
 
-  /// Says which plane has no mirror image in x_i = 0 among the planes, if there is one.
+  /// A sentence about a plane that has no mirror image in x_i = 0 among the planes; empty if there is none.
   std::optional<std::string> breaks_plane(int i) const {
     const Planes planes = forcing().planes;
     for (std::size_t j = 0; j < planes.size(); ++j) {

@@ -1,5 +1,5 @@
 #pragma once
-/// A quadratic external potential ½ xᵀTx per mass.
+/// A quadratic external potential energy ½ xᵀTx per mass.
 
 #include "loads/load.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// A dead traction P̄N per reference area.
+/// A dead traction P̄N per reference area, with the reference normal N.
 
 #include "loads/load.h"
 

@@ -6,12 +6,12 @@
 ///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
 ///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
 ///
-/// The book prints λ/2 for λ/4, that is this law with 2λ: `ciarlet-geymonat (as printed)` of the table.
+/// The book prints λ/2 for λ/4. This is the same law with 2λ, `ciarlet-geymonat (as printed)` in the table.
 ///
 /// The neo-Hookean law of this program on GL⁺(3) is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
-/// (λ/4)(III − 1 − ln III). On SL(3) it has no bulk term: λ = 0. Both are stress-free at F = Id.
+/// (λ/4)(III − 1 − ln III). On SL(3) the neo-Hookean law has no bulk term, λ = 0. Both laws are stress-free at F = Id.
 ///
-/// Energies of small strains are computed from H = F − Id without cancellation, J − 1 = tr H + II(H) + det H = δ:
+/// Energies of small strains are computed from H = F − Id without cancellation. With δ = J − 1 = tr H + II(H) + det H,
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
 #include "materials/law_limits.h"
@@ -24,7 +24,7 @@ namespace pseudorigid::materials {
 
 struct CiarletGeymonat {
   double mu, lambda;
-  static constexpr double surface_limit = biot_ratio;  ///< neo-Hookean if volume is preserved
+  static constexpr double surface_limit = biot_ratio;  ///< the law is neo-Hookean if the volume is preserved
   bool operator==(const CiarletGeymonat&) const = default;
 
   /// W(F); F must have J > 0.
@@ -46,7 +46,7 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// μ and s(J)
+  /// Coefficients μ of F and s(J) of cof F.
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);

@@ -1,5 +1,5 @@
 #pragma once
-/// No stored energy: W = 0, P = 0. With incompressibility it is the ideal fluid of Dirichlet.
+/// A law without stored energy: W = 0, P = 0. An incompressible body of this law is Dirichlet's ideal fluid.
 
 #include "materials/tensor.h"
 

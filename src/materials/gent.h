@@ -1,18 +1,18 @@
 #pragma once
-/// Gent's law (Rubber Chem. Technol. 69 (1996) 59), whose chains cannot be stretched without end, per unit reference
-/// volume; I = |F|², III = J², d = I − 3 < J_m:
+/// Gent's law (Rubber Chem. Technol. 69 (1996) 59), for polymer chains of limited extension, per unit reference volume;
+/// I = |F|², III = J², J = det F, d = I − 3 < J_m:
 ///
 ///   W = −(μ/2) J_m ln(1 − d/J_m) − μ ln J + (λ/4)(III − 1 − ln III)
 ///
-/// With y = d/J_m and −ln(1 − y) = y + [−y − ln(1 − y)] this is Ciarlet–Geymonat's law and a term of second order in
+/// With y = d/J_m and −ln(1 − y) = y + [−y − ln(1 − y)] this is Ciarlet–Geymonat's law plus a term of second order in
 /// the strain:
 ///
 ///   W = W_CG(μ, λ) + (μ/2) J_m [−y − ln(1 − y)]
 ///   P = ∂W/∂F = P_CG + μ d/(J_m − d) F
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
-/// Stress-free at Id. The shear modulus there is μ, and the first Lamé modulus λ + 2μ/J_m. J_m → ∞ is the neo-Hookean
-/// law. If d reaches J_m, W is infinite: beyond, no deformation of this body exists.
+/// The law is stress-free at Id. The shear modulus there is μ, and the first Lamé modulus is λ + 2μ/J_m. J_m → ∞ is the
+/// neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
 
 #include <string_view>
 
@@ -24,7 +24,7 @@ struct Gent {
   double mu, lambda, J_m;
   bool operator==(const Gent&) const = default;
 
-  /// W(F); F must have J > 0 and a positive reserve.
+  /// W(F); F must have J > 0 and a positive `reserve`.
   template <class T>
   T energy(const Tensor<T>& F) const {
     return first_part().energy(F) + 0.5 * mu * J_m * x_minus_log1p(-1.0 / J_m * trace_of_strain(F));

@@ -1,14 +1,15 @@
 #pragma once
-/// Limits that a law may declare, in addition to energy, stress and tangent.
+/// Optional limits of a law, in addition to energy, stress and tangent.
 ///
-/// Deformations that it does not admit (other than those with J ≤ 0, which no law admits):
+/// A law may not admit all deformations with J > 0 (no law admits J ≤ 0). It then declares
 ///
 ///     template <class T> T reserve(const Tensor<T>& F) const;   positive if F is admitted
-///     static constexpr std::string_view limit;                  what has happened if it is not: one clause
+///     static constexpr std::string_view limit;                  the reason for the user, one clause
 ///
-/// The surface of an incompressible body that wrinkles (continuum/output/surface_stretch.h):
-///   static constexpr double surface_limit;   the ratio λ₁/λ_n of stretches at which a half-space loses its smooth
-///   shape
+/// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). The law then declares the
+/// ratio λ₁/λ_n of the stretches along the surface and along its normal at which a half-space wrinkles:
+///
+///     static constexpr double surface_limit;
 
 #include <string>
 #include <string_view>
@@ -28,7 +29,7 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// Whether a law admits F, for J > 0. A sum that contains a law may offer admits(F) and limit() itself.
+/// True if a law admits F, provided J > 0. A sum that contains a law may have functions admits(F) and limit() itself.
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)
@@ -39,7 +40,7 @@ template <class Law>
     return true;
 }
 
-/// The reason if F is not admitted; empty if all F are.
+/// The reason why F is not admitted; empty if the law admits all F.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)

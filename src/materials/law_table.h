@@ -1,7 +1,7 @@
 #pragma once
-/// The laws by name, and the entries of parameter files that are theirs. A new law is one header (energy, stress,
-/// tangent and operator==, over any scalar; law_limits.h has the optional declarations) and its lines here: its type in
-/// AnyLaw, each number of its own in LawParameters and law_entries, and its line of law_table.
+/// Table of the material laws by name, and their entries in parameter files. A new law needs a header with energy,
+/// stress, tangent and operator== over any scalar (law_limits.h has the optional declarations). In this file, add its
+/// type to AnyLaw, its own numbers to LawParameters and law_entries, and a line to law_table.
 
 #include <concepts>
 #include <iterator>
@@ -34,7 +34,7 @@ static_assert([]<class... Laws>(std::variant<Laws...>*) { return (std::equality_
                   static_cast<AnyLaw*>(nullptr)),
               "a law declares `bool operator==(const Law&) const = default;`");
 
-/// The numbers that laws are made of; each is an entry of a parameter file, law_entries.
+/// The parameters of all laws; law_entries has an entry of the parameter file for each.
 struct LawParameters {
   ByName by_name{};
   double shear_modulus = 1;
@@ -46,13 +46,13 @@ struct LawParameters {
 struct LawEntry {
   double LawParameters::*member;
   std::string_view path;
-  bool is_modulus = false;  ///< in the unit of a pressure; any other number has no unit
+  bool is_modulus = false;  ///< true if the unit is a pressure; other numbers have no unit
   double low = 0, high = std::numeric_limits<double>::infinity();
   bool low_excluded = false;
   std::string_view documentation;
 };
 
-/// In the order of a parameter file.
+/// The entries in the order of a parameter file.
 inline constexpr LawEntry law_entries[] = {
     {.member = &LawParameters::shear_modulus,
      .path = "Material/Shear modulus",
@@ -83,12 +83,12 @@ static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entri
 
 struct NamedLaw {
   std::string_view name;
-  /// W in the symbols of Material/Law (scene/choices.h), and further facts for the reader of parameter files; B is the
-  /// bulk term.
+  /// Text for readers of parameter files: W in the symbols of Material/Law (scene/choices.h), with the bulk term B, and
+  /// further facts.
   std::string_view energy;
-  /// The law; `bulk` is the modulus of the bulk term, 0 if volume is preserved.
+  /// Makes the law. `bulk` is the modulus of the bulk term, 0 if the volume is preserved.
   AnyLaw (*of)(const LawParameters&, double bulk);
-  /// Warning to a user of the law, for an incompressible body and for a compressible one.
+  /// Warnings to a user of the law, for an incompressible and for a compressible body.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
@@ -96,7 +96,7 @@ struct NamedLaw {
   }
 };
 
-/// Ciarlet–Geymonat's law keeps its bulk term on SL(3), where it only shifts the multiplier.
+/// The table. The law ciarlet-geymonat keeps its bulk term on SL(3), where the term only shifts the multiplier.
 inline constexpr NamedLaw law_table[] = {
     {.name = "neo-hookean",
      .energy = "(mu/2) (I - 3 - 2 ln J) + B.",
@@ -155,29 +155,29 @@ inline constexpr NamedLaw law_table[] = {
      .of = [](const LawParameters&, double) -> AnyLaw { return Fluid{}; }},
 };
 
-/// Throws std::invalid_argument for a name that is not in the table.
+/// The line of the table with this name. Throws std::invalid_argument if there is none.
 inline const NamedLaw& find_law(std::string_view name) {
   for (const NamedLaw& law : law_table)
     if (law.name == name) return law;
   throw std::invalid_argument("no material law is called " + std::string(name));
 }
 
-/// The law of that name.
+/// The law with this name.
 inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incompressible = true) {
   return find_law(name).make(p, incompressible);
 }
 
-/// Whether it stores no energy.
+/// True if the law stores no energy.
 inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
-/// Whether the law admits F, for J > 0; if not, the reason (law_limits.h).
+/// True if the law admits F, provided J = det F > 0. Otherwise limit_of(law) is the reason (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
   return std::visit([&](const auto& l) { return admits(l, F); }, law);
 }
 inline std::string_view limit_of(const AnyLaw& law) {
   return std::visit([](const auto& l) { return limit_of(l); }, law);
 }
-/// λ₁/λ_n at which the surface of an incompressible body of this law wrinkles, where the law declares it.
+/// The ratio λ₁/λ_n of stretches at which the surface of an incompressible body wrinkles, if the law declares it.
 inline std::optional<double> surface_limit(const AnyLaw& law) {
   return std::visit(
       []<class Law>(const Law&) -> std::optional<double> {

@@ -1,18 +1,18 @@
 #pragma once
 /// Mooney–Rivlin law with the Mooney fraction b in [0, 1], per unit reference volume; I = |F|², II = |cof F|²,
-/// III = J², D = FᵀF − Id, d = tr D:
+/// III = J², J = det F, D = FᵀF − Id, d = tr D:
 ///
 ///   W = (μ/2)[(1 − b)(I − 3) + b(II − 3)] − μ(1 + b) ln J + (λ/4)(III − 1 − ln III)
 ///
-/// Since I − 3 = d and II − 3 = 2d + ½(d² − |D|²), this is Ciarlet–Geymonat's law with (1 + b)μ and a term of second
+/// Since I − 3 = d and II − 3 = 2d + ½(d² − |D|²), this is Ciarlet–Geymonat's law with (1 + b)μ plus a term of second
 /// order in the strain:
 ///
 ///   W = W_CG((1 + b)μ, λ) + (bμ/4)(d² − |D|²)
 ///   P = P_CG + bμ(d F − F D)
 ///   DP(F)[H] = DP_CG(F)[H] + bμ(ḋ F + d H − H D − F Ḋ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
-/// Stress-free at Id. The shear modulus there is μ, and the first Lamé modulus λ + 2bμ: the term in II resists changes
-/// of volume too. On SL(3) the bulk term is a constant and left out, λ = 0. b = 0 is the neo-Hookean law.
+/// The law is stress-free at Id. The shear modulus there is μ, and the first Lamé modulus is λ + 2bμ: the term in II
+/// also resists changes of volume. On SL(3) the bulk term is constant and omitted, λ = 0. b = 0 is the neo-Hookean law.
 
 #include "materials/ciarlet_geymonat.h"
 

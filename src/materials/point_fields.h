@@ -13,7 +13,7 @@
 
 namespace pseudorigid::materials {
 
-/// Appends a point. Fails if det F ≤ 0.
+/// Appends a point to the fields. Fails if det F ≤ 0.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    mechanics::BodyFields& fields) {

@@ -1,10 +1,10 @@
 #pragma once
-/// Small motions about rest, F = Id. The law may be stressed there, P(Id) = p Id: the constraint of an incompressible
-/// body carries that pressure, and the second variation of W − p ln J is
+/// Moduli of small motions about rest, F = Id. The law may have the stress P(Id) = p Id there, which the constraint of
+/// an incompressible body balances. The second variation of W − p ln J is
 ///
 ///   C(H) = DP(Id)[H] + p Hᵀ      (incompressible),      C(H) = DP(Id)[H]      (compressible: at rest only if p = 0).
 ///
-/// Waves tell the moduli: a shear e₁⊗e₂ has the stiffness μ, a stretch e₁⊗e₁ has λ + 2μ.
+/// The moduli follow from C: a shear e₁⊗e₂ has the stiffness μ, and a stretch e₁⊗e₁ has λ + 2μ.
 
 #include <variant>
 
@@ -12,13 +12,13 @@
 
 namespace pseudorigid::materials {
 
-/// p of P(Id) = p Id.
+/// The pressure p of P(Id) = p Id.
 inline double pressure_at_rest(const AnyLaw& law) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);
 }
 
-/// C(H).
+/// The second variation C(H).
 inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, const Tensor<double>& H) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Tensor<double> C = std::visit([&](const auto& known) { return known.tangent(Id, H); }, law);
@@ -29,7 +29,7 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
   return C;
 }
 
-/// Lamé's moduli at rest. For an incompressible body only μ has a meaning: λ shifts the multiplier.
+/// Lamé's moduli at rest. For an incompressible body only μ is meaningful, since λ only shifts the multiplier.
 struct RestModuli {
   double shear, lame;
 };

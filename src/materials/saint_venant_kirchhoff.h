@@ -6,8 +6,9 @@
 ///   P = ∂W/∂F = F((λ/2) d Id + μD)
 ///   DP(F)[H] = H((λ/2) d Id + μD) + F((λ/2) ḋ Id + μḊ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
-/// Stress-free at Id with Lamé's moduli λ, μ. A polynomial: nothing in it keeps J > 0, and in compression it softens
-/// (below the stretch 1/√3 along one axis) and loses stability. λ matters on SL(3) too, where I − 3 is not constant.
+/// The law is stress-free at Id, with Lamé's moduli λ, μ. W is a polynomial and does not prevent J ≤ 0. In compression
+/// the law softens, below the stretch 1/√3 along one axis, and loses stability. λ matters on SL(3) too, because I − 3
+/// is not constant there.
 
 #include "materials/strain.h"
 

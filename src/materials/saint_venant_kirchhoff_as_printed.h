@@ -1,12 +1,13 @@
 #pragma once
-/// The Saint Venant–Kirchhoff law as Oliva 5.7.9(3) prints it, d = I − 3 = tr(FᵀF − Id):
+/// The Saint Venant–Kirchhoff law in the form printed in Oliva 5.7.9(3), with d = I − 3 = tr(FᵀF − Id):
 ///
 ///   W = (λ/2) d² + μ d
 ///   P = ∂W/∂F = 2(λd + μ) F
 ///   DP(F)[H] = 2(λd + μ) H + 4λ(F:H) F
 ///
-/// It is not the law of that name (saint_venant_kirchhoff.h): Id is under the stress 2μ Id. On SL(3) that stress is a
-/// pressure, which the constraint carries, and the shear modulus at rest is 2μ; on GL⁺(3) the body contracts by itself.
+/// It differs from the standard law (saint_venant_kirchhoff.h): Id has the stress 2μ Id. On SL(3) this stress is a
+/// pressure, which the constraint balances, and the shear modulus at rest is 2μ. On GL⁺(3) the body contracts by
+/// itself.
 
 #include "materials/strain.h"
 

@@ -1,13 +1,13 @@
 #pragma once
-/// A law with
+/// Coefficients of a stress that depend only on J = det F. A law with
 ///
-///   P = a F + c cof F,   a and c functions of J = det F alone,
+///   P = a F + c cof F,   a and c functions of J,
 ///
 /// may declare them:
 ///
 ///     template <class T> StressCoefficients<T> stress_coefficients(const T& J) const;
 ///
-/// The cells of the continuum then do with fewer numbers and operations at a point
+/// The finite-element cells then need fewer numbers and operations at a quadrature point
 /// (continuum/kernels/stress_points.h).
 
 namespace pseudorigid::materials {

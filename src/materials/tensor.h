@@ -1,8 +1,8 @@
 #pragma once
 /// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector of cells.
 ///
-/// The operations are always inlined and written out entry by entry: only so are small tensors held in registers
-/// (compilers unroll loops after they have given up doing that), which halves the time of a right-hand side.
+/// The operations are always inlined and written out entry by entry, so that registers hold small tensors. Compilers
+/// unroll loops too late for this. It halves the time of a right-hand side.
 
 namespace pseudorigid::materials {
 
@@ -13,7 +13,7 @@ struct Tensor {
   const T& operator()(int i, int j) const { return a[i][j]; }
 };
 
-/// The tensor of f(A_ij, B_ij, …).
+/// The tensor with the entries f(A_ij, B_ij, …).
 template <class F, class T, class... Ts>
 [[gnu::always_inline]] inline Tensor<T> entrywise(F f, const Tensor<T>& A, const Ts&... B) {
   return {{{f(A(0, 0), B(0, 0)...), f(A(0, 1), B(0, 1)...), f(A(0, 2), B(0, 2)...)},
@@ -32,7 +32,7 @@ template <class T>
             F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0)}}};
 }
 
-/// d/ds cof(F + sH) at s = 0: the mixed minors of F and H.
+/// The derivative of cof(F + sH) with respect to s at s = 0: the mixed minors of F and H.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> cofactor_derivative(const Tensor<T>& F, const Tensor<T>& H) {
   const auto minor = [&](int i, int j, int k, int l) {
@@ -43,7 +43,7 @@ template <class T>
            {minor(0, 1, 1, 2), minor(0, 2, 1, 0), minor(0, 0, 1, 1)}}};
 }
 
-/// det F, given its cofactors.
+/// det F from F and its cofactor.
 template <class T>
 [[gnu::always_inline]] inline T determinant(const Tensor<T>& F, const Tensor<T>& cof) {
   return F(0, 0) * cof(0, 0) + F(0, 1) * cof(0, 1) + F(0, 2) * cof(0, 2);
@@ -54,7 +54,7 @@ template <class T>
   return determinant(F, cofactor(F));
 }
 
-/// A : B, summed by rows: short chains of dependent additions.
+/// A : B, summed by rows, so that few additions depend on each other.
 template <class T>
 [[gnu::always_inline]] inline T dot(const Tensor<T>& A, const Tensor<T>& B) {
   return (A(0, 0) * B(0, 0) + A(0, 1) * B(0, 1) + A(0, 2) * B(0, 2)) +
