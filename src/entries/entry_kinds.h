@@ -38,14 +38,15 @@ std::optional<double> finite_number(std::string_view text);
 /// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
 std::string print_number(double value);
 
-/// A computed bound in three digits for messages, rounded such that the printed number satisfies the bound.
+/// Prints a computed bound for messages, in three digits. An upper bound is rounded down and a lower bound up, so that
+/// the printed number is permitted.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
 /// The numbers in one line, "1, 0.5, 2".
 std::string print_row(std::span<const double> numbers);
 
-/// The rows of the matrix in one line, "1, 0, 0; 0, 1, 0; 0, 0, 1".
+/// The matrix in one line. "; " separates rows and ", " separates numbers.
 std::string print_matrix(const Matrix3& matrix);
 
 /// A finite number with low <= number <= high, or low < number if `low_excluded`.
@@ -247,7 +248,7 @@ struct Choice {
   std::vector<std::string_view> words() const { return words_of(table); }
 };
 
-/// Makes a Choice: choice<E>({{"name", E::value}, …}). The compiler deduces the number of words.
+/// Makes a Choice: choice<E>({{"name", E::value}, …}). The compiler finds the number of words.
 template <class E, std::size_t n>
 consteval Choice<E, n> choice(const std::pair<std::string_view, E> (&names)[n]) {
   return Choice<E, n>(std::to_array(names));

@@ -9,7 +9,7 @@
 namespace pseudorigid::scene {
 
 /// `text` in quotation marks, shortened to a readable length, with `?` for control characters. If a character only
-/// looks like one of ASCII, its name follows.
+/// looks like an ASCII character, its name follows the quotation.
 std::string quote(std::string_view text);
 
 /// `text` without blanks and other white space at both ends.

@@ -4,8 +4,8 @@
 ///
 ///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
 ///
-/// Each model computes these sums for its computed part. Reflections give the sums for the whole body; they map the set
-/// of planes to itself.
+/// Each model computes these sums for the computed sector of the body. Reflections give the sums for the whole body,
+/// because they map the set of planes to itself.
 
 #include <algorithm>
 #include <array>
@@ -56,8 +56,8 @@ struct Contact {
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// Contact of the whole body from the contact of its computed part. A plane j touches the image R x of a point x under
-/// a reflection R if the plane R j touches x.
+/// Contact of the whole body from the contact of its computed sector. A plane j touches the image R x of a point x
+/// under a reflection R if the plane R j touches x.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

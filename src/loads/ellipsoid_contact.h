@@ -12,9 +12,9 @@
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
 ///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
 ///
-/// The contact area is 2πδ/G. A rigid unit ball thus has the contact radius √(2δ), the radius of its small intersection
-/// with the plane. At the first contact the second derivative of N = πkδ² jumps. The damping force with the coefficient
-/// β needs the moments
+/// The contact area is 2πδ/G. For a rigid unit ball and small δ it is a disk of radius √(2δ), like the intersection of
+/// the ball and the plane. At the first contact the second derivative of N = πkδ² jumps. The damping force with the
+/// coefficient β needs the moments
 ///
 ///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ).
 
@@ -52,7 +52,7 @@ class EllipsoidContact {
     result.energy = strength() * (cube(deepest_) - cube(least_)) / (3 * G_);
     result.force = by_h();
     result.area = 2 * std::numbers::pi * std::min(2.0, deepest_ / G_);
-    // The moment is ∫p ξ dA = −ĝ ∂V/∂G, since ∂d/∂G = u.
+    // The moment is N c + Q S ∫p ξ dA, and ∫p ξ dA = −ĝ ∂V/∂G since ∂d/∂G = u.
     result.moment = result.force * c_ - by_G() * (Q_ * (S_ * direction_));
     return result;
   }

@@ -29,7 +29,8 @@ struct Forcing {
   double viscosity = 0, drag = 0;                              ///< η, c
   Planes planes{};                                             ///< planes that the body may touch
 
-  /// Calls visit(number of a, number of b) for every number of both. A member without a name here does not compile.
+  /// Calls visit(number of a, number of b) for every member. If a new member is missing in the lists below, the
+  /// function does not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;

@@ -1,6 +1,6 @@
 #pragma once
-/// Gent's law (Rubber Chem. Technol. 69 (1996) 59), for polymer chains of limited extension, per unit reference volume;
-/// I = |F|², III = J², J = det F, d = I − 3 < J_m:
+/// Gent's law (Rubber Chem. Technol. 69 (1996) 59), for polymer chains of limited extension, per unit reference volume.
+/// The symbols are I = |F|², III = J², J = det F, d = I − 3 < J_m:
 ///
 ///   W = −(μ/2) J_m ln(1 − d/J_m) − μ ln J + (λ/4)(III − 1 − ln III)
 ///

@@ -6,8 +6,8 @@
 ///     template <class T> T reserve(const Tensor<T>& F) const;   positive if F is admitted
 ///     static constexpr std::string_view limit;                  the reason for the user, one clause
 ///
-/// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). The law then declares the
-/// ratio λ₁/λ_n of the stretches along the surface and along its normal at which a half-space wrinkles:
+/// The surface of an incompressible body may wrinkle (continuum/output/surface_stretch.h). A law may declare the ratio
+/// λ₁/λ_n at which a half-space wrinkles; λ₁ is the stretch along the surface, λ_n the stretch along its normal:
 ///
 ///     static constexpr double surface_limit;
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Mooney–Rivlin law with the Mooney fraction b in [0, 1], per unit reference volume; I = |F|², II = |cof F|²,
-/// III = J², J = det F, D = FᵀF − Id, d = tr D:
+/// Mooney–Rivlin law with the Mooney fraction b in [0, 1], per unit reference volume. The symbols are I = |F|², II =
+/// |cof F|², III = J², J = det F, D = FᵀF − Id, d = tr D:
 ///
 ///   W = (μ/2)[(1 − b)(I − 3) + b(II − 3)] − μ(1 + b) ln J + (λ/4)(III − 1 − ln III)
 ///

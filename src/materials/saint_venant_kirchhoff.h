@@ -1,6 +1,6 @@
 #pragma once
 /// Saint Venant–Kirchhoff law (Oliva 5.7.9(3), in its standard form; Ciarlet, Mathematical Elasticity I, 3.9), per unit
-/// reference volume; I = |F|², II = |cof F|², D = FᵀF − Id (twice Green's strain E), d = tr D:
+/// reference volume. The symbols are I = |F|², II = |cof F|², D = FᵀF − Id (twice Green's strain E), d = tr D:
 ///
 ///   W = (λ/8)(I − 3)² + (μ/4)(I² − 2II − 2I + 3) = (λ/8) d² + (μ/4)|D|² = (λ/2)(tr E)² + μ|E|²
 ///   P = ∂W/∂F = F((λ/2) d Id + μD)

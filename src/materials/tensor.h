@@ -1,8 +1,8 @@
 #pragma once
 /// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector of cells.
 ///
-/// The operations are always inlined and written out entry by entry, so that registers hold small tensors. Compilers
-/// unroll loops too late for this. It halves the time of a right-hand side.
+/// The operations are always inlined and written out entry by entry, so that small tensors are in registers. With loops
+/// this fails, because compilers unroll loops too late. The use of registers halves the time of a force.
 
 namespace pseudorigid::materials {
 

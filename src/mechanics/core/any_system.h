@@ -224,7 +224,7 @@ class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// The base class, on whose properties alone methods may rely if the system is not conservative.
+  /// The base class. If the system is not conservative, methods may use only its members.
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

@@ -2,7 +2,7 @@
 /// Forward automatic differentiation with Eigen's AutoDiffScalar. One evaluation of a function over any scalar gives
 /// its value and all n partial derivatives, exact to round-off. Nested scalars give second derivatives.
 ///
-/// In this library all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
+/// In Eigen all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
 /// autodiff has a different type for each variable; with one pass per variable it took twice the time.
 ///
 /// Arithmetic on these numbers gives expressions that refer to their operands. Therefore a function must declare the

@@ -4,7 +4,8 @@
 ///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
 ///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)
 ///
-/// or E = S + C_v(μ⁻¹F) with the geodesic flow S (5.22). One solve with g gives both terms: g q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
+/// or E = S + C_v(μ⁻¹F) with the geodesic flow S and the vertical lift C_v (5.22). One solve with g gives both terms: g
+/// q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
 
 #include <utility>
 

@@ -6,9 +6,9 @@
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// With all j < k the residual is the least of all x in the span of the iterations. If A M⁻¹ were symmetric and
-/// positive definite, m = 1 would suffice. This nearly holds if A is symmetric and M is close to A, and a small m
-/// suffices. As r_k is orthogonal to the y_j,
+/// If the sums include all j < k, the residual is the least in the Krylov space. If A M⁻¹ were symmetric and positive
+/// definite, m = 1 would suffice. This nearly holds if A is symmetric and M is close to A, and a small m suffices. As
+/// r_k is orthogonal to the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
@@ -68,8 +68,8 @@ class ConjugateResiduals {
   }
 
   /// Number m of kept vectors. With m = 1 the Gram systems of degree 6 do not converge. For 1100 … 410,000 unknowns,
-  /// the iterations with m = 2 to 6 and with all vectors differ by 2 %. The products with all vectors took a tenth of a
-  /// step for the largest system. Six vectors leave a reserve.
+  /// the numbers of iterations with m = 2 … 6 and with all vectors agree within 2 %. For the largest system, the
+  /// products with all vectors took a tenth of the time of a step. Six vectors leave a reserve.
   static constexpr int n_kept = 6;
   /// If this number of iterations is not enough, M is not close to A, and the next iterations keep more vectors.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;

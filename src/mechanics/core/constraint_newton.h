@@ -110,7 +110,7 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// The failure message, in a separate cold function because it costs more than a step.
+/// Builds the failure message. The function is cold and not inlined, because the message costs more than a step.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;

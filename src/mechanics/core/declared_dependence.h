@@ -23,7 +23,7 @@ Status check_declared_dependence(const S& system, const State<S>& state) {
       state.v.isZero(0) ? typename S::Vector(S::Vector::Ones(state.v.rows(), state.v.cols())) : system.make_vector();
   typename S::Vector f = system.make_vector(), later = f, faster = f;
   const double other_t = state.t + 0.37;
-  // If a force fails or is not finite, the motion itself reports it.
+  // If a force fails or is not finite, the run reports this later.
   if (!force(state.t, state.v, f) || !force(other_t, state.v, later) || !force(state.t, other_v, faster)) return {};
   if (!f.allFinite() || !later.allFinite() || !faster.allFinite()) return {};
   if (!time_dependent(system) && later != f)

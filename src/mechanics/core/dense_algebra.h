@@ -1,5 +1,6 @@
 #pragma once
-/// Factorisations of dense matrices of any size. Each takes seconds to compile, so only this file compiles them.
+/// Factorisations of dense matrices of any size. Each takes seconds to compile, so only dense_algebra.cpp compiles
+/// them.
 
 #include <Eigen/Core>
 

@@ -35,7 +35,7 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// An output argument. Its destructor copies the contents to the dynamic vector.
+/// An output argument of a function of a system. The destructor writes its contents to the dynamic vector.
 template <class V>
 class WriteAs {
  public:

@@ -8,8 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The second-order field of a system. It refers to the system. A system that is not a ConstrainedSystem is returned
-/// itself.
+/// The second-order field of a system, which refers to the system. A system without a constrained form is its own
+/// field.
 template <class S>
 decltype(auto) field_of(const S& system) {
   if constexpr (ConstrainedSystem<S>)

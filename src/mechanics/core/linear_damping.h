@@ -6,8 +6,8 @@
 ///
 /// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G. The operator on the left is symmetric and
 /// positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The eigenvalues of the
-/// operator are at least 1, so the error of u is at most the residual. They are at most 1 + sγ with the largest damping
-/// rate γ. Therefore the number of iterations grows like √(sγ), and no γ limits the step.
+/// operator are at least 1, so the error of u is at most the residual. The eigenvalues are at most 1 + sγ with the
+/// largest damping rate γ. Therefore the number of iterations grows like √(sγ), and no γ limits the step.
 
 #include <algorithm>
 #include <limits>

@@ -21,7 +21,7 @@ struct MemorySaver {
   std::vector<double>& numbers;
   void operator()(std::span<double> values) const {
     const std::size_t n = numbers.size();
-    numbers.resize(n + values.size());  // GCC 12 warns of an insertion of one number
+    numbers.resize(n + values.size());  // GCC 12 warns if insert() adds one number
     std::copy_n(values.begin(), values.size(), numbers.begin() + static_cast<std::ptrdiff_t>(n));
   }
   template <class Value>

@@ -26,7 +26,7 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with an invariant manifold. `project` returns the position and velocity of a state near the manifold to it.
+/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
@@ -41,8 +41,7 @@ bool velocity_dependent(const S& system) {  // true if the force depends on v
   return false;
 }
 template <class S>
-bool dissipative(
-    const S& system) {  // true if a force dissipates energy; the motion must then not run backwards in time
+bool dissipative(const S& system) {  // true if a force dissipates energy; time must then not run backwards
   if constexpr (requires { system.dissipative(); }) return system.dissipative();
   return false;
 }

@@ -34,7 +34,7 @@ class [[nodiscard]] Status {
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Outcome of a Gram solve with its number of iterations, 0 if the solve is a division.
+/// Outcome of a Gram solve with its number of iterations. The number is 0 if the solve is a division.
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

@@ -1,7 +1,7 @@
 #pragma once
-/// Operations of methods on vectors of any kind. All vectors have copies, y ← y + a x, x ← a x and |x|_∞. Frequency
-/// estimates also use xᵀy. Iterative solvers also use several products with one sum over the processes, and sums of
-/// several vectors. A distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
+/// Operations of methods on vectors of any kind. Every vector has a copy, y ← y + a x, x ← a x and |x|_∞. Frequency
+/// estimates also use xᵀy. Iterative solvers also use sums of several vectors, and several products with one sum over
+/// the processes. A distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
 ///
 /// Long sums of small increments store their round-off c (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, VIII.5). With t = a x + c,

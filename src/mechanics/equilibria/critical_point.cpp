@@ -14,8 +14,8 @@ namespace {
 /// Eigenvalues below this fraction of the largest count as zero, since Hessians by differences have errors of about
 /// 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// Smaller eigenvalues also count as zero: they can be round-off of terms of order 1 that cancel. Without any force the
-/// largest eigenvalue can be 1e-170.
+/// Eigenvalues below this absolute bound also count as zero, since they can be round-off of terms of order 1 that
+/// cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
 constexpr double round_off_curvature = 1e-14;
 /// Rates with smaller real parts, relative to the largest rate, count as zero. With little damping, an error of a zero
 /// eigenvalue of H gives rates of the size of its square root.

@@ -120,9 +120,7 @@ class CriticalPointFinder {
   }
 
   Vector random_start() {
-    const auto uniform = [&] {
-      return static_cast<double>(generator_() >> 11) * 0x1p-53;
-    };  // the same numbers on every platform
+    const auto uniform = [&] { return static_cast<double>(generator_() >> 11) * 0x1p-53; };  // equal on all platforms
     if (search_.start) return search_.start(uniform);
     Vector q = search_.center;
     for (Eigen::Index i = 0; i < q.size(); ++i)

@@ -39,7 +39,8 @@ struct CriticalPoints {
   bool misses_points = false;  ///< points were known to be missing when the search ended
 };
 
-/// Fails if a critical point cannot be described. n_converged is the number of starts that led to a point.
+/// Searches for critical points. Fails if a point cannot be described. n_converged is the number of starts that led to
+/// a point.
 Status find_critical_points(const AnyLandscape& landscape, const CriticalPointSearch& search, CriticalPoints& found);
 
 /// The same, with n_unstable and n_stable as in Oliva 5.8.3. If the system has no dissipation, these numbers are

@@ -13,7 +13,8 @@
 ///
 ///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N},
 ///
-/// On it S and W are again well defined. It has no double zero rate of a symmetry, which round-off would split.
+/// On this space S and W are again well defined. The space has no double zero rate of a symmetry, which round-off would
+/// split.
 ///
 /// Time is scaled by the largest frequency of K and G, so that all thresholds are relative.
 
@@ -36,7 +37,8 @@ struct ReducedLinearSystem {
   double scale = 1;
 };
 
-/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. Off the imaginary axis it is 0.
+/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. Off the imaginary axis the sign
+/// is 0.
 struct Rate {
   std::complex<double> s;
   int energy_sign = 0;
@@ -53,7 +55,7 @@ struct LinearStability {
 /// Real parts below this fraction of the largest rate count as zero. Round-off ε splits colliding rates by √ε, times a
 /// condition number.
 inline constexpr double zero_growth = 1e-6;
-/// Eigenvalues of the second variation (of order 1) below this count as zero.
+/// Eigenvalues of the second variation are of order 1. Those below this bound count as zero.
 inline constexpr double zero_variation = 1e-12;
 
 /// S and W on N^W / (N ∩ N^W), represented on the orthogonal complement of N ∩ N^W in N^W. Directions of N and momenta

@@ -1,8 +1,8 @@
 #pragma once
 /// Initial states of motions on the unstable and the stable manifold of a critical point q*, with q = q* + x, q̇ = y
-/// and small (x, y). The pair (x, y) is in the eigenspace of the linearised field. (Re δ, Re zδ) and (Im δ, Im zδ) span
-/// it, for the rates z with directions δ. Up to terms of second order the state is on the manifold (Oliva, Geometric
-/// Mechanics, 5.8.3).
+/// and small (x, y). The pair (x, y) is in an eigenspace of the linearised field. For a rate z with the direction δ,
+/// this space is spanned by (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the state is on the manifold
+/// (Oliva, Geometric Mechanics, 5.8.3).
 ///
 /// If a point has several unstable directions, all motions would leave along the fastest one. Therefore the initial
 /// size in each direction is ε^{Re z/Re z_min}: all directions then reach order 1 at the same time.
@@ -39,8 +39,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
     Eigen::VectorXcd delta = p.directions.col(i);
     Eigen::Index largest;
     delta.cwiseAbs().maxCoeff(&largest);
-    delta *= std::conj(delta[largest]) /
-             std::abs(delta[largest]);  // makes the result independent of the eigensolver's phase
+    delta *= std::conj(delta[largest]) / std::abs(delta[largest]);  // removes the eigensolver's arbitrary phase
     const Eigen::VectorXcd velocity = p.rates[i] * delta;
     const double rate = std::abs(p.rates[i].real());
     basis.push_back({delta.real(), velocity.real(), rate});

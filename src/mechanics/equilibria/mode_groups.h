@@ -1,8 +1,8 @@
 #pragma once
 /// Groups of modes of a ball at rest with the same frequency. In a sphere a mode of one kind and degree n occurs 2n + 1
 /// times. The 2n + 1 lowest modes of one kind and degree are the copies of the fundamental. The next 2n + 1 modes are
-/// the copies of its first overtone, and so on. The caller measures kind and degree of each mode. The group depends
-/// only on them and on the order of ω², without a threshold.
+/// the copies of its first overtone, and so on. The caller measures kind and degree of each mode. The group of a mode
+/// depends only on kind, degree and the order of ω², without a threshold.
 
 #include <cstddef>
 #include <vector>

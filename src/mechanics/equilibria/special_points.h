@@ -11,8 +11,8 @@
 ///   instability   rates leave the imaginary axis or return to it: two rates of opposite energy collide (Krein), or a
 ///                 pair ±s collides at 0
 ///
-/// Near an instability the largest real part is like a square root, and noisy. For the two colliding rates s, s',
-/// however,
+/// Beyond an instability the largest real part grows like a square root and is noisy. For the two colliding rates s,
+/// s', however,
 ///
 ///     δ = Re (s − s')²
 ///

@@ -190,8 +190,8 @@ struct DormandPrince8 {
     return std::copysign(std::min({100 * h0, h1, longest}), direction);
   }
 
-  /// Computes stages and error in the workspace. If the error is permitted, also the projected new state and its
-  /// acceleration.
+  /// Computes stages and error in the workspace. If the error is permitted, it also computes the projected new state
+  /// and its acceleration.
   template <class F>
   static Status try_step(const F& field, double h, const State<F>& state, Workspace<F>& w, double& error) {
     ++w.counters.n_substeps;

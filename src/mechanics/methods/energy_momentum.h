@@ -1,8 +1,9 @@
 #pragma once
-/// The conserving method: a step of any size conserves energy, momenta and constraints up to round-off. It uses the
-/// discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999) 165,
-/// here in phase space and with the velocity constraint. The variables are X = (q, p) with p = M v, and Hamilton's
-/// function is H = K(p) + V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0. A step of size h is
+/// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
+/// the discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999)
+/// 165. In this form they act in phase space and include the velocity constraint. The variables are X = (q, p) with p =
+/// M v, and Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0.
+/// A step of size h is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -14,7 +15,7 @@
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
-/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. With g = γ = 0 at both ends, ΔH = 0. K is quadratic and adds
+/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. With g = γ = 0 at both ends, ΔH = 0. K is quadratic, so it adds
 /// nothing to C.
 /// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
 /// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to it, so ΔJ = 0.
@@ -29,10 +30,10 @@
 /// Round-off. Let ν be the round-off of V; then θP is known to within ν/|P|. A step corrects only the part of the
 /// energy error that exceeds ν. Later steps include the remainder, so that the total error stays about ν. The round-off
 /// of V is measured at every step, since terms of V cancel differently after a rotation of the body. If P is so large
-/// that a correction of mere round-off is harmless, ν is the value at the first state. If a correction by the largest
-/// value so far would change P by more than the fraction 10⁻⁴ in a step, ν is this largest value. On relative
-/// equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off without
-/// θ if |P| ≤ 10⁻⁷|ΔX|, and θ is then 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
+/// that a correction of mere round-off is harmless, ν is the value measured at the first state. Otherwise ν is the
+/// largest value so far, because a correction by it would change P by more than the fraction 10⁻⁴ in a step. On
+/// relative equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off
+/// without θ if |P| ≤ 10⁻⁷|ΔX|, and θ is then 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
 /// A Gauss–Seidel iteration on (Δv, Δq) solves the step. Each iteration makes the corrections
 ///
@@ -94,7 +95,7 @@ struct EnergyMomentumWorkspace {
         momenta(system) {}
 
   typename S::Workspace system;
-  Vector dq, dv, dq_before, dv_before;                      // Δq and Δv of the previous iteration
+  Vector dq, dv, dq_before, dv_before;                      // Δq and Δv, and their values in the previous iteration
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
   Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas above
   Vector acceleration;                                      // Δv/h of the last step
@@ -104,13 +105,14 @@ struct EnergyMomentumWorkspace {
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V(q₀), θ
-  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is
+  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is kept
   double energy_gained = 0;       // energy error due to round-off since the first step
   double first_noise = -1;        // round-off of V near the first state; negative: not yet measured
   double largest_noise = 0;       // largest round-off of V near the states so far
   Counters counters;
 
-  /// Hands out the parts of the computation's state that a checkpoint must contain; the rest is recomputed.
+  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`. A resumed run computes the
+  /// other parts again.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -145,7 +147,7 @@ struct EnergyMomentum {
   static constexpr int n_stages = 1;
   static constexpr bool symplectic = false, symmetric = true;
   static constexpr bool adaptive = false, chosen_by_auto = false;
-  /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all.
+  /// Largest hω of the harmonic oscillator for which the iteration converges; the step itself is stable for all hω.
   static constexpr double stability_limit = 1.6;
 
   template <class S>
@@ -153,7 +155,7 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// An error if the system violates the method's requirements.
+  /// Fails if the system violates the method's requirements.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
@@ -185,8 +187,8 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
-      // The first iterations renew C. θ is kept after noise stops the decrease of the increments. C is kept if the
-      // increments are small or stop decreasing again.
+      // The first iterations renew θ and C. After noise stops the decrease of the increments, θ is kept. After the
+      // increments are small, or stop decreasing again, C is kept too.
       if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
         w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
@@ -208,7 +210,8 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// The value of |hθ| up to which a correction of mere round-off is harmless: the iteration still converges.
+  /// The value of |hθ| up to which a correction of mere round-off is harmless, because it hardly changes the
+  /// increments.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {

@@ -1,6 +1,6 @@
 #pragma once
-/// The end of a fixed-point iteration x ← Φ(x). Its increments decrease by a constant factor until they consist of
-/// round-off.
+/// Test for the end of a fixed-point iteration x ← Φ(x). Its increments decrease by a constant factor until they
+/// consist of round-off.
 
 #include <algorithm>
 #include <cmath>

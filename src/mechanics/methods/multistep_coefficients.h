@@ -19,7 +19,7 @@
 /// A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'} if hω is the difference of θ and θ' (G. D.
 /// Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is larger than at slightly longer and shorter
 /// steps. For order 8 at hω = 0.305, the error is 7 times the error of a step that is longer by a tenth.
-/// resonance_limit is the smallest of these differences.
+/// resonance_limit is the smallest difference of θ and θ' for two parasitic roots.
 
 #include <array>
 
@@ -30,7 +30,7 @@ struct MultistepFormula {
   /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Formula for the velocity from past differences, exact for motions of degree k + 1:
+  /// Formula for the velocity from the last difference and past accelerations, exact for motions of degree k + 1:
   ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
@@ -89,8 +89,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Weights c_i of v_n − d_n/h, the integral of the polynomial through the a_{n−i}. They are exact for a = (t − t_n)^s
-/// with h = 1:
+/// Weights c_i of the accelerations in the velocity. v_n − d_n/h is an integral of the polynomial through the a_{n−i}.
+/// The weights are exact for a = (t − t_n)^s with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {

@@ -101,7 +101,7 @@ struct RattleWorkspace {
   detail::ConstraintTemporaries<S> constraint;
   typename S::Multiplier impulse;  // Λ
   MultiplierHistory<S> history;
-  double constraint_tolerance;   // largest |g|_∞ and |G v|_∞ that remain; the default is the system's
+  double constraint_tolerance;   // permitted |g|_∞ and |G v|_∞; the default is that of the system
   double pending_weight = 0;     // half step since the last projection, if its reaction is still missing
   double acceleration_time = 0;  // time of `acceleration`
   bool acceleration_known = false;
@@ -190,7 +190,8 @@ struct Rattle {
   /// w.acceleration = M⁻¹f at the state.
   template <ConstrainedSystem S>
   static Status ensure_acceleration(const S& system, const State<S>& state, RattleWorkspace<S>& w) {
-    // The time loop sets the time again after a step, which changes its round-off. A resumed run has only this time.
+    // After a step the time loop sets the time again, with another round-off. A resumed run has only this second time,
+    // so the acceleration must belong to it.
     if (w.acceleration_known && (!time_dependent(system) || w.acceleration_time == state.t)) return {};
     if (Status status = system.force(state.t, state.q, state.v, w.system, w.acceleration); !status) return status;
     system.apply_inverse_mass(w.acceleration, w.acceleration);
@@ -252,8 +253,8 @@ struct Rattle {
     }
   }
 
-  /// The same for a force that is linear in v. A second solve for the remainder makes the powers of the force those of
-  /// the final v.
+  /// The same for a force that is linear in v. After a second solve for the remainder, the powers of the forces belong
+  /// to the final v.
   template <LinearlyDamped S>
   static Status solve_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     const typename S::Vector rounding_half = w.v_rounding;

@@ -244,8 +244,7 @@ struct SymmetricMultistep {
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // adds the newest terms last, since the processor may
-                                                             // still compute them
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, since they may not be ready yet
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);

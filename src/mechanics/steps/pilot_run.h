@@ -20,11 +20,10 @@
 namespace pseudorigid::mechanics {
 
 struct StepRequest {
-  double end = 0;        ///< end T of the run
-  double window = 0;     ///< length w of the pilot runs
-  double tolerance = 0;  ///< permitted error of the configuration over [0, T]
-  double rattle_limit =
-      0;  ///< largest stable step of RATTLE (rattle_step_limit); the limits of other methods are proportional to it
+  double end = 0;           ///< end T of the run
+  double window = 0;        ///< length w of the pilot runs
+  double tolerance = 0;     ///< permitted error of the configuration over [0, T]
+  double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
   double step_bound = HUGE_VAL;  ///< largest outer step that the user allows
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< the damping is too strong for methods that are only stable with small steps
@@ -37,11 +36,11 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Larger differences of two pilot runs, in the system's unit of length, do not follow the order of the method.
-/// Collisions and chaos cause them.
+/// Differences of two pilot runs above this bound, in the system's unit of length, do not follow the order of the
+/// method, because collisions and chaos cause them.
 inline constexpr double asymptotic_difference = 0.1;
-/// Largest number of forces of one pilot run, and of the search for the step of one method. The steps of a collapsing
-/// body shrink without end.
+/// Bound of the number of forces of one pilot run, and of the search for the step of one method. A collapsing body
+/// would need any number of forces, because its steps shrink.
 inline constexpr long max_pilot_forces = 4'000'000;
 /// Tolerance of the constraints in pilot runs with costly forces, as a fraction of the permitted difference of two
 /// pilot runs. For the ball, the steps found are the same to three digits for fractions 0 … 5e-3; with 5e-2 one step
@@ -127,8 +126,8 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 }
 
 /// Longest step of a pilot run with perturbations. An adaptive step does not react to perturbations far below its
-/// tolerance. For a body at rest its steps would exceed the stability limit, and the method itself would amplify the
-/// perturbations. For a stiff system the bound permits at most 4096 steps.
+/// tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the method itself
+/// would amplify the perturbations. For a stiff system the bound permits at most 4096 steps.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known

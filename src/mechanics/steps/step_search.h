@@ -49,7 +49,7 @@
 ///
 /// The random walk of round-off in the velocity causes an error of the configuration of about
 ///
-///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps,
+///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps.
 ///
 /// If sums are compensated, e₀ has the additional factor hω. The step is never smaller than the step at which e = e₀.
 

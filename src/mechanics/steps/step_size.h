@@ -7,8 +7,8 @@
 /// only if it needs less than half of the forces of the others. This occurs on short runs, since its error grows like
 /// T², and on motions with short violent phases. Then methods of fixed step are tried (step_search.h), in the order of
 /// their least cost, the cost at the stability limit. A method is skipped if its least cost exceeds the cost of the
-/// best method so far. Its search ends if a pilot run shows that it will cost more than the best method, or clearly
-/// more than a later method of higher order.
+/// best method so far. The search for its step ends if a pilot run shows that the method will cost more than the best
+/// one, or clearly more than a later method of higher order.
 
 #include <Eigen/Core>
 #include <optional>
@@ -38,8 +38,8 @@ struct [[nodiscard]] StepChoice {
 /// |Q⁻¹Q̇|₂, the rate of an affine motion. It estimates how fast the modes of vibration rotate and stretch.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). ω is the largest frequency of small motions
-/// about a motion, and `rate` is the rate of that motion.
+/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). Small motions about a motion have the
+/// largest frequency ω, and `rate` is the rate of that motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
