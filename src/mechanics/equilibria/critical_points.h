@@ -7,8 +7,8 @@
 /// iteration converges to critical points of every index. The random numbers have a fixed seed, so a search is
 /// reproducible.
 ///
-/// Each point is listed once, modulo the periods of the chart. If a point is degenerate, for example on a critical
-/// orbit of symmetries, only one point is listed for each value of V and spectrum of the Hessian.
+/// Each point is listed once, modulo the periods of the chart. Degenerate points, for example on a critical orbit of
+/// symmetries, are listed once for each value of V and spectrum of the Hessian.
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,8 @@
 #pragma once
-/// The explicit Runge–Kutta method of order 8 by Dormand and Prince with error estimates of orders 5 and 3 and dense
-/// output of order 7 (DOP853: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5, II.6, II.10)
-/// for q̈ = a(t, q, q̇). With q̇ = v, only accelerations are stored as stages (dormand_prince_8_tableau.h):
+/// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇), with error estimates
+/// of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving Ordinary
+/// Differential Equations I, II.5, II.6 and II.10. With q̇ = v, only accelerations are stored as stages
+/// (dormand_prince_8_tableau.h):
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
 ///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can

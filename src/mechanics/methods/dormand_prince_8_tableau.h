@@ -1,7 +1,7 @@
 #pragma once
-/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince (Hairer, Nørsett, Wanner,
-/// Solving Ordinary Differential Equations I, II.5–II.6, and their code DOP853), in the form for q̇ = v, v̇ = a(t, q,
-/// v). With the accelerations A_j of the stages,
+/// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince, in the form for q̇ = v, v̇
+/// = a(t, q, v). They are those of Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5–II.6, and
+/// of their code DOP853. With the accelerations A_j of the stages,
 ///
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///

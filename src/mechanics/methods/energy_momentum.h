@@ -22,8 +22,8 @@
 /// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie at the distance P/2 from the ends. They are on one orbit (connected
-/// by a Cayley transform) if one group of rotations or translations acts, or if the two rotations of a body have the
+/// has no limit as P → 0. The two points of D lie at the distance P/2 from the ends. A Cayley transform maps one point
+/// to the other if one group of rotations or translations acts. The same holds if the two rotations of a body have the
 /// same axis. Then θP is O(h|P|). Near a steady motion with two different axes θP remains O(h²), and the iteration may
 /// need smaller steps.
 ///

@@ -21,8 +21,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Solution α of Σ_j gram_ij α_j = lost_i. A combination of symmetries that does not move the body does not contribute,
-/// for example a rotation of space and of the body about a common axis.
+/// Solution α of Σ_j gram_ij α_j = lost_i. A combination of symmetries that does not move the body does not contribute.
+/// An example is a rotation of space and of the body about a common axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail

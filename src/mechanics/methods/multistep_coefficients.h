@@ -10,8 +10,9 @@
 ///
 ///   Σ_i α_i i^s = s(s − 1) Σ_i β_i i^{s−2},   s = 2, 4, …, k   (order k).
 ///
-/// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle, since the
-/// multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of orders 8 and
+/// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle. The reason is
+/// that the multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of
+/// orders 8 and
 /// 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ and of σ are
 /// well separated, the step is stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0. The
 /// roots ±i of ρ are then midway between 1 and −1, at which pairs of roots would coincide.

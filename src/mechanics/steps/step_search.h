@@ -21,20 +21,21 @@
 ///
 /// If forces are costly, the search first makes a shorter estimate over a part w' of the window: w/8, and then w/2 if
 /// the first estimate permits. The errors have hardly begun to grow in it, so the estimate is multiplied by
-/// (w/w')^(3/2), 23 or 2.8. In releases, spins, tides and figures of equilibrium of the ball the estimate without this
-/// factor was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order at its stability
-/// limit is often accurate enough for this test, and the pilot runs then cost a fifth or a half.
+/// (w/w')^(3/2), 23 or 2.8. This factor was tested in releases, spins, tides and figures of equilibrium of the ball.
+/// Without it, the estimate was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order
+/// at its stability limit often passes this test, and the pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω it is
 ///
 ///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of that of its differential equation),
 ///
 /// so that the energy changes if the motion transfers energy from slow modes to fast modes. For a body of many modes
-/// this transfer continues for a long time, with and without constraints, but not in small motions. (RATTLE-4 has C =
-/// −0.0009, and the change of its energy has the opposite sign and a hundredth of the size.) If the first eighth of the
-/// run has at least five windows of the pilot runs, another pilot run over this eighth uses the step found. D is the
-/// largest change of the energy in it. δ is the difference of the means of the energy over both halves of the eighth.
-/// Both are divided by the energy of the motion. The step is shortened to h' such that
+/// this transfer continues for a long time, with and without constraints, but not in small motions. RATTLE-4 has C =
+/// −0.0009, and the change of its energy has the opposite sign and a hundredth of the size.
+///
+/// Therefore another pilot run uses the step found, over the first eighth of the run, if this eighth has at least five
+/// windows. D is the largest change of the energy in it. δ is the difference of the means of the energy over both
+/// halves of the eighth. Both are divided by the energy of the motion. The step is shortened to h' such that
 ///
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///

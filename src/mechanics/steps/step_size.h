@@ -3,12 +3,14 @@
 /// maximum norm over the samples.
 ///
 /// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
-/// cost of the search among the other methods. Since it does not conserve the invariants of the motion, it is chosen
-/// only if it needs less than half of the forces of the others. This occurs on short runs, since its error grows like
-/// T², and on motions with short violent phases. Then methods of fixed step are tried (step_search.h), in the order of
-/// their least cost, the cost at the stability limit. A method is skipped if its least cost exceeds the cost of the
-/// best method so far. The search for its step ends if a pilot run shows that the method will cost more than the best
-/// one, or clearly more than a later method of higher order.
+/// cost of the search among the other methods. It does not conserve the invariants of the motion. Therefore it is
+/// chosen only if it needs less than half of the forces of the others. This occurs on short runs, since its error grows
+/// like T², and on motions with short violent phases.
+///
+/// Then methods of fixed step are tried (step_search.h), in the order of their least cost, the cost at the stability
+/// limit. A method is skipped if its least cost exceeds the cost of the best method so far. Pilot runs predict the cost
+/// of a method. Its search ends if this cost exceeds the cost of the best method so far, or is clearly above the least
+/// cost of a later method of higher order.
 
 #include <Eigen/Core>
 #include <optional>
