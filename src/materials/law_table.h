@@ -96,7 +96,7 @@ struct NamedLaw {
   }
 };
 
-/// The table. The law ciarlet-geymonat keeps its bulk term on SL(3), where the term only shifts the multiplier.
+/// The table. The law ciarlet-geymonat keeps its bulk term on SL(3), because the term only shifts the multiplier there.
 inline constexpr NamedLaw law_table[] = {
     {.name = "neo-hookean",
      .energy = "(mu/2) (I - 3 - 2 ln J) + B.",

@@ -6,8 +6,8 @@
 /// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is small for
 /// small systems; bodies use their own types.
 ///
-/// The concrete type of a constrained system computes its acceleration and projection (explicit_multiplier.h). Only at
-/// run time is it known whether the system has energies and symmetries (conservative_system.h), and fits() checks this
+/// The concrete type of a constrained system computes its acceleration and projection (explicit_multiplier.h). The
+/// existence of energies and symmetries (conservative_system.h) is known only at run time; fits() checks it
 /// (field_of.h).
 
 #include <memory>

@@ -24,7 +24,7 @@ struct NoKernels : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The instruction set of a build, and whether this processor has it.
+/// The instruction set of a build; `runs_here` is true if this processor has it.
 struct KernelChoice {
   std::string_view instructions;
   bool runs_here;

@@ -1,9 +1,8 @@
 #pragma once
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
 /// the discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999)
-/// 165. In this form they act in phase space and include the velocity constraint. The variables are X = (q, p) with p =
-/// M v, and Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0.
-/// A step of size h is
+/// 165, in phase space and with the velocity constraint. With X = (q, p) and p = M v, Hamilton's function is H = K(p) +
+/// V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0. A step of size h is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -15,17 +14,15 @@
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
-/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. With g = γ = 0 at both ends, ΔH = 0. K is quadratic, so it adds
-/// nothing to C.
+/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. If g = γ = 0 at both ends, ΔH = 0. The quadratic K adds 0 to C.
 /// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
 /// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to it, so ΔJ = 0.
 /// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie at the distance P/2 from the ends. A Cayley transform maps one point
-/// to the other if one group of rotations or translations acts. The same holds if the two rotations of a body have the
-/// same axis. Then θP is O(h|P|). Near a steady motion with two different axes θP remains O(h²), and the iteration may
-/// need smaller steps.
+/// has no limit as P → 0. The two points of D lie P/2 from the ends. A Cayley transform maps one to the other if one
+/// group of rotations or translations acts, or if both rotations of a body have the same axis. Then θP is O(h|P|). Near
+/// a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V; then θP is known to within ν/|P|. A step corrects only the part of the
 /// energy error that exceeds ν. Later steps include the remainder, so that the total error stays about ν. The round-off
@@ -111,8 +108,7 @@ struct EnergyMomentumWorkspace {
   double largest_noise = 0;       // largest round-off of V near the states so far
   Counters counters;
 
-  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`. A resumed run computes the
-  /// other parts again.
+  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -210,8 +206,7 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// The value of |hθ| up to which a correction of mere round-off is harmless, because it hardly changes the
-  /// increments.
+  /// The value of |hθ| up to which a correction of mere round-off is harmless: it hardly changes the increments.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {

@@ -12,10 +12,9 @@
 ///
 /// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle. The reason is
 /// that the multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of
-/// orders 8 and
-/// 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ and of σ are
-/// well separated, the step is stable for hω ≤ stability_limit, and the error constant is small. Order 4 has a = 0. The
-/// roots ±i of ρ are then midway between 1 and −1, at which pairs of roots would coincide.
+/// orders 8 and 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ
+/// and of σ are well separated, the step is stable for hω ≤ stability_limit, and the error constant is small. Order 4
+/// has a = 0. The roots ±i of ρ are then midway between 1 and −1, at which pairs of roots would coincide.
 ///
 /// A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'} if hω is the difference of θ and θ' (G. D.
 /// Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is larger than at slightly longer and shorter

@@ -59,7 +59,7 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // multipliers of the last steps
   double h = 0;
   int newest = 0;             // slot of the state's d
   int n_known = 0;            // number of steps in the history

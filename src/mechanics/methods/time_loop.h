@@ -80,8 +80,8 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// The same for methods that choose their steps. The steps do not end at the samples, where the state is interpolated.
-/// The last step ends at T.
+/// The same for methods that choose their steps. The steps do not end at the samples; the state at a sample is
+/// interpolated. The last step ends at T.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult
     run_time_loop(const F& field, const SampleTimes& times, State<F>& state, Cursor& cursor,

@@ -26,7 +26,7 @@ struct StepRequest {
   double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
   double step_bound = HUGE_VAL;  ///< largest outer step that the user allows
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
-  bool stiff = false;            ///< the damping is too strong for methods that are only stable with small steps
+  bool stiff = false;            ///< the damping is too strong for the methods whose step it limits
   bool spare_pilots = false;     ///< forces are costly: the search makes short estimates and does not seek small gains
   std::optional<MethodId> method{};    ///< empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
@@ -37,7 +37,7 @@ namespace detail {
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 inline constexpr long max_pilot_samples = 32;
 /// Differences of two pilot runs above this bound, in the system's unit of length, do not follow the order of the
-/// method, because collisions and chaos cause them.
+/// method. Collisions and chaos cause such differences.
 inline constexpr double asymptotic_difference = 0.1;
 /// Bound of the number of forces of one pilot run, and of the search for the step of one method. A collapsing body
 /// would need any number of forces, because its steps shrink.
@@ -209,7 +209,7 @@ struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
   double limit = 0, step = 0;  ///< outer step, or the bound of the step of an adaptive method
-  double local_tolerance = 0;  ///< of an adaptive method
+  double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
   bool set_by_energy = false;  ///< the energy error determines the step

@@ -27,7 +27,7 @@
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω it is
 ///
-///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of that of its differential equation),
+///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of the coefficient of its modified differential equation),
 ///
 /// so that the energy changes if the motion transfers energy from slow modes to fast modes. For a body of many modes
 /// this transfer continues for a long time, with and without constraints, but not in small motions. RATTLE-4 has C =

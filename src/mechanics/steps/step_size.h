@@ -27,7 +27,7 @@ struct [[nodiscard]] StepChoice {
   Status status{};
   MethodId method = id_of<Rattle>;
   double step = 0;             ///< outer (composed) step, an upper bound
-  double local_tolerance = 0;  ///< of an adaptive method
+  double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
   bool at_round_off = false;   ///< the tolerance is below the limit of double precision
   /// Time after which round-off, which grows with the motion, exceeds the tolerance.

@@ -11,9 +11,9 @@
 /// Round-off grows with the motion, near an unstable point like e^{λt}. Two pilot runs with the same rounding errors do
 /// not show this growth. Therefore, unless forces are costly, two more pilot runs are perturbed by round-off after
 /// every step, in opposite directions (kicked_method.h). Their distance from the first pilot run is part of the
-/// estimate. On a regular motion the distance grows like t^(3/2), since the perturbations have random signs. If the
-/// distance is more than a thousand times larger, the motion amplifies round-off. The result then has the time after
-/// which round-off exceeds the tolerance.
+/// estimate. On a regular motion the distance grows like t^(3/2), since the perturbations have random signs. If it is
+/// more than a thousand times as large as on a regular motion, the motion amplifies round-off. The result then has the
+/// time after which round-off exceeds the tolerance.
 ///
 /// For a body at rest that does not amplify perturbations, the error and the number of steps do not grow after the
 /// window.
