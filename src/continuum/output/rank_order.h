@@ -29,8 +29,7 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; contiguous entries that belong
-                                                     ///< together
+    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries of a block
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists of all ranks, on rank 0
   };

@@ -1,7 +1,8 @@
 #pragma once
 /// Counts of the messages that this process has sent through MPI since its start, from all libraries. The program
-/// defines the functions of MPI that send. These count, and then call the library by its second names PMPI_… (profiling
-/// interface, MPI 3.1, chapter 14). Messages to the process itself and reductions over one process do not count.
+/// defines its own versions of the MPI functions that send. These versions count the call, and then call the library by
+/// its second names PMPI_… (profiling interface, MPI 3.1, chapter 14). Messages to the process itself and reductions
+/// over one process do not count.
 
 namespace pseudorigid::continuum {
 
