@@ -1,6 +1,6 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B (docs/oliva.md, section 2, 8; Carlson's form of Chandrasekhar's
-/// integrals). With F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, and with d_i = R_D(x_j, x_k, x_i) and t_k of
+/// Self-gravity of the homogeneous ellipsoid F B, B the unit ball (docs/oliva.md, section 2, 8; Carlson's form of
+/// Chandrasekhar's integrals). With F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, and with d_i = R_D(x_j, x_k, x_i) and t_k of
 /// ellipsoid_integrals.h,
 ///
 ///   V = −k R_F(x_1, x_2, x_3) = −(k/3) Σ x_i d_i,      ∂V/∂F = (k/3) U diag(d) A = (k/3) U diag(d) Uᵀ F,

@@ -16,7 +16,7 @@
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
 ///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
 ///
-/// In the sum over j, the energy is e_i = N_i·h_i.
+/// The energy is Ê = (V₀/V)^{5/3} (Gρ²/12) Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
 ///
 /// Each pair is computed once for both points: the terms of y at x also give the terms of x at y. If only a sector of
 /// the body is computed, the sources are the points of the sector and their mirror images.

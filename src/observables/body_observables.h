@@ -1,7 +1,7 @@
 #pragma once
-/// Observables of a body of the ball at one state (whole ball, including reflected sectors), and the columns of the CSV
-/// files that show them. A column is declared in this file, below its observable: name, group, unit, meaning and
-/// computation. Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
+/// Observables of a ball at one state (whole ball, including reflected sectors), and the columns of the CSV files that
+/// show them. A column is declared in this file, below its observable: name, group, unit, meaning and computation.
+/// Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///

@@ -23,11 +23,11 @@ struct BodyOfStages {
   double volume = 1, inverse_m_bar = 1;
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< some of the following numbers are not 0
+  bool loaded = false;          ///< a load is not 0: gravity, T, P̄ or pressure
   double gravity_strength = 0;  ///< k = (3/5) G M²
-  Numbers9 shape{};             ///< S
-  Numbers9 quadratic{};         ///< T
-  Numbers9 nominal_traction{};  ///< P̄
+  Numbers9 shape{};             ///< S (reference_body.h)
+  Numbers9 quadratic{};         ///< T (external_potential.h)
+  Numbers9 nominal_traction{};  ///< P̄ (external_potential.h)
   double pressure = 0;
 };
 

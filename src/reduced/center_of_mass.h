@@ -1,10 +1,12 @@
 #pragma once
-/// The centre of mass under loads (loads/forcing.h). Its equation of motion is linear and does not contain Q,
+/// The centre of mass under loads (loads/forcing.h): a uniform acceleration b, a quadratic potential ½ xᵀTx per mass
+/// and a drag c. Its equation of motion is linear and does not contain Q,
 ///
 ///   ẍ = b − T x − c ẋ.
 ///
-/// If no load depends on time, the solution is exact: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Otherwise the motion is
-/// integrated to round-off, together with the energy per mass that these loads have given,
+/// If no load depends on time, the solution is exact: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1) with the matrix A of this
+/// linear equation. Otherwise the motion is integrated to round-off, together with the energy per mass that these loads
+/// have given,
 ///
 ///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
 

@@ -1,6 +1,6 @@
 #pragma once
 /// The pseudo-rigid body without rotation and circulation. If Q₀, Q̇₀, E₀ and the loads are diagonal, then Q = diag(a)
-/// for all times, and (5.120) is
+/// for all times. The equation of motion (5.120) of pseudo_rigid_body.h is then
 ///
 ///   e_i ä_i = −∂V/∂a_i + Λ/a_i,   ln a₁a₂a₃ = 0,   E₀ = diag(e),
 ///

@@ -1,7 +1,7 @@
 #pragma once
-/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. It has dissipation R and
-/// loads V_t(Q, t) that depend on time. The dissipated energy D and the energy W that these loads have given are
-/// integrated with the motion,
+/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. R is Rayleigh's function
+/// (dissipation.h), and V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the
+/// energy W that these loads have given are integrated with the motion,
 ///
 ///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t,
 ///

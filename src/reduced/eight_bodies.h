@@ -1,8 +1,8 @@
 #pragma once
-/// Eight incompressible pseudo-rigid bodies as one system: the product of eight independent systems (5.120), one in
-/// each lane of a SIMD vector. A vector of the system has the entries of Q for all eight bodies, and a multiplier has
-/// eight numbers. Methods of fixed step can integrate this system without changes. All bodies have the same step, and
-/// an iteration ends when the largest of the eight residuals is small enough.
+/// Eight incompressible pseudo-rigid bodies as one system, one body in each lane of a SIMD vector. The equations of
+/// motion of the bodies (pseudo_rigid_body.h) are independent. A vector of the system has the entries of Q for all
+/// eight bodies, and a multiplier has eight numbers. Methods of fixed step can integrate this system without changes.
+/// All bodies have the same step, and an iteration ends when the largest of the eight residuals is small enough.
 ///
 /// The bodies have one material law, and each body has its own inertia.
 

@@ -11,8 +11,8 @@
 ///
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃,
 ///
-/// No term is divided by a difference of axes. For the neo-Hookean law the two right-hand sides are κ and κ/(a₁a₂)³,
-/// for a fluid they are Riemann's
+/// No term is divided by a difference of axes. For the neo-Hookean law the two right-hand sides are κ = 5μ/(ρr²) and
+/// κ/(a₁a₂)³. For a fluid they are Riemann's, with the symbols A_i, A_ij and B_ij of Chandrasekhar,
 ///
 ///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///
@@ -20,10 +20,10 @@
 ///
 ///   Ω² = (1 − a₃²/a₁²) E₃₁:∂²V[E₃₁].
 ///
-/// Types I–III, ω = (0, ω₂, ω₃), Λ = (0, βω₂, γω₃): R₂₃ = R₃₂ = 0 are a₃ − 2a₁β + a₂βγ = 0 = a₂ − 2a₁γ + a₃βγ, so that
-/// p = βγ solves
+/// Types I–III: let ω = (0, ω₂, ω₃) and Λ = (0, βω₂, γω₃). Then R₂₃ = R₃₂ = 0 give a₃ − 2a₁β + a₂βγ = 0 and
+/// a₂ − 2a₁γ + a₃βγ = 0, so that p = βγ satisfies
 ///
-///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁);
+///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁).
 ///
 /// The roots p and 1/p belong to dual motions. They are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types
 /// II, III: Chandrasekhar §51). The equations R_ii = 0 are then linear in ω₂², ω₃², λ.
@@ -59,7 +59,7 @@ mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vec
                                   SteadyMotion& m) {
   if (body.incompressible) return motion(axes, m);
   constexpr double factor = 1.05;
-  constexpr int n_factors = 60;  // up to a factor of 18 in size
+  constexpr int n_factors = 60;  // sizes up to 18 times larger or smaller
   const auto multiplier = [&](double log_size) {
     SteadyMotion trial;
     (void)motion(std::exp(log_size) * axes, trial);

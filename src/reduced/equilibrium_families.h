@@ -1,7 +1,8 @@
 #pragma once
-/// Families of steady motions over a range of a parameter, with stability and special points:
+/// Families of steady motions over a range of a parameter, with stability and special points. Functions, parameters and
+/// motions:
 ///
-///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), spinning elastic spheroids, both together
+///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), elastic spheroids, elastic ones with gravity
 ///   spheroids_of_spin    Ω                         the same motions, found by Newton's iteration from the sphere
 ///   jacobi, dedekind     a₂/a₁                     for any potential: figures without circulation, and their duals
 ///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures

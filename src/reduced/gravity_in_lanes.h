@@ -1,6 +1,7 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B over any scalar type, in particular SIMD lanes. It needs no principal
-/// axes and no branches, because all lanes must take the same branch. gravity/ellipsoid_gravity.h is for a single body.
+/// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. It
+/// needs no principal axes and no branches, because all lanes must take the same branch. gravity/ellipsoid_gravity.h is
+/// for a single body. With k = (3/5) G M²,
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///

@@ -1,5 +1,6 @@
 #pragma once
-/// Linear stability of a steady motion. With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the first order of (5.120) in ε is
+/// Linear stability of a steady motion (steady_motion.h). With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion
+/// (5.120) of pseudo_rigid_body.h is in first order of ε
 ///
 ///   Ḧ + 2(ω̂Ḣ − ḢΛ̂) + (ω̂²H − 2ω̂HΛ̂ + HΛ̂²) + D(∂V)(A)[H]/m̄ + λA⁻ᵀHᵀA⁻ᵀ = δλ A⁻ᵀ,   tr(A⁻¹H) = 0.
 ///

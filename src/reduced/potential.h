@@ -4,8 +4,9 @@
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
-/// with the semi-axes a_i of the ellipsoid Q B, which are the singular values of Q S, and k = (3/5) G M². A part that
-/// is not in the scene costs only a branch. A body evaluates V per reference volume, like W of a material law:
+/// with Carlson's integral R_F and k = (3/5) G M². The a_i are the semi-axes of the ellipsoid Q B (reference_body.h),
+/// which are the singular values of Q S. A part that is not in the scene costs only a branch. A body evaluates V per
+/// reference volume, like W of a material law:
 ///
 ///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
 

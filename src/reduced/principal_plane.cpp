@@ -9,8 +9,7 @@ SteadyMotion to_principal_plane(const SteadyMotion& m) {
   SteadyMotion p = m;
   if (!m.A.isDiagonal(0) || !(m.A.diagonal().minCoeff() > 0)) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m.A, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double side = svd.matrixU().determinant() > 0 ? 1 : -1;  // U and V have determinants of the same sign,
-                                                                   // because det A > 0
+    const double side = svd.matrixU().determinant() > 0 ? 1 : -1;  // det U = det V, because det A > 0
     p = {svd.singularValues().asDiagonal(), side * svd.matrixU().transpose() * m.omega,
          side * svd.matrixV().transpose() * m.Lambda, m.lambda};
   }

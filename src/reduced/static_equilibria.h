@@ -44,7 +44,8 @@ class StaticLandscape {
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
   /// True if V increases with s everywhere on the surface |ln S| = s > 0, with Q = R₁ S R₂ and S diagonal. 64 random
-  /// descents over the directions of ln S and both rotations search for a negative slope.
+  /// descents over the directions of ln S and both rotations search for a negative slope. If they find none, the result
+  /// is true.
   bool rises_at(double s) const;
 
  private:

@@ -5,14 +5,14 @@
 ///
 ///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// The ellipsoid AB rotates at the rate ω in space, and matter circulates in the ellipsoid at the rate −Λ. (5.120)
-/// requires
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates at the rate ω in space, and matter
+/// circulates in the ellipsoid at the rate −Λ. The equation of motion (5.120) of pseudo_rigid_body.h requires
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
-/// Rotations of space and of the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, make A = diag(a₁, a₂, a₃). The transposed
-/// motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). Its momenta J and Z are −Z and −J of
-/// Q(t).
+/// Rotations U of space and V of the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, make A = diag(a₁, a₂, a₃). The
+/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). Its momenta J and Z are −Z and
+/// −J of Q(t).
 
 #include <Eigen/Dense>
 #include <algorithm>
