@@ -29,7 +29,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Text for messages, as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
+/// Text for messages, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
 std::string in_words(const LeastPlace& jacobian);
 
 class BallBody {
@@ -66,7 +66,7 @@ class BallBody {
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane vanish.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Adds a dissipated energy of the sector to the coordinate in v.
+  /// Adds an energy that was dissipated in the sector to the dissipated energy in v.
   void add_taken(double energy, Vector& v) const;
   /// The dissipated energy and the energy given by loads that depend on time, both from the entries of the velocity.
   double dissipated(const Vector& v) const;

@@ -1,5 +1,5 @@
 #pragma once
-/// The loads on the finite-element ball (loads/forcing.h), integrated with the lumped mass at the nodes. Therefore
+/// The loads on the finite-element ball (loads/forcing.h). Forces per mass use the lumped mass of the nodes. Therefore
 /// motions x = QX have exactly the forces of the pseudo-rigid body (reduced/external_potential.h,
 /// reduced/dissipation.h):
 ///
@@ -10,9 +10,9 @@
 ///   objective viscosity σ = 2ηd             f_n = −∫2ηJ d F⁻ᵀ∇φ_n dX,   d = sym(∇ẋ F⁻¹)
 ///   drag, force density −cρẋ                f_n = −c m_n ẋ_n
 ///
-/// The last two dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time gives the power ∂V/∂t.
-/// Both powers are forces on the node BallSpace::account, whose velocity (D, W, 0) therefore has the dissipated and the
-/// given energy. All quantities are in internal units.
+/// Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time gives the power
+/// ∂V/∂t. Both powers are forces on the node BallSpace::account, whose velocity (D, W, 0) therefore has the dissipated
+/// and the given energy. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <optional>

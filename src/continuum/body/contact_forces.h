@@ -4,10 +4,11 @@
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// with the reference area w of a point. The sums are factorised on each face. A face is skipped if no polynomial
-/// through its nodes can reach the plane. With the Lebesgue constant Λ of the nodes at the points,
+/// with the stiffness k of a plane n·x = z₀ and the reference area w of a point. The sums are factorised on each face.
+/// A face is skipped if no polynomial through its nodes can reach the plane. With the Lebesgue constant Λ of the nodes
+/// at the points, and the maximum and minimum of n·x at the nodes of the face,
 ///
-///   n·x ≥ (max + min)/2 − Λ² (max − min)/2   over the nodes of the face.
+///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
 /// In a sector, the forces act on the points of the sector only. The set of planes must have the symmetry of the
 /// sector.
@@ -50,7 +51,7 @@ class ContactForces {
     return half.lazyProduct(values_.transpose());
   }
   bool may_touch(const Eigen::MatrixXd& heights) const;
-  /// f ← f + the nodal forces of the point forces `pressures` (w p) along n.
+  /// f_m ← f_m + Σ_points w p φ_m n, with w p in `pressures`.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;

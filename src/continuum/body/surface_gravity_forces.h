@@ -5,9 +5,10 @@
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
 ///
-/// The force is the exact derivative of the discrete Ê, so the total force and the total torque are zero. The sources
-/// are the points of all ranks and, if only a sector is computed, their mirror images. A pair of points of this rank is
-/// computed once for both points. The density must be uniform, so the ball must be incompressible.
+/// with x_p = ∂x/∂ξ_p, the quadrature weights w, and the sign for which N points outwards. The force is the exact
+/// derivative of the discrete Ê, so the total force and the total torque are zero. The sources are the points of all
+/// ranks and, if only a sector is computed, their mirror images. A pair of points of this rank is computed once for
+/// both points. The density must be uniform, so the ball must be incompressible.
 
 #include <array>
 #include <vector>
@@ -29,7 +30,7 @@ class SurfaceGravityForces {
   /// a face.
   SurfaceGravityForces(double gravity_constant, const BallSpace& space, int n_points);
 
-  /// The constant of gravity G.
+  /// The gravitational constant G.
   double constant() const { return constant_; }
 
   /// f ← f − ∂Ê/∂x. Collective.

@@ -151,7 +151,7 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
-  bool is_symmetric_ = false;  // q₁ is q₀
+  bool is_symmetric_ = false;  // q₁ = q₀
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;

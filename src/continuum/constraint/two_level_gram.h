@@ -4,11 +4,12 @@
 ///
 ///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ
 ///
-/// S_cc is the block of S of one cell c. The N_i ∈ Q_m are continuous functions that vanish on the free surface, with
-/// m = 1 for k ≤ 4 and m = 2 for larger k. P is their L²-projection onto the multipliers. Because S is the weak form of
-/// −div(ρ⁻¹ grad) in current coordinates with λ = 0 on the free surface, K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices
-/// of the cells have single precision. Iterations until the residual has decreased by 10⁻⁴ (octant, one to three
-/// refinements, at rest and sheared): 7–10 for k = 2, 14–19 for k = 4, 16–21 for k = 6.
+/// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
+/// functions that vanish on the free surface, with m = 1 for k ≤ 4 and m = 2 for larger k. P is their L²-projection
+/// onto the multipliers. Because S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ = 0 on the free
+/// surface, K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single precision. Iterations until the
+/// residual has decreased by 10⁻⁴ (octant, one to three refinements, at rest and sheared): 7–10 for k = 2, 14–19 for
+/// k = 4, 16–21 for k = 6.
 ///
 /// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
 /// multigrid of PETSc (GAMG).
@@ -57,9 +58,9 @@ class TwoLevelGram final : public GramPreconditioner {
   unsigned int n_functions_;                                                  ///< number of functions N_i of a cell
   std::vector<std::vector<dealii::types::global_dof_index>> cell_functions_;  ///< N_i of each cell, global numbers
   std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
-  std::vector<bool> on_surface_;                                              ///< by local numbers
+  std::vector<bool> on_surface_;                                              ///< on the free surface; by local number
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::size_t n_rows_;                   ///< rows of the matrices of the cells: the multipliers and zeros
+  std::size_t n_rows_;                   ///< rows of the matrices of a cell: the multipliers and padding
   std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]
   std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< PETSc must have started before its construction

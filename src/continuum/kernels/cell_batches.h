@@ -49,7 +49,7 @@ class CellBatches {
   const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
-  /// u[c][node] of the batch from a vector.
+  /// Loads u[c][node] of the batch from the vector x.
   void gather(const double* x, std::size_t batch, L (*u)[n_nodes]) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);

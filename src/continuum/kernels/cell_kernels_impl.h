@@ -1,12 +1,12 @@
 #pragma once
 /// The kernels of local_kernels.h for one degree; point_law.h separates them from the law. The operations at the points
 /// are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. In reference coordinates, with
-/// H = ∂x/∂ξ:
+/// H = ∂x/∂ξ and with weights w that contain det ∂X/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
-/// Therefore the operators of the constraint read only one scalar and the position at each point.
+/// Therefore the operators of the constraint need only H, the weight w and the position at each point.
 
 #include <cmath>
 #include <utility>

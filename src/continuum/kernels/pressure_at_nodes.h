@@ -3,6 +3,8 @@
 /// there, and the preconditioner of the Gram operator projects its coarse functions onto ψ_j by quadrature there:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
+///
+/// with the centre X_c and the size h_c of the cell, and L the Cholesky factor of the Gram matrix of the monomials.
 
 #include <cstddef>
 #include <memory>

@@ -1,7 +1,6 @@
 #pragma once
-/// Geometry of a quadrature point of a batch of cells, one cell in each lane. This struct has the data of the
-/// constraint. The data of the law are separate (stress_points.h), so that each kernel reads only the numbers that it
-/// needs.
+/// Geometry of a quadrature point of a batch of cells, one cell in each lane. This file has the data of the constraint.
+/// The data of the law are separate (stress_points.h), so that each kernel reads only the numbers that it needs.
 
 #include <cstddef>
 

@@ -5,7 +5,7 @@
 ///
 /// with the weight ŵ on the reference cell and U = (κ/4)(J² − 1 − 2 ln J). A general law needs ten numbers, (∂X/∂ξ)⁻¹
 /// and w. If ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are
-/// sufficient. Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ,
+/// sufficient. Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
 ///
 ///   T = −a H G − ŵ (c + (κ/2)(J − 1/J)) cof H,   J = D det H,
 ///   G = w (∂X/∂ξ)⁻¹ (∂X/∂ξ)⁻ᵀ,   D = 1 / det ∂X/∂ξ

@@ -15,9 +15,10 @@
 /// the coarse cells before the transfinite map. The changed coordinates are those that run outwards, and those that run
 /// along the surface from a plane through the poles. They become
 ///
-///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,   the small end ξ = 0 at the sphere or at that plane,
+///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,
 ///
-/// with ξ = 0 at the sphere or at this plane. The coordinates agree on the common faces of neighbouring cells.
+/// with ξ = 0, the end with small cells, at the sphere or at this plane. The coordinates agree on the common faces of
+/// neighbouring cells.
 ///
 /// With several ranks the cells are distributed over the ranks (p4est). Every rank has its own cells and their
 /// neighbours.

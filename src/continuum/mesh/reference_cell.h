@@ -3,6 +3,8 @@
 /// (force, constraint), and the matrices that transform nodal values to values and derivatives at points:
 ///
 ///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
+///
+/// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and ℓ̂_p on the Gauss points ξ_q.
 
 #include <array>
 #include <vector>

@@ -41,8 +41,8 @@ SurfaceInterpolation::SurfaceInterpolation(const BallSpace& space, int n_points)
   }
 }
 
-// `lazyProduct` is for small matrices. For them the preparation of Eigen's algorithm for large products takes longer
-// than the product.
+// Eigen's algorithm for large products needs more time for its preparation than these small products. `lazyProduct`
+// avoids this preparation.
 SurfaceInterpolation::Jets SurfaceInterpolation::jets(const Vector& u) const {
   const Eigen::Index n = values_.cols(), m = values_.rows();
   Jets jets{field_of(n_points()), field_of(n_points()), field_of(n_points())};

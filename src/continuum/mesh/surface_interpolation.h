@@ -17,8 +17,8 @@ namespace pseudorigid::continuum {
 class SurfaceInterpolation {
  public:
   using Field = std::array<std::vector<double>, 3>;  ///< [component][point]
-  /// Values and derivatives of a nodal function at the points; or the derivatives of a number with respect to each of
-  /// these.
+  /// Values and derivatives of a nodal function at the points. It also holds the derivatives of a number with respect
+  /// to these values and derivatives.
   struct Jets {
     Field u, by_p, by_q;
   };

@@ -33,7 +33,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
         key = std::min(key, number * nodes_per_cell + i);
       }
   }
-  if (space.account()) node_keys.push_back(not_seen);  // the account is behind all nodes, here and in vectors
+  if (space.account()) node_keys.push_back(not_seen);  // the account comes after all nodes, as in vectors
   fields_ = make_order(node_keys, 3);
   multipliers_ = make_order(cell_keys, space.n_pressure());
 }

@@ -13,7 +13,7 @@ namespace pseudorigid::continuum {
 
 class RankOrder {
  public:
-  /// Collective, as is `collect`.
+  /// Collective, as are `collect_field` and `collect_multiplier`.
   explicit RankOrder(const BallSpace& space);
 
   /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other

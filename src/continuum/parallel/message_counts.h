@@ -9,8 +9,7 @@ namespace pseudorigid::continuum {
 struct MessageCounts {
   double messages = 0;    ///< messages from this process to other processes
   double bytes = 0;       ///< total size of these messages
-  double reductions = 0;  ///< operations in which processes wait for one another: sums, maxima, barriers, broadcasts,
-                          ///< gathers
+  double reductions = 0;  ///< operations in which processes wait for one another: sums, barriers, gathers
 
   MessageCounts operator-(const MessageCounts& earlier) const {
     return {messages - earlier.messages, bytes - earlier.bytes, reductions - earlier.reductions};
