@@ -81,7 +81,7 @@ loads::Contact BodyContact::contact(const Eigen::VectorXd& q) const {
 }
 
 /// Adds the force of values at the points to the coefficients. The tables have the functions of the whole body, and the
-/// points are those of the computed sector.
+/// points are those of the computed sector. Therefore the values are multiplied by the number of mirror images.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());

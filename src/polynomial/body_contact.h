@@ -1,12 +1,12 @@
 #pragma once
-/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature with q² points in each octant of the
-/// sphere ξ. The areas w are areas of this sphere:
+/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature with n_points points in each direction
+/// of an octant of the sphere ξ. The areas w are areas of this sphere. With the stiffness k of a plane n·x = z₀,
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// A body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). For higher degrees, the
-/// sum converges to this form on affine motions as q increases. The sum is not computed for a plane if a bound shows
-/// that the body does not reach it. With the affine part c + A X of x (X = S ξ), the bound is
+/// sum converges to this form on affine motions as n_points increases. The sum is not computed for a plane if a bound
+/// shows that the body does not reach it. With the affine part c + A X of x (X = S ξ), the bound is
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and higher.
 
@@ -21,7 +21,7 @@ namespace pseudorigid::polynomial {
 
 class BodyContact {
  public:
-  /// The default of q. The 24² points of an octant are 0.065 r apart.
+  /// The default of n_points. The 24² points of an octant are 0.065 r apart.
   static constexpr int usual_points = 24;
 
   BodyContact(const loads::Planes& planes, std::shared_ptr<const PolynomialSpace> space, int n_points = usual_points);

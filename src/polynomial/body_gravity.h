@@ -1,14 +1,13 @@
 #pragma once
 /// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). At the
-/// points of the sphere, x = Σ q φ and N = w ∂x/∂e_θ × ∂x/∂e_φ. The energy Ê_h of the discrete surface has only the
-/// error of the quadrature. Because most of the motion is affine and the energy of an ellipsoid is known
-/// (gravity/ellipsoid_gravity.h), the error of the affine part is subtracted:
+/// points of the sphere, x = Σ q_a φ_a and N = w ∂x/∂e_θ × ∂x/∂e_φ with the quadrature weights w. The energy Ê_h of the
+/// discrete surface has only the error of the quadrature. Because most of the motion is affine and the energy V_g of an
+/// ellipsoid is known (gravity/ellipsoid_gravity.h), the error of the affine part is subtracted:
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// with the affine part A of x (polynomial_space.h). E_A is the energy of the ellipsoid with the gauge of Ê, which does
-/// not change under dilations. For degree 1, only E_A remains, and no sums are computed. The force is the exact
-/// derivative of this energy.
+/// with the affine part A of x (polynomial_space.h). E_A has the same gauge as Ê: it does not change under dilations.
+/// For degree 1, only E_A remains, and no sums are computed. The force is the exact derivative of this energy.
 
 #include <Eigen/Core>
 #include <array>

@@ -24,15 +24,17 @@ struct DenseKernels {
   /// c_a ← c_a + Σ_e T_ae y_e
   void (*contract)(const double* table, int n, int length, const double* y, double* c);
 
-  /// Sums over radial functions (point_tables.h) with level k and radius j, for n groups g (filled up) at once.
+  /// Sums over radial functions (point_tables.h) with level k and radius j, for n groups g at once. n is a multiple of
+  /// `point_block`.
 
   /// u_jg = Σ_k A_kjg c_kg
   void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields at the points (radius j, direction s) from terms. The entries D_ft(s) of a 3 × 3 matrix for each direction
-  /// s are stored at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
+  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h. The entries D_ft(s) of a
+  /// 3 × 3 matrix for each direction s are stored at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j
+  /// width + s].
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
   /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], one term t after the other.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);

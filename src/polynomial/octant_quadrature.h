@@ -1,7 +1,8 @@
 #pragma once
 /// Quadrature on the octant ξ_i > 0 of the unit ball and of its surface. The integral over the ball of a function that
 /// is even in every coordinate is 8 times the integral over the octant. In |ξ| and in cos θ, the quadrature uses the
-/// positive half of the Gauss rule with 2q points on [−1, 1]. In the longitude φ it uses midpoints,
+/// positive half of the Gauss rule with 2q points on [−1, 1], with nodes r_i, z_j and weights w_i, w_j. In the
+/// longitude φ it uses midpoints,
 ///
 ///   ∫f dξ = 8 Σ_ijk w_i r_i² w_j (π/2q) f(r_i, z_j, φ_k),   φ_k = (k + ½) π/2q.
 ///

@@ -30,8 +30,8 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
   return places;
 }
 
-/// K with K u = −`force_rate(u)`, symmetrised. One call gets the sum of one motion of each parity, because the parities
-/// separate their images.
+/// K with K u = −`force_rate(u)`, symmetrised. Each call is for the sum of one motion of each parity. The parities
+/// separate the images of these motions.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

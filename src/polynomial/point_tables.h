@@ -3,10 +3,10 @@
 ///
 /// The sector is the part of the ball between the symmetry planes of the motion, which are coordinate planes. Its
 /// points are the points of one octant and their images R_m ξ under reflections at the other coordinate planes, the
-/// free planes. At an image, a function of parity c has (−1)^{c·m} times its value at the point. Therefore the
-/// functions of each parity are summed at the points of the octant, and a transform of these sums over the parities
-/// gives all images (transform_images). Without symmetry planes this takes an eighth of the work and memory of direct
-/// sums.
+/// free planes. At an image, a function of parity c has (−1)^{c·m} times its value at the point, with c·m the number of
+/// common bits. Therefore the functions of each parity are summed at the points of the octant, and a transform of these
+/// sums over the parities gives all images (transform_images). Without symmetry planes this takes an eighth of the work
+/// and memory of direct sums.
 ///
 /// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω). Therefore the sums over n are computed first, at
 /// the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag 1980). With e_r = ω,
@@ -19,8 +19,9 @@
 /// The sums for gradients omit the linear functions, because their gradients are constant. The affine part is the
 /// largest part of F, so F then has fewer rounding errors. For a body of degree 1, F has no rounding errors.
 ///
-/// A field is a value, or a derivative along a direction that is reflected with the point. In contrast, ∂/∂ξ_k changes
-/// its sign at an image under a reflection of ξ_k. This is the sign of another parity (`shift`).
+/// A field is a value, or a derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
+/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. This sign is the sign of
+/// another parity (`shift`).
 
 #include <Eigen/Core>
 #include <array>

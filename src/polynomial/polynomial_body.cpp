@@ -198,8 +198,7 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
 }
 
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
-  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // ê×x has the components (ê×x)_j = −x_k,
-                                                                       // (ê×x)_k = x_j
+  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
   dq.setZero();
   dv.setZero();
   for (int a = 0; a < space_->n_functions(); ++a) {

@@ -68,7 +68,7 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// The total energy at t = 0. It is not finite if det F ≤ 0 at a point.
+  /// The total potential energy at t = 0. It is not finite if det F ≤ 0 at a point.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
   /// Number of rotational symmetries: axes whose rotations do not change the symmetry planes and the loads.
@@ -97,7 +97,7 @@ class PolynomialBody {
 
   /// Returns a failure with reason and place if q is not an admissible deformation of this body.
   mechanics::Status admissible(const Vector& q) const;
-  /// The least det F over the quadrature points as text, as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
+  /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
   /// The least value of a function of F over the quadrature points.
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;

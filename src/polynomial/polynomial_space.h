@@ -30,7 +30,8 @@ class PolynomialSpace {
   /// quadrature points in each direction of an octant, by default least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
-  /// ⌈(N + 3)/2⌉, exact for quadratic functions of a motion and for 3 more degrees (octant_quadrature.h).
+  /// ⌈(N + 3)/2⌉ points per direction. They are exact for quadratic functions of a motion and for 3 more degrees
+  /// (octant_quadrature.h).
   static int least_points(int degree) { return (degree + 4) / 2; }
 
   int degree() const { return degree_; }

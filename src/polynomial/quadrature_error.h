@@ -13,8 +13,9 @@
 /// docs/theory.md has the motions that test the factors.
 ///
 /// For the volume, Q' has one point more in each direction of an octant. For self-gravity, Q' has two points less on
-/// the surface (two more if there are fewer than 4), which costs a quarter. If the error decreases at least with the
-/// fourth power of the number of points, the difference is at least as large as the error.
+/// the surface, and its sums take about a quarter of the time. (If there are fewer than 4 points, Q' has two points
+/// more.) If the error decreases at least with the fourth power of the number of points, the difference is at least as
+/// large as the error.
 ///
 /// The estimate does not include instability. If the motion magnifies errors after the window, the errors are larger.
 
