@@ -37,7 +37,7 @@ namespace detail {
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 
-/// The factor of E_2^m E_3^n in h_l: (−1)^m (3/2)_{m+n} / (m! n! (1 + ⅔(l + 2m + 3n))).
+/// The factor of E_2^m E_3^n in h_l, equal to (−1)^m (3/2)_{m+n} / (m! n! (1 + ⅔(l + 2m + 3n)))
 template <int l, int m, int n>
 inline constexpr double series_coefficient = [] {
   double c = 1 / (1 + 2.0 / 3 * (l + 2 * m + 3 * n));

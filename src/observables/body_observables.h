@@ -61,8 +61,9 @@ struct BodyColumn {
   bool Quantities::*group;  ///< the group of Output/Quantities that contains the column
   scene::Unit unit;
   std::string_view documentation;
-  /// The value in internal units: a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), an
-  /// antisymmetric matrix (name12, name13, name23), or the least or largest value over the points of the body.
+  /// The value in internal units. It is a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), or
+  /// an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the points of the
+  /// body.
   std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
                Eigen::Matrix3d (*)(const Observables&), AntisymmetricEntries (*)(const Observables&), OverPoints>
       value;

@@ -3,10 +3,10 @@
 ///
 ///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// P is the stress of the law without volumetric stabilisation and viscosity. λ is the multiplier of the motion (0
-/// without constraint), and φ is the potential of self-gravity. The term with φ̄ removes the gauge of Ê from the
-/// pressure (gravity/surface_gravity.h). Polynomials do not depend on the computed sector, so the points may be
-/// anywhere in the body. All quantities are in internal units.
+/// P is the stress of the law without volumetric stabilisation and viscosity, and λ is the multiplier of the motion (0
+/// without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
+/// (gravity/surface_gravity.h). Polynomials do not depend on the computed sector, so the points may be anywhere in the
+/// body. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <vector>

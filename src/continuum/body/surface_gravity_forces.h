@@ -48,8 +48,8 @@ class SurfaceGravityForces {
   using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector: all 1, except for rates
 
   Jets jets_at(const Vector& x) const;
-  /// own_points computes the points of the faces of this rank from the jets of x. own_rates computes the rates of these
-  /// points and area vectors from the jets of x and u.
+  /// `own_points` computes the points of the faces of this rank from the jets of x. `own_rates` computes the rates of
+  /// these points and area vectors from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
   /// Points (or rates) with their mirror images.

@@ -2,9 +2,11 @@
 /// Fields of the whole ball for pictures. Every cell has its own (k+1)³ Gauss–Lobatto nodes, because stresses are
 /// discontinuous between cells. The mirror images of a sector follow, image by image.
 ///
-///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − λ_h F⁻ᵀ)Fᵀ / det F,   λ_h the multiplier of the motion (0 without constraint)
+///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// σ does not contain viscous stress. All fields have internal units (lengths r, stresses ρc²).
+/// P is the stress of the law without volumetric stabilisation and viscosity, and λ_h is the multiplier of the motion
+/// (0 without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
+/// (gravity/surface_gravity.h). All fields have internal units (lengths r, stresses ρc²).
 
 #include <vector>
 
