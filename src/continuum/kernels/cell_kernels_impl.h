@@ -1,7 +1,7 @@
 #pragma once
-/// The kernels of local_kernels.h for one degree; point_law.h separates them from the law. The operations at the points
-/// are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. In reference coordinates, with
-/// H = ∂x/∂ξ and with weights w that contain det ∂X/∂ξ:
+/// The kernels of local_kernels.h for one degree. They evaluate the law through point_law.h. The operations at the
+/// points are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. In reference
+/// coordinates, with H = ∂x/∂ξ and with weights w that contain det ∂X/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
