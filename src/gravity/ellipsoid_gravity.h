@@ -1,18 +1,21 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B (PHYSICS section 2, 8; Carlson's form of Chandrasekhar's integrals):
-/// with F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, d_i = R_D(x_j, x_k, x_i) and t_k of ellipsoid_integrals.h
+/// Self-gravity of the homogeneous ellipsoid F B, B the unit ball (docs/oliva.md, section 2, 8; Carlson's form of
+/// Chandrasekhar's integrals). With F = U diag(a) Vᵀ, x_i = a_i², A = UᵀF, and with d_i = R_D(x_j, x_k, x_i) and t_k of
+/// ellipsoid_integrals.h,
 ///
 ///   V = −k R_F(x_1, x_2, x_3) = −(k/3) Σ x_i d_i,      ∂V/∂F = (k/3) U diag(d) A = (k/3) U diag(d) Uᵀ F,
 ///
-/// and along Ḟ = H, with ĥ = UᵀH and ċ = ĥAᵀ + Aĥᵀ the derivative of C = FFᵀ in the frame of the axes,
+/// Let ĥ = UᵀH, and let ċ = ĥAᵀ + Aĥᵀ be the derivative of C = FFᵀ in the frame of the axes. The derivative along Ḟ = H
+/// is
 ///
 ///   D(∂V/∂F)[H] = (k/3) U (gA + diag(d)ĥ),   g_ij = −t_k ċ_ij,   g_ii = −(3/2) t_ii ċ_ii − ½ Σ_{j≠i} t_k ċ_jj,
-///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; not less than ⅓ d_i, so nothing cancels).
+///   x_i t_ii = d_i − ⅓ Σ_{j≠i} x_j t_k    (Euler's identity; at least ⅓ d_i, so that there is no cancellation).
 ///
-/// Nothing is divided by differences of the axes: they may coincide. The force is made of the rows A and not of M = U
-/// diag(d) Uᵀ times F: equal in exact arithmetic, but MF of a flat body has errors cond(F)·ε where d_i A_i has ε, and
-/// with it torque and circulation. V is homogeneous of degree −1, and very large or small F are scaled by a power of
-/// two, which is exact, so that no square overflows.
+/// No term is divided by differences of the axes, so the axes may coincide. The force uses the rows of A and not the
+/// product M F with M = U diag(d) Uᵀ, although both are equal in exact arithmetic. For a flat body, M F has errors of
+/// cond(F)·ε, and d_i A_i has errors of ε. The same holds for the torque and the circulation. V is homogeneous of
+/// degree −1, so very large or small F are scaled by a power of two to avoid overflow of squares. This scaling has no
+/// rounding errors.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -55,8 +58,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// 1, or if squares and their products could leave the range the power of two that brings the largest entry to [½,
-  /// 1)
+  /// The factor by which F is scaled. It is 1, or, if squares and their products could overflow or underflow, the power
+  /// of two that brings the largest entry to [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

@@ -1,18 +1,20 @@
 #pragma once
-/// The elliptic integrals of an ellipsoid with semi-axes a_i, x_i = a_i², Δ = √((x_1+s)(x_2+s)(x_3+s)), all at once:
+/// The elliptic integrals of an ellipsoid with semi-axes a_i, x_i = a_i², Δ = √((x_1+s)(x_2+s)(x_3+s)):
 ///
 ///   d_i = R_D(x_j, x_k, x_i) = (3/2) ∫₀^∞ ds/((x_i + s)Δ),      t_k = (3/2) ∫₀^∞ ds/((x_i + s)(x_j + s)Δ).
 ///
-/// The others follow without loss: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
+/// Other integrals follow without cancellation: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
 ///
-/// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13), without his factor ¼: with r_i =
-/// √x_i and p_ij = r_i + r_j the arguments x_i' = x_i + λ are p_ij p_ik, their differences are those of the x_i, and
+/// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. With
+/// r_i = √x_i and p_ij = r_i + r_j, the new arguments x_i' = x_i + λ are p_ij p_ik, with the same differences as the
+/// x_i, and
 ///
 ///   d_i = 3/(r_i x_i') + 2 d_i',      t_k = 3 (r_1 + r_2 + r_3)/(p_ij² r_i r_j p_ik p_jk) + 2 t_k'.
 ///
-/// Every term is positive. The ratio of the arguments falls to its square root while it is large, later their relative
-/// differences fall to a quarter. When these are small, with A = ⅓ Σ x_i, Z_i = 1 − x_i/A, E_2 = Σ_{i<j} Z_i Z_j,
-/// E_3 = Z_1 Z_2 Z_3 and P(u) = 1 + E_2/u² − E_3/u³, expanding the integrals over u = 1 + s/A gives
+/// Every term is positive. If the ratio of the arguments is large, a duplication replaces it by about its square root.
+/// Near 1, a duplication divides the relative differences by about 4. Let A = ⅓ Σ x_i and Z_i = 1 − x_i/A, with the
+/// elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let P(u) = 1 + E_2/u² − E_3/u³. For
+/// small Z_i, the expansion of the integrals over u = 1 + s/A gives
 ///
 ///   d_i = A^(−3/2) (h_0 + Z_i h_1 + Z_j Z_k h_2),    t_k = A^(−5/2) (h_1 − Z_k h_2),
 ///   h_l = (3/2) ∫₁^∞ u^(−5/2−l) P^(−3/2) du = Σ_{m,n} (−1)^m (3/2)_{m+n} E_2^m E_3^n / (m! n! (1 + ⅔(l + 2m + 3n))).
@@ -30,12 +32,12 @@ struct EllipsoidIntegrals {
 
 namespace detail {
 
-/// Terms of the series up to this degree in Z, and the spread of the arguments, in units of their sum, at which they
-/// suffice: the truncated part is then below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
+/// Largest degree in Z of the terms of the series, and the largest spread of the arguments, in units of their sum, for
+/// which the series is used. The truncation error is below 1e-16 of the result (measured: 4e-17 in d_i, 6e-17 in t_k).
 inline constexpr int series_degree = 11;
 inline constexpr double series_spread = 0.025;
 
-/// (−1)^m (3/2)_{m+n} / (m! n! (1 + ⅔(l + 2m + 3n))), the factor of E_2^m E_3^n in h_l
+/// The factor of E_2^m E_3^n in h_l, equal to (−1)^m (3/2)_{m+n} / (m! n! (1 + ⅔(l + 2m + 3n)))
 template <int l, int m, int n>
 inline constexpr double series_coefficient = [] {
   double c = 1 / (1 + 2.0 / 3 * (l + 2 * m + 3 * n));
@@ -45,7 +47,7 @@ inline constexpr double series_coefficient = [] {
   return c;
 }();
 
-/// Σ_{m ≤ M} of the terms with E_3^n in h_l, without that power, by Horner's rule
+/// The polynomial in E_2, with m ≤ M, that is the factor of E_3^n in h_l. Evaluated by Horner's rule.
 template <int l, int n, int... m>
 double series_row(double E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -63,7 +65,7 @@ double series_rows(double E2, double E3, std::integer_sequence<int, n...>) {
   return sum;
 }
 
-/// h_l; unrolled, so that the rows are summed side by side
+/// h_l. The sums are unrolled, so that the processor can add the rows in parallel.
 template <int l>
 double series(double E2, double E3) {
   return series_rows<l>(E2, E3, std::make_integer_sequence<int, (series_degree - l) / 3 + 1>());
@@ -71,12 +73,12 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// The integrals of semi-axes a_i ≥ 0 within 10^±50; t is left out (zero) if only d is wanted. Two axes that
-/// vanish give infinity.
+/// The integrals for semi-axes a_i ≥ 0, each 0 or within 10^±50. If `with_t` is false, t is not computed. The result is
+/// infinite if two axes vanish.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;
-  constexpr int max_duplications = 20;  // a ratio of 10³⁰⁰ takes 14
+  constexpr int max_duplications = 20;  // a ratio of 10³⁰⁰ needs 14
   const auto others = [](const Array3d& y) { return Array3d(y[1] * y[2], y[2] * y[0], y[0] * y[1]); };
   Array3d r = a, x = r * r, d = Array3d::Zero(), t = Array3d::Zero();
   double weight = 3;  // 3·2ⁿ

@@ -1,5 +1,5 @@
 #pragma once
-/// The sums over pairs of surface_gravity.h as they are compiled for one set of instructions (pair_sums.cpp).
+/// The sums over pairs of points (surface_gravity.h), compiled for one instruction set (pair_sums.cpp).
 
 #include "gravity/surface_gravity.h"
 #include "mechanics/core/kernel_builds.h"
@@ -12,7 +12,7 @@ struct PairKernels {
   Moving<PairSums> (*sum_moving)(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
 };
 
-/// Defined by the build, the best first.
+/// The tables of all instruction sets, the fastest first. The build defines this function.
 std::span<const mechanics::KernelBuild<PairKernels>> builds_of_pair_kernels();
 
 }  // namespace pseudorigid::gravity

@@ -1,4 +1,4 @@
-/// The sums over pairs, compiled for several sets of instructions (mechanics/core/kernel_builds.h).
+/// The sums over pairs of points, compiled for several instruction sets (mechanics/core/kernel_builds.h).
 
 #include "gravity/pair_kernels.h"
 
@@ -14,11 +14,11 @@ namespace {
 using L = mechanics::Lanes<mechanics::native_lanes>;
 constexpr std::size_t n_lanes = mechanics::native_lanes;
 
-/// Added to squared distances, and far below any relevant one. A point then has a finite inverse distance to itself,
-/// and adds 0, because all its terms have the factor d.
+/// A constant that is added to squared distances and is far below any relevant one. It makes the inverse distance of a
+/// point to itself finite. Such a pair adds 0, because all its terms have the factor d.
 constexpr double no_distance = 1e-36;
 
-/// A number with its rate.
+/// A number with its time derivative.
 struct Rated {
   L value, rate;
 
@@ -35,13 +35,13 @@ struct Rated {
   }
 };
 
-/// As many targets as a vector has lanes, and their sums, in which g_i is without its part along N_i.
+/// As many targets as a vector has lanes, with their sums. `g` does not contain the part along N_i.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
 };
 
-/// Adds the pairs of a block with n sources: of number j, point(c, j) and area(c, j) are the components.
+/// Adds the pairs of a block with n sources. point(c, j) and area(c, j) are the components of source j.
 template <class S, class Point, class Area>
 void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& area) {
   Block<S> s = block;  // in registers
@@ -62,14 +62,14 @@ void add_pairs(Block<S>& block, std::size_t n, const Point& point, const Area& a
 }
 
 L lanes_from(const std::vector<double>& values, std::size_t first) {
-  return L::of([&](int l) { return values[std::min(first + l, values.size() - 1)]; });  // lanes beyond repeat the last
+  return L::of([&](int l) { return values[std::min(first + l, values.size() - 1)]; });  // repeats the last value
 }
 
 void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// Writes the sums of a block to its targets from number `first` on; `part` is a value or a rate.
+/// Writes the sums of a block to the targets from number `first` on. `part` selects the value or the time derivative.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);
@@ -84,7 +84,7 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// As many points as a vector has lanes, from number `first` on, with sums of 0.
+/// A block of as many points as a vector has lanes, from number `first` on, with sums of 0.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -99,10 +99,11 @@ struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
-/// A point y with its mirror images, against as many points x as a vector has lanes: each distance serves both. Under
-/// a set k of reflections the image of y is R_k y, R_k = diag(s_k1, s_k2, s_k3), s = ±1. With d = x − R_k y, a = d·N_x
-/// and b = d·R_k N_y, the point y sees the image R_k x at the distance −R_k d, and −b and −a are its a and b. As
-/// d_c = x_c − s_kc y_c, no more is needed of the images than Σ_k and, for each axis, Σ_k s_kc:
+/// The pairs of a point y and its mirror images with as many points x as a vector has lanes. Each distance serves both
+/// points of a pair. Under a set k of reflections the image of y is R_k y, R_k = diag(s_k1, s_k2, s_k3), s = ±1. Let
+/// d = x − R_k y, a = d·N_x and b = d·R_k N_y. Seen from y, the image R_k x has the distance vector −R_k d, with −b and
+/// −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each axis c, Σ_k s_kc over the
+/// images are needed:
 ///
 ///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
 template <unsigned mirrors>
@@ -119,7 +120,7 @@ class PairWithImages {
         parts.a[c][i] = d * N_x[c];
         parts.b[c][i] = d * (s * N_y[c]);
       }
-    // A loop would not be unrolled, and its arrays would not be registers.
+    // In a loop that is not unrolled, the arrays would not be in registers.
     [&]<int... k>(std::integer_sequence<int, k...>) { (add_image<k>(parts), ...); }
     (std::make_integer_sequence<int, 8>());
   }
@@ -132,12 +133,12 @@ class PairWithImages {
   }
 
  private:
-  /// Contributions of each axis to |d|², a and b: [axis][0: y itself, 1: its image behind the plane of this axis].
+  /// Contributions of each axis to |d|², a and b: [axis][0: y itself, 1: image of y in the plane normal to this axis].
   struct Parts {
     L square[3][2], a[3][2], b[3][2];
   };
 
-  /// The image with the reflections in the bits of k, where there is one.
+  /// Adds the image under the reflections given by the bits of k, if `mirrors` contains all of them.
   template <int k>
   [[gnu::always_inline]] void add_image(const Parts& parts) {
     if constexpr ((k & ~mirrors) == 0) {
@@ -157,10 +158,11 @@ class PairWithImages {
     }
   }
 
-  ImageSums all_, behind_[3];  ///< the latter: of the images with s_kc = −1
+  ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs serve both points: g_i and h_i without their parts along N_i and x_i.
+/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain their parts along N_i and
+/// x_i.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
@@ -204,11 +206,12 @@ template <unsigned mirrors>
   }
 }
 
-/// Σ_j over the points and their images; each pair of points is computed once, except for pairs within a block.
+/// The sums Σ_j over the points and their images. Each pair of points is computed once, except for pairs within a
+/// block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();
-  std::vector<MutualSums> reactions(n, MutualSums{});  // lane by lane, what blocks do to the points behind them
+  std::vector<MutualSums> reactions(n, MutualSums{});  // contributions of blocks to later points, lane by lane
   PairSums sums = no_sums(n);
   for (std::size_t first = 0; first < n; first += n_lanes) {
     Block<L> block = block_at(points, first);

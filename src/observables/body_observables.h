@@ -1,15 +1,16 @@
 #pragma once
-/// Observables of a body of the ball at one state (whole ball, sectors reflected), and the columns of CSV files
-/// that show it. A column is declared here, below the observable that it shows: name, group, unit, meaning and
-/// computation. Headers, rows, units and documentation follow (io/trajectory.h).
+/// Observables of a ball at one state (whole ball, including reflected sectors), and the columns of the CSV files that
+/// show them. A column is declared in this file, below its observable: name, group, unit, meaning and computation.
+/// Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
-/// Reduced body: J_i = m̄ ε_ijk Q_jA Q̇_kA,  Z_A = m̄ ε_ABC (QᵀQ̇)_CB; a rigid spin ω at Q = Id gives J = Z = 2m̄ω.
-/// All in the program's internal units (length r, mass ρr³, time r/c).
+/// For the reduced body, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid spin ω at Q = Id has
+/// J = Z = 2m̄ω. All values have the internal units of the program (length r, mass ρr³, time r/c).
 ///
-/// A new observable is a member, set by the models that have it (reduced/observe.h, polynomial/observe.cpp,
-/// continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at its first sample.
+/// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
+/// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at
+/// its first sample.
 
 #include <Eigen/Core>
 #include <array>
@@ -27,19 +28,19 @@ namespace pseudorigid::mechanics {
 
 inline constexpr double not_observed = std::numeric_limits<double>::quiet_NaN();
 
-/// The least or the largest value of a function of the deformation gradient over the points of integration of the whole
-/// body.
+/// A column with the least or the largest value of a function of the deformation gradient over the quadrature points of
+/// the whole body.
 struct OverPoints {
   bool largest;
   double (*value)(const Eigen::Matrix3d& F);
 };
 
-/// Quantities requested by the output; others are not computed.
+/// Quantities requested by the output. Other quantities are not computed.
 struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
 
-/// The values that are asked for; least(value) is the least value of a function of F over the points of a body.
+/// Computes the requested values. least(value) returns the least value of a function of F over the points of a body.
 template <class Least>
 std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
   std::vector<double> values;
@@ -57,23 +58,24 @@ struct AntisymmetricEntries {
 template <class Observables>
 struct BodyColumn {
   std::string_view name;
-  bool Quantities::*group;  ///< the part of Output/Quantities that asks for it
+  bool Quantities::*group;  ///< the group of Output/Quantities that contains the column
   scene::Unit unit;
   std::string_view documentation;
-  /// In internal units: a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), an antisymmetric
-  /// one (name12, name13, name23), or a value over the points of the body.
+  /// The value in internal units. It is a scalar, a vector (name1 … name3), a matrix (name11 … name33, row by row), or
+  /// an antisymmetric matrix (name12, name13, name23). It can also be the least or largest value over the points of the
+  /// body.
   std::variant<double (*)(const Observables&), Eigen::Vector3d (*)(const Observables&),
                Eigen::Matrix3d (*)(const Observables&), AntisymmetricEntries (*)(const Observables&), OverPoints>
       value;
 };
 
-/// Contact with rigid planes, 0 without: at the state (loads/contact.h), and of the run so far.
+/// Contact with rigid planes: at the state (loads/contact.h) and in the run so far. All values are 0 without contact.
 struct ContactObservables {
   double energy = 0, force = 0, penetration = 0, radius = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Takes the contact at a state, a loads::Contact.
+  /// Sets the values of the state from a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;
@@ -86,9 +88,9 @@ struct ContactObservables {
 
 struct BodyObservables {
   Eigen::Matrix3d Q = Eigen::Matrix3d::Constant(not_observed);       ///< Q (reduced) or the mass moment Q_M (continuum)
-  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< its rate
+  Eigen::Matrix3d Qdot = Eigen::Matrix3d::Constant(not_observed);    ///< time derivative of Q
   Eigen::Vector3d center = Eigen::Vector3d::Constant(not_observed);  ///< centre of mass x
-  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< its velocity v
+  Eigen::Vector3d velocity = Eigen::Vector3d::Constant(not_observed);  ///< velocity v of the centre of mass
   double kinetic = not_observed, elastic = not_observed, gravitational = not_observed, external = not_observed,
          dissipated = not_observed;
   Eigen::Vector3d angular_momentum = Eigen::Vector3d::Constant(not_observed);  ///< J, about the centre of mass
@@ -96,7 +98,7 @@ struct BodyObservables {
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
   double multiplier = not_observed;  ///< λ of (5.120) per m̄; continuum: (1/m̄)∫λ_h dV
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);  ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
-  std::vector<double> over_points{};                                    ///< as many as were asked for
+  std::vector<double> over_points{};                                    ///< one value for each request
   ContactObservables contact{};
 
   double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }
@@ -161,11 +163,12 @@ inline constexpr BodyColumn<O> common_columns[] = {
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
-      Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, followed along the path, times r
+      Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
   Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< the same entries of Λ* = ṠSᵀ
-  double bipolar_residual = not_observed;  ///< largest entry of the residual of (5.121), per m̄
+  double bipolar_residual = not_observed;  ///< largest entry of the residual of Oliva (5.121) per m̄
+                                           ///< (reduced/bipolar.h)
 };
 
 inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
@@ -188,7 +191,7 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
      [](const ReducedObservables& o) { return singular_values(o.Q); }},
 };
 
-/// Observables of bodies with non-affine motions only.
+/// Observables that only bodies with non-affine motions have.
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)

@@ -1,6 +1,6 @@
 #pragma once
-/// The groups of observables, which are the groups of columns in the CSV files. Quantities that are not requested are
-/// not evaluated. A new group is a member and its line of quantity_groups.
+/// The groups of observables, which are also the groups of columns in the CSV files. A quantity that is not requested
+/// is not evaluated. A new group needs a member and a line of quantity_groups.
 
 #include <cstddef>
 #include <iterator>
@@ -8,14 +8,14 @@
 
 namespace pseudorigid::mechanics {
 
-/// By default the groups that are true here are written.
+/// A value is true if the group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;
-  /// A group of models with non-affine motions, which has no keyword: it is written with the energies if the volumetric
+  /// A group without a keyword, for models with non-affine motions. It is written with the energies if the volumetric
   /// stabilisation is on.
   bool volumetric = false;
-  /// A group without a keyword, too. It is written if the scene has planes.
+  /// A group without a keyword, which is written if the scene has planes.
   bool contact = false;
 };
 
@@ -46,7 +46,7 @@ inline constexpr QuantityGroup quantity_groups[] = {
 static_assert(sizeof(Quantities) == std::size(quantity_groups) + 2,
               "every group but `volumetric` and `contact` has one line of quantity_groups");
 
-/// How many of the groups are true by default.
+/// Number of groups that are true by default.
 inline constexpr std::size_t n_default_groups = [] {
   std::size_t n = 0;
   while (Quantities{}.*quantity_groups[n].member) ++n;

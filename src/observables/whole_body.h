@@ -1,13 +1,13 @@
 #pragma once
-/// From the computed sector of a body to the whole.
+/// Values of the whole body from the computed sector.
 
 #include <Eigen/Core>
 #include <array>
 
 namespace pseudorigid::mechanics {
 
-/// A 3×3 integral over the whole body from that over the computed part: its (i, j) entry is odd under a reflection of
-/// exactly one of x_i and x_j, and then cancels.
+/// Removes the entries that vanish in a 3×3 integral over the whole body. The (i, j) entry is odd under a reflection of
+/// exactly one of x_i and x_j, and cancels if the body has such a reflection.
 inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
@@ -15,7 +15,7 @@ inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::
   return integral;
 }
 
-/// Ratio of a part and the whole; 0/0 = 0.
+/// Ratio of a part to the whole; 0 if the whole is 0.
 inline double share(double part, double whole) { return whole == 0 ? 0 : part / whole; }
 
 }  // namespace pseudorigid::mechanics

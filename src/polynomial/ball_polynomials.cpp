@@ -20,7 +20,7 @@ Jet operator*(const Jet& a, const Jet& b) {
 Jet operator*(double s, const Jet& a) { return Jet{s, {}} * a; }
 Jet constant(double value) { return {value, {}}; }
 
-/// P_0 … P_n of P_s^{(0,b)} at t.
+/// Jacobi's polynomials P_s^{(0,b)} at t for s = 0 … n.
 std::vector<Jet> jacobi_polynomials(int n, double b, const Jet& t) {
   std::vector<Jet> P{constant(1)};
   if (n > 0) P.push_back(0.5 * ((b + 2) * t + constant(-b)));
@@ -32,7 +32,7 @@ std::vector<Jet> jacobi_polynomials(int n, double b, const Jet& t) {
   return P;
 }
 
-/// The factor of Re, Im (x + iy)^|m| in |ξ|^l Y_lm, at [l][|m|].
+/// The factor of Re (x + iy)^|m| and Im (x + iy)^|m| in |ξ|^l Y_lm, at [l][|m|].
 std::vector<std::vector<Jet>> polar_factors(int N, const Jet& z, const Jet& r2) {
   std::vector<std::vector<Jet>> factor(N + 1, std::vector<Jet>(N + 1));
   factor[0][0] = constant(std::sqrt(1 / (4 * std::numbers::pi)));
@@ -79,7 +79,7 @@ Jet radial_factor(int n, int l, double r) {
 
 std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi) {
   const auto& [x, y, z, r2] = variables(xi);
-  std::vector<Jet> real{constant(1)}, imaginary{constant(0)};  // of (x + iy)^m
+  std::vector<Jet> real{constant(1)}, imaginary{constant(0)};  // real and imaginary parts of (x + iy)^m
   for (int m = 1; m <= N; ++m) {
     real.push_back(x * real[m - 1] + (-1.0) * y * imaginary[m - 1]);
     imaginary.push_back(x * imaginary[m - 1] + y * real[m - 1]);

@@ -1,21 +1,21 @@
 #pragma once
-/// Orthonormal polynomials on the unit ball, ∫φ_a φ_b dξ = δ_ab, by rising degree:
+/// Orthonormal polynomials on the unit ball, ∫φ_a φ_b dξ = δ_ab, in order of increasing degree:
 ///
 ///   φ_nlm(ξ) = √(2n+3) P_s(2|ξ|² − 1) |ξ|^l Y_lm(ξ/|ξ|),   l = n, n − 2, … ≥ 0,   s = (n − l)/2,   m = −l … l,
 ///
 /// with Jacobi's polynomials P_s = P_s^{(0, l+½)} and the real spherical harmonics Y_lm ~ cos mφ (m ≥ 0), sin |m|φ
-/// (m < 0) (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). Both factors come from recurrences in the
-/// Cartesian coordinates, so nothing is singular at the poles or the centre, and the basis has a condition of 1 at any
-/// degree. P_N has C(N+3, 3) of them, those of P_{N−1} first.
+/// (m < 0) (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). Both factors are computed by recurrences
+/// in Cartesian coordinates, so there are no singularities at the poles or the centre. The condition number of the
+/// basis is 1 at any degree. P_N has C(N+3, 3) of these polynomials, and those of P_{N−1} come first.
 ///
-/// Each is even or odd in each coordinate, and the product R_nl(r) Y_lm of a radial and an angular factor.
+/// Each polynomial is even or odd in each coordinate. It is a product R_nl(r) Y_lm of a radial and an angular factor.
 
 #include <array>
 #include <vector>
 
 namespace pseudorigid::polynomial {
 
-/// Bit i is set where a function is odd in ξ_i.
+/// Bit i is set if a function is odd in ξ_i.
 using Parity = unsigned int;
 
 struct BallPolynomial {
@@ -28,21 +28,21 @@ struct BallPolynomial {
   }
 };
 
-/// The polynomials of P_N, in order.
+/// The polynomials of P_N in this order.
 std::vector<BallPolynomial> ball_polynomials(int N);
 
-/// A value and its gradient by ξ.
+/// A value and its gradient with respect to ξ.
 struct Jet {
   double value = 0;
   std::array<double, 3> gradient{};
 };
 
-/// Values and gradients of all of P_N at a point, in the order of ball_polynomials.
+/// Values and gradients of all polynomials of P_N at a point, in the order of ball_polynomials.
 std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& xi);
 
 /// R_nl(r) = √(2n+3) P_s(2r² − 1) r^l, with its derivative in gradient[0].
 Jet radial_factor(int n, int l, double r);
-/// |ξ|^l Y_lm up to l = N with their gradients, at [l][l + m].
+/// |ξ|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
 std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi);
 
 }  // namespace pseudorigid::polynomial

@@ -39,7 +39,7 @@ loads::EllipsoidContact BodyContact::affine_contact(const loads::Plane& plane, c
 }
 
 bool BodyContact::may_touch(const loads::Plane& plane, const Eigen::VectorXd& q) const {
-  double reach = -affine_contact(plane, q).contact().height;  // of the affine part behind the plane
+  double reach = -affine_contact(plane, q).contact().height;  // largest depth of the affine part behind the plane
   for (const Block& block : space_->blocks())
     for (int k = 0; k < block.n(); ++k)
       reach += std::abs(plane.normal[block.component] * q[block.offset + k]) * largest_[block.offset + k];
@@ -80,13 +80,14 @@ loads::Contact BodyContact::contact(const Eigen::VectorXd& q) const {
   return summary(planes_, contacts);
 }
 
-/// The tables have the functions of the whole body, of which the points are a part.
+/// Adds the force of values at the points to the coefficients. The tables have the functions of the whole body, and the
+/// points are those of the computed sector. Therefore the values are multiplied by the number of mirror images.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());
 }
 
-/// Coefficients of x = c + A X are c √Vol and A_ij √E₀_j.
+/// Adds a force on affine motions. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

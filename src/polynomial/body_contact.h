@@ -1,13 +1,14 @@
 #pragma once
-/// Contact of a polynomial body with rigid planes (loads/plane.h), by the sum over q² points of each octant of the
-/// sphere ξ. Areas are those of this sphere:
+/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature with n_points points in each direction
+/// of an octant of the sphere ξ. The areas w are areas of this sphere. With the stiffness k of a plane n·x = z₀,
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
-/// The body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). The sum of a higher
-/// degree tends to it on affine motions as q rises. A plane that a bound for the body does not reach costs no sum:
+/// A body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). For higher degrees, the
+/// sum converges to this form on affine motions as n_points increases. The sum is not computed for a plane if a bound
+/// shows that the body does not reach it. With the affine part c + A X of x (X = S ξ), the bound is
 ///
-///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and more.
+///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and higher.
 
 #include <Eigen/Core>
 #include <memory>
@@ -20,7 +21,7 @@ namespace pseudorigid::polynomial {
 
 class BodyContact {
  public:
-  /// q, with which the 24² points of an octant are 0.065 r apart.
+  /// The default of n_points. The 24² points of an octant are 0.065 r apart.
   static constexpr int usual_points = 24;
 
   BodyContact(const loads::Planes& planes, std::shared_ptr<const PolynomialSpace> space, int n_points = usual_points);
@@ -31,13 +32,13 @@ class BodyContact {
   void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²V(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// f ← f + the force of the damping; returns the power that it takes.
+  /// f ← f + damping force; returns the power that this force dissipates.
   double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
-  /// f ← f − ∂/∂u of ½k∮|u|², of a displacement u against which planes on all sides hold every point.
+  /// f ← f − ∂/∂u of ½k∮|u|², as if planes on all sides held every point of the surface. u is the displacement.
   void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
 
  private:
-  /// Values at all points: [component][point].
+  /// Values at all points of the tables: [component][point].
   using Field = std::vector<double>;
 
   bool is_affine() const { return space_->degree() == 1; }
@@ -46,7 +47,7 @@ class BodyContact {
   Field positions(const Eigen::VectorXd& q) const;
   Eigen::Vector3d at(const Field& field, std::size_t place) const;
   void add_at(Field& field, std::size_t place, const Eigen::Vector3d& value) const;
-  /// The contacts of the computed part, plane by plane.
+  /// The contacts of the computed sector, one for each plane.
   std::vector<loads::PlaneContact> of_points(const Field& x) const;
   loads::EllipsoidContact affine_contact(const loads::Plane& plane, const Eigen::VectorXd& q) const;
   void spread(Field& by_point, Eigen::VectorXd& f) const;
@@ -56,9 +57,9 @@ class BodyContact {
   std::shared_ptr<const PolynomialSpace> space_;
   Eigen::Matrix3d S_;
   PointTables tables_;
-  std::vector<std::size_t> places_;  ///< of the points in the tables, without those that fill them up
-  std::vector<double> weights_;      ///< of the computed part
-  std::vector<double> largest_;  ///< max|φ_a| at the points, of each coefficient; 0 of constant and linear functions
+  std::vector<std::size_t> places_;  ///< places of the points in the tables, without the padding
+  std::vector<double> weights_;      ///< areas w of the points
+  std::vector<double> largest_;  ///< max|φ_a| at the points for each coefficient; 0 for constant and linear functions
 };
 
 }  // namespace pseudorigid::polynomial

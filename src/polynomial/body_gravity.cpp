@@ -22,7 +22,7 @@ std::vector<double> cross(const Vector3& a, const Vector3& b, int c, const std::
   return product;
 }
 
-/// E_A per unit of G, with its derivatives: V_g(A S) (det A)^{1/3}.
+/// E_A = V_g(A S) (det A)^{1/3} with its derivatives.
 struct AffineEnergy {
   const gravity::EllipsoidGravity& ellipsoid;
   Eigen::Matrix3d S;
@@ -104,7 +104,7 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
   return all;
 }
 
-/// f ← f − factor · the force of a derivative by points and areas.
+/// f ← f − factor · the force of a derivative with respect to points and area vectors.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;
@@ -143,7 +143,7 @@ void BodyGravity::add_surface_force_rate(double sign, const Eigen::VectorXd& q, 
   spread(factor, at, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(factor, rate, of_areas, f);  // the areas depend on products of derivatives
+  spread(factor, rate, of_areas, f);  // an area vector is bilinear in the derivatives of x
 }
 
 Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const {
@@ -152,7 +152,7 @@ Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const
   return affine;
 }
 
-/// f ← f − ∂/∂q of a function of A with the derivative D by A.
+/// f ← f − ∂/∂q of a function of A, whose derivative with respect to A is D.
 void BodyGravity::add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const {
   Eigen::VectorXd of_affine = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(D * space_->inertia().cwiseInverse().asDiagonal(), Eigen::Vector3d::Zero(), of_affine);

@@ -1,14 +1,13 @@
 #pragma once
-/// Self-gravity of an incompressible polynomial body from its surface (gravity/surface_gravity.h). With the points of
-/// the sphere, x = Σ q φ and N = w ∂x/∂e_θ × ∂x/∂e_φ, the energy Ê_h of the discrete surface is exact but for the
-/// quadrature. Most of a motion is affine, and of an ellipsoid the energy is known (gravity/ellipsoid_gravity.h), so
-/// the error of the affine part is taken off:
+/// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). At the
+/// points of the sphere, x = Σ q_a φ_a and N = w ∂x/∂e_θ × ∂x/∂e_φ with the quadrature weights w. The energy Ê_h of the
+/// discrete surface has only the error of the quadrature. Because most of the motion is affine and the energy V_g of an
+/// ellipsoid is known (gravity/ellipsoid_gravity.h), the error of the affine part is subtracted:
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// where A is the affine part of x (polynomial_space.h), and E_A the energy of the ellipsoid in the gauge of Ê, which
-/// does not change under dilations. For degree 1, only E_A remains and there are no sums. The force is the exact
-/// derivative of this energy.
+/// with the affine part A of x (polynomial_space.h). E_A has the same gauge as Ê: it does not change under dilations.
+/// For degree 1, only E_A remains, and no sums are computed. The force is the exact derivative of this energy.
 
 #include <Eigen/Core>
 #include <array>
@@ -24,10 +23,11 @@ namespace pseudorigid::polynomial {
 
 class BodyGravity {
  public:
-  /// Points in each direction of an octant, unless given: with them the error of the force is 1e-6 to 1e-7 of it.
+  /// Default number of points in each direction of an octant. The relative error of the force is then 1e-6 to 1e-7.
   static int usual_points(int degree) { return degree + 4; }
 
-  /// G in internal units, in which ρ = 1; `n_points` in each direction of an octant.
+  /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
+  /// an octant.
   BodyGravity(double gravity_constant, std::shared_ptr<const PolynomialSpace> space, std::optional<int> n_points);
 
   double energy(const Eigen::VectorXd& q) const;
@@ -35,12 +35,12 @@ class BodyGravity {
   void add_force(const Eigen::VectorXd& q, Eigen::VectorXd& f) const;
   /// f ← f − D²Ê(q)[u]
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
-  /// The potential per mass φ(x) at points on the surface or within.
+  /// The potential φ(x) per mass at points on the surface or in the interior.
   std::vector<double> potential(const Eigen::VectorXd& q, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
   using Field = std::array<std::vector<double>, 3>;
-  /// At the surface points of the computed part: position and derivatives along the tangents, [field][component].
+  /// Position and derivatives along the tangents at the surface points of the computed sector, [field][component].
   using SurfaceJets = std::array<Field, 3>;
 
   bool is_affine() const { return space_->degree() == 1; }
@@ -48,7 +48,7 @@ class BodyGravity {
   gravity::SurfacePoints points(const SurfaceJets& x) const;
   gravity::SurfacePoints rates(const SurfaceJets& x, const SurfaceJets& u) const;
   gravity::SurfacePoints with_images(const gravity::SurfacePoints& points) const;
-  /// The part of coefficients that belongs to affine motions.
+  /// The coefficients of the affine part of q.
   Eigen::VectorXd affine_coefficients(const Eigen::VectorXd& q) const;
   void add_affine_force(const Eigen::Matrix3d& D, Eigen::VectorXd& f) const;
   double surface_energy(const Eigen::VectorXd& q) const;
@@ -63,7 +63,7 @@ class BodyGravity {
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;
   std::vector<std::size_t> places_;  ///< places of the points in the tables, without the padding
-  std::vector<double> weights_;      ///< with the sign of the orientation of each image
+  std::vector<double> weights_;      ///< weights, with the sign of the orientation of each image
   double rest_volume_;
 };
 

@@ -4,7 +4,7 @@
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
 ///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   its rate along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
 ///
-/// Vectors may have entries more than the space has unknowns; these are left as they are.
+/// Vectors may have more entries than the space has unknowns. The functions do not change these entries.
 
 #include <Eigen/Core>
 
@@ -13,7 +13,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// g; returns the least det F. If that is not positive, g is meaningless.
+/// Computes g; returns the least det F. If this value is not positive, g is not valid.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);
@@ -22,11 +22,11 @@ void constraint_curvature(const PolynomialSpace& space, const Eigen::VectorXd& q
 /// f ← f + Gᵀλ
 void add_reaction(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                   Eigen::VectorXd& f);
-/// f ← f + the rate of Gᵀλ along v
+/// f ← f + rate of Gᵀλ along v
 void add_reaction_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                        const Eigen::VectorXd& lambda, Eigen::VectorXd& f);
 
-/// S = G(q₁) G(q₀)ᵀ without a matrix.
+/// Products with S = G(q₁) G(q₀)ᵀ, computed without the matrix S.
 class ReactionsBetween {
  public:
   ReactionsBetween(const PolynomialSpace& space, const Eigen::VectorXd& q1, const Eigen::VectorXd& q0);
@@ -34,7 +34,7 @@ class ReactionsBetween {
 
  private:
   const PolynomialSpace& space_;
-  bool same_;             ///< q₁ is q₀
+  bool same_;             ///< true if q₁ = q₀
   ScratchArray A1_, A0_;  ///< F⁻ᵀ at the points
 };
 

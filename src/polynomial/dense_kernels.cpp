@@ -23,7 +23,7 @@ static_assert(point_block % n_lanes == 0);
 }
 [[gnu::always_inline]] inline void store(const L& lanes, double* x) { std::memcpy(x, &lanes.v, sizeof lanes.v); }
 
-/// The tensor at the points p, p + 1, … of a field.
+/// The tensors of a field at the points p, p + 1, … , one in each lane.
 [[gnu::always_inline]] inline Tensor load(const double* field, int n, int p) {
   const auto entry = [&](int k) { return load(field + static_cast<long>(k) * n + p); };
   return {{{entry(0), entry(1), entry(2)}, {entry(3), entry(4), entry(5)}, {entry(6), entry(7), entry(8)}}};
@@ -40,7 +40,7 @@ static_assert(point_block % n_lanes == 0);
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
 
-/// n_vectors vectors of y at e = first, …
+/// Computes n_vectors vectors of y, from e = `first` on.
 template <int n_vectors>
 [[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
                                                  int first) {
@@ -54,7 +54,7 @@ template <int n_vectors>
   for (int k = 0; k < n_vectors; ++k) store(sums[k], y + first + k * n_lanes);
 }
 
-/// Rows a = first, …, n_rows of them.
+/// Computes the n_rows coefficients a = first, first + 1, …
 template <int n_rows>
 [[gnu::always_inline]] inline void contract_rows(const double* table, int length, const double* y, double* c,
                                                  int first) {
@@ -77,7 +77,7 @@ struct Product {
   bool add;
 };
 
-/// C for n_rows rows of A and n_vectors vectors of columns.
+/// Computes C for n_rows rows of A and n_vectors vectors of columns.
 template <int n_rows, int n_vectors>
 [[gnu::always_inline]] inline void multiply_block(const Product& of, int row, int column) {
   double* C = of.C + static_cast<long>(row) * of.width + column;
@@ -108,7 +108,8 @@ void multiply_rows(const Product& of, int row) {
   for (; column < of.width; column += n_lanes) multiply_block<n_rows, 1>(of, row, column);
 }
 
-/// So many rows at a time that their sums, in two vectors each, fit into the registers: 32 with AVX-512, otherwise 16.
+/// Number of rows that are computed at a time. Each row has sums in two vectors, which must fit into the registers: 32
+/// with AVX-512, otherwise 16.
 constexpr int max_rows = n_lanes == 8 ? 8 : 4;
 
 template <int n_rows = max_rows>
@@ -177,8 +178,8 @@ void contract_radially(const double* A, int n_levels, int n_radii, int n, const 
     }
 }
 
-/// Calls visitor(s, n) for pieces of n numbers from s on that cover 0 … length: whole vectors, the last of which goes
-/// over numbers of the one before again, or single numbers where there is no whole vector.
+/// Calls visitor(s, n) for pieces of n numbers from s on that cover 0 … length. The pieces are vectors, and the last
+/// vector may overlap the previous one. If `length` is less than a vector, the pieces are single numbers.
 template <class Visitor>
 [[gnu::always_inline]] inline void for_each_piece(int length, Visitor&& visitor) {
   using Single = std::integral_constant<int, 1>;
@@ -237,7 +238,7 @@ void terms_of_fields(const double* D, int n_radii, int n_directions, int width, 
   });
 }
 
-/// In parts of nearly the same number of rows.
+/// C ← A R in groups of rows of nearly the same size.
 void multiply(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add) {
   const Product of{A, stride, R, n_points, width, C, add};
   for (int n_parts = (m + max_rows - 1) / max_rows, row = 0; n_parts > 0; --n_parts) {

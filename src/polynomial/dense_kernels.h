@@ -1,14 +1,14 @@
 #pragma once
-/// The inner loops of polynomial bodies, compiled for several sets of instructions (mechanics/core/kernel_builds.h):
-/// sums over functions at the points of a grid, their transposes, and the operations at the points. They use plain
-/// arrays only.
+/// The inner loops of polynomial bodies, compiled for several instruction sets (mechanics/core/kernel_builds.h). They
+/// are sums over functions at the points of a grid, transposed sums, and operations at the points. Their arguments are
+/// plain arrays.
 
 #include "materials/law_table.h"
 #include "mechanics/core/kernel_builds.h"
 
 namespace pseudorigid::polynomial {
 
-/// Points come in blocks of so many, filled up with points of weight 0.
+/// Number of points in a block. The last block is filled up with points of weight 0.
 inline constexpr int point_block = 8;
 constexpr int filled_up(int n) { return (n + point_block - 1) / point_block * point_block; }
 
@@ -17,48 +17,50 @@ struct EnergySums {
 };
 
 struct DenseKernels {
-  /// A table of n rows of `length` numbers, one row a function. Lengths are whole numbers of `point_block`.
+  /// A table has n rows of `length` numbers, one row for each function. `length` is a multiple of `point_block`.
 
   /// y_e = Σ_a c_a T_ae
   void (*combine)(const double* table, int n, int length, const double* c, double* y);
   /// c_a ← c_a + Σ_e T_ae y_e
   void (*contract)(const double* table, int n, int length, const double* y, double* c);
 
-  /// Sums over radial functions (point_tables.h): level k, radius j, and n groups side by side, filled up.
+  /// Sums over radial functions (point_tables.h) with level k and radius j, for n groups g at once. n is a multiple of
+  /// `point_block`.
 
   /// u_jg = Σ_k A_kjg c_kg
   void (*combine_radially)(const double* A, int n_levels, int n_radii, int n, const double* c, double* u);
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields at the points (radius j, direction s) from terms, by the entries D_ft(s) of a 3 × 3 matrix for each
-  /// direction, at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
+  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h. The entries D_ft(s) of a
+  /// 3 × 3 matrix for each direction s are stored at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j
+  /// width + s].
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
-  /// The transposed map, z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], the terms one after the other.
+  /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], one term t after the other.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
 
-  /// C ← A R, or C + A R if `add`, of row-major A (m × n_points in rows of `stride`), R (n_points × width), C (m ×
-  /// width). The width is a whole number of blocks.
+  /// C ← A R, or C ← C + A R if `add`. The matrices are row-major: A (m × n_points, with rows of `stride` numbers), R
+  /// (n_points × width) and C (m × width). `width` is a multiple of `point_block`.
   void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
-  /// R_pa = Σ_k A_kp T_kpa for tables with the functions of a point side by side: T (3 × n_points × width), row-major,
-  /// and A_k at n_points.
+  /// R_pa = Σ_k A_kp T_kpa. T (3 × n_points × width) is row-major, so that the functions of a point are contiguous.
+  /// Each A_k has n_points numbers.
   void (*combine_at_points)(const double* A0, const double* A1, const double* A2, const double* T, int n_points,
                             int width, double* R);
 
-  /// A 3×3 tensor at n points: entry (i, j) of point p is at (3i + j) n + p.
+  /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F, with U = (κ/4)(J² − 1 − ln J²), entry by entry; returns the least of det F and of the law's
-  /// reserve (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with U = (κ/4)(J² − 1 − ln J²); returns the least of det F and of the law's reserve
+  /// (materials/law_limits.h).
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
                       const double* H, double* T);
-  /// Σ w W(F) and Σ w U(J).
+  /// Returns Σ w W(F) and Σ w U(J).
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
-  /// y ← w ln det F; returns the least det F. If that is not positive, y is meaningless.
+  /// y ← w ln det F; returns the least det F. If this value is not positive, y is not valid.
   double (*log_jacobian)(int n, const double* w, const double* F, double* y);
-  /// J ← det F; returns the least.
+  /// J ← det F; returns the least det F.
   double (*jacobian)(int n, const double* F, double* J);
   /// A ← F⁻ᵀ
   void (*inverse_transposed)(int n, const double* F, double* A);
@@ -66,22 +68,22 @@ struct DenseKernels {
   void (*add_multiple)(int n, const double* s, const double* A, double* T);
   /// y ← w A : B
   void (*weighted_product)(int n, const double* w, const double* A, const double* B, double* y);
-  /// y ← −w tr((AᵀB)²), A = F⁻ᵀ: the second variation of ln det F along B
+  /// y ← −w tr((AᵀB)²) with A = F⁻ᵀ, the second variation of ln det F along B.
   void (*weighted_curvature)(int n, const double* w, const double* A, const double* B, double* y);
-  /// T ← T − s A Bᵀ A, with A = F⁻ᵀ: the rate of s A along B
+  /// T ← T − s A Bᵀ A with A = F⁻ᵀ, the rate of s A along B.
   void (*add_rate_of_inverse)(int n, const double* s, const double* A, const double* B, double* T);
-  /// T ← T + w 2η J d A, d = sym(B Aᵀ), A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
+  /// T ← T + w 2η J d A with d = sym(B Aᵀ) and A = F⁻ᵀ; returns the power Σ w 2ηJ d:d.
   double (*add_viscous_stress)(int n, const double* w, double eta, const double* F, const double* A, const double* B,
                                double* T);
 
-  /// For all mirror images of a point at once: slots of `length` numbers, one for each subset of reflections, are
-  /// replaced by their sums with signs, y_m = Σ_c (−1)^{|m & c|} x_c (Walsh and Hadamard).
+  /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each
+  /// subset of the reflections. Each slot is replaced by a sum with signs, y_m = Σ_c (−1)^{|m & c|} x_c.
   void (*transform_images)(double* slots, int n_images, int length);
 };
 
-/// Defined by the build, the best first.
+/// The tables of all instruction sets, the fastest first. The build defines this function.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
-/// The kernels of this process. Throws mechanics::NoKernels.
+/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const DenseKernels& dense();
 
 }  // namespace pseudorigid::polynomial

@@ -7,7 +7,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// λ at a point.
+/// The multiplier λ at a point.
 double multiplier_at(const PolynomialSpace& space, const std::vector<Jet>& functions, const Eigen::VectorXd& lambda) {
   double value = 0;
   for (std::size_t b = 0; b < functions.size(); ++b)

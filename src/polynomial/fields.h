@@ -1,11 +1,12 @@
 #pragma once
 /// Fields of a polynomial body for pictures, at points that the caller chooses:
 ///
-///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F,   P without the stabilisation's and a viscosity's part
+///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// with the multiplier λ of the motion, if there is one, and the potential φ of self-gravity, whose gauge is taken out
-/// of the pressure (gravity/surface_gravity.h). Polynomials do not depend on the computed sector: a point may
-/// be anywhere in the body. In internal units.
+/// P is the stress of the law without volumetric stabilisation and viscosity, and λ is the multiplier of the motion (0
+/// without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
+/// (gravity/surface_gravity.h). Polynomials do not depend on the computed sector, so the points may be anywhere in the
+/// body. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <vector>
@@ -17,16 +18,16 @@ namespace pseudorigid::polynomial {
 
 class FieldsAtPoints {
  public:
-  /// Points of the unit ball, X = S ξ.
+  /// `points` are points ξ of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// `lambda`: empty of a body without constraint. Fails if det F ≤ 0.
+  /// `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 
  private:
   std::vector<Eigen::Vector3d> points_;
-  std::vector<std::vector<Jet>> functions_;  ///< of each point
+  std::vector<std::vector<Jet>> functions_;  ///< functions at each point
 };
 
 }  // namespace pseudorigid::polynomial

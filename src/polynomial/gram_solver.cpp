@@ -15,7 +15,7 @@ namespace {
 /// (−1)^|a & b|
 double sign(unsigned int a, unsigned int b) { return std::popcount(a & b) % 2 == 0 ? 1.0 : -1.0; }
 
-/// ψ_b at all points of the computed part, times `factor` there: one row a function.
+/// ψ_b at all points of the computed sector, multiplied by `factor`, one row for each function.
 std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vector<double>& factor) {
   const PointTables& tables = space.pressures();
   const int stride = tables.stride(), n_points = tables.n_points();
@@ -33,7 +33,7 @@ std::vector<double> pressure_rows(const PolynomialSpace& space, const std::vecto
   return rows;
 }
 
-/// The gradients of the functions of a block with those of a point side by side, [k][point of the octant][function].
+/// Gradients of the functions of a block: [k][point of the octant][function].
 std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block& block) {
   const PointTables& tables = space.gradients();
   const int stride = tables.stride(), width = filled_up(block.n());
@@ -46,7 +46,7 @@ std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block
   return by_point;
 }
 
-/// F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block, those of a point side by side. A = F⁻ᵀ.
+/// F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block: [point][function]. A = F⁻ᵀ.
 void reactions_at_points(const PolynomialSpace& space, const Block& block, const std::vector<double>& gradients,
                          const double* A, double* R) {
   const int stride = space.gradients().stride(), n_points = space.n_points(), width = filled_up(block.n());
@@ -73,7 +73,7 @@ GramMatrix::GramMatrix(const PolynomialSpace& space)
     if (gradients_[block.parity].empty()) gradients_[block.parity] = gradients_by_point(space, block);
 }
 
-/// Calls visitor(block, columns) with the columns of G of each block, filled up with zeros to whole vectors.
+/// Calls visitor(block, columns) with the columns of G of each block, padded with zeros to whole vectors.
 template <class Visitor>
 void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const {
   const int n_points = space_->n_points(), n_pressures = space_->n_pressures();
@@ -133,7 +133,8 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
   return factor(position_);
 }
 
-/// Multiplications and additions of a product with S and of a solution with its factor; those at the points weigh more.
+/// Operations of one iteration: a product with S, and a solution with the factor. The operations at the points have a
+/// larger weight.
 double GramSolver::iteration_cost() const {
   const double n = space_->n_pressures();
   double of_tables = 0;
@@ -141,7 +142,7 @@ double GramSolver::iteration_cost() const {
   for (const Block& block : space_->pressure_blocks()) of_tables += space_->pressures().n_multiplications(block);
   return 2 * of_tables + n * n + 60.0 * space_->n_points();
 }
-/// The same of a factorisation.
+/// Operations of a factorisation.
 double GramSolver::factorization_cost() const {
   const double n = space_->n_pressures(), n_unknowns = space_->n_unknowns();
   return n_unknowns * space_->n_points() * (n + 9) + n * n * (n_unknowns + n / 3);

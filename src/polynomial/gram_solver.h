@@ -1,13 +1,13 @@
 #pragma once
-/// Solution of the Gram systems of the constraint ∫ψ ln J dX = 0,
+/// Solves the Gram systems of the constraint ∫ψ ln J dX = 0,
 ///
 ///   S(q₁, q₀) λ = r,   S = G(q₁) G(q₀)ᵀ,   G_b,ia(q) = ∫ψ_b F⁻ᵀ:∇(φ_a e_i) dX     (the mass is the identity)
 ///
-/// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is kept and is the
-/// preconditioner of conjugate residuals (mechanics/core/conjugate_residuals.h) for S, whose products need no matrix.
+/// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is the preconditioner of
+/// conjugate residuals (mechanics/core/conjugate_residuals.h) for S. Products with S are computed without a matrix.
 ///
-/// S is factored anew if the iteration is slow, and as soon as the iterations that a new factor would have spared
-/// have cost as much as it does, so the cost is at most twice the least.
+/// S is factored again in two cases: if the iteration converges slowly, and when the iterations that a new factor could
+/// have saved have cost as much as a factorisation. Therefore the cost is at most twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -20,12 +20,12 @@
 
 namespace pseudorigid::polynomial {
 
-/// G(q) and S(q, q) as matrices.
+/// Computes G(q) and S(q, q) as matrices.
 class GramMatrix {
  public:
   explicit GramMatrix(const PolynomialSpace& space);
 
-  /// G(q): one row a pressure function, one column an entry of q.
+  /// G(q), with a row for each pressure function and a column for each entry of q.
   Eigen::MatrixXd constraint_matrix(const Eigen::VectorXd& q) const;
   /// The lower triangle of S(q, q).
   void at(const Eigen::VectorXd& q, Eigen::MatrixXd& S) const;
@@ -43,13 +43,13 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// λ with |r − Sλ| at most 10⁻⁴ |r| or `enough`, whichever is larger, in the Euclidean norm.
+  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
   long n_factorizations() const { return n_factorizations_; }
 
-  /// The position of the factor, and the cost of iterations since then.
+  /// Visits the position of the factor and the cost of the iterations since its factorisation.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     visit(position_);
@@ -68,10 +68,10 @@ class GramSolver {
 
   const PolynomialSpace* space_;
   GramMatrix matrix_;
-  Eigen::VectorXd position_;     ///< configuration at which the factor was made, or will be made
-  bool is_known_ = false;        ///< position_ is one
-  double spent_ = 0;             ///< on iterations since
-  Eigen::VectorXd factored_at_;  ///< the configuration of factor_; empty: there is no factor
+  Eigen::VectorXd position_;     ///< position at which S_f is (or will be) factored
+  bool is_known_ = false;        ///< true if position_ is set
+  double spent_ = 0;             ///< cost of iterations since the factorisation
+  Eigen::VectorXd factored_at_;  ///< position at which factor_ was computed; empty if there is no factor
   Eigen::MatrixXd S_;
   Eigen::LLT<Eigen::MatrixXd> factor_;
   mechanics::ConjugateResiduals<Eigen::VectorXd> iteration_;
@@ -79,7 +79,7 @@ class GramSolver {
   long n_factorizations_ = 0;
 };
 
-/// G(q): one row a pressure function, one column an unknown.
+/// G(q), with a row for each pressure function and a column for each unknown.
 Eigen::MatrixXd constraint_matrix(const PolynomialSpace& space, const Eigen::VectorXd& q);
 
 }  // namespace pseudorigid::polynomial

@@ -3,8 +3,9 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// A pressure on the surface is carried by the constraint and is not a force here. λ = Σλ_bψ_b is the Kirchhoff
-/// pressure Jp. The divergence maps (P_N)³ onto P_{N−1}, so that small motions are free of divergence at every point.
+/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. λ = Σλ_bψ_b is
+/// the Kirchhoff pressure Jp. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero divergence at
+/// every point.
 
 #include <cmath>
 
@@ -20,7 +21,7 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< sufficient residual for the caller of solve_gram, maximum norm
+    double residual_sought = 0;       ///< residual that suffices for the caller of solve_gram, maximum norm
     const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
 
     template <class Visit>
@@ -55,7 +56,7 @@ class IncompressibleBody : public PolynomialBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(q1, q0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ that count as zero: a few units of round-off of the sums over the points.
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value, a few units of round-off of the sums over the points.
   double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
   /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J|.
   double multiplier_scale() const { return std::sqrt(space().volume()); }
@@ -63,8 +64,8 @@ class IncompressibleBody : public PolynomialBody {
   Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }
   Workspace make_workspace() const { return {GramSolver(space()), 0}; }
 
-  /// (1/m̄) ∫p dV of the true pressure, m̄ = tr E₀/3: with self-gravity the gauge of its energy is taken out, as in the
-  /// continuum (gravity/surface_gravity.h).
+  /// (1/m̄) ∫p dV of the pressure p, with m̄ = tr E₀/3. With self-gravity, the contribution of the gauge of Ê is
+  /// subtracted from ∫λ dV, as in the finite-element model (gravity/surface_gravity.h).
   double mean_multiplier(const Vector& q, const Multiplier& lambda) const {
     const double of_gravity = gravity() ? gravity()->energy(q) / 3 : 0;
     const int constant = space().pressure_place(0);

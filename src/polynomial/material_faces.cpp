@@ -6,7 +6,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Intervals of a patch: a quarter of a circle has 12, too short to be seen as straight.
+/// Number of intervals of a patch. A quarter of a circle has 12, which look like a smooth curve.
 constexpr int m = 6;
 
 }  // namespace
@@ -43,11 +43,11 @@ void MaterialFaces::add_octant(const Eigen::Vector3d& signs) {
       p[axis] = 1, p[next] = std::tan(pi / 4 * s), p[last] = std::tan(pi / 4 * t);
       return Eigen::Vector3d(p.normalized());
     });
-    // Two octants share a quarter of a plane, which belongs to the octant on its positive side.
+    // Two octants share a quarter of a plane. The octant on the positive side of the plane adds its patches.
     if (signs[axis] < 0) continue;
     for (const double inner : {0.0, 0.5})
       add_patch(axis + 1, signs, [&](double s, double t) {
-        // Exact on the coordinate axes, where a cosine leaves round-off.
+        // The code sets the cosine to 0 at s = 1, so that points on the coordinate axes have no round-off.
         const double r = inner + t / 2, c = s == 1 ? 0 : std::cos(pi / 2 * s), sine = std::sin(pi / 2 * s);
         Eigen::Vector3d p = Eigen::Vector3d::Zero();
         p[next] = r * c, p[last] = r * sine;

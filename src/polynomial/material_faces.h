@@ -1,12 +1,12 @@
 #pragma once
-/// Positions of material surfaces that a report shows: the surface of the undeformed body and its coordinate planes, in
-/// lattices of (m + 1)² points X = S ξ:
+/// Positions of material surfaces for pictures: the surface of the undeformed body and its coordinate planes. Each
+/// patch is a lattice of (m + 1)² points X = S ξ:
 ///
-///   surface, three patches an octant   ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
-///   plane, an inner and an outer patch a quarter   ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
+///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
+///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1. Only the computed sector is kept; the rest of the body follows by reflection. In internal
-/// units.
+/// with s, t = 0, 1/m, …, 1. The rows cover the computed sector only; the rest of the body follows by reflection. All
+/// positions are in internal units.
 
 #include <Eigen/Core>
 #include <array>
@@ -33,7 +33,7 @@ class MaterialFaces {
     std::vector<Jet> functions;
   };
   void add_octant(const Eigen::Vector3d& signs);
-  /// `at`: ξ in the octant of positive coordinates, of s and t.
+  /// `at` is a function of s and t that returns ξ in the octant of positive coordinates.
   template <class Place>
   void add_patch(int plane, const Eigen::Vector3d& signs, const Place& at);
 

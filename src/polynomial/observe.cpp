@@ -12,7 +12,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Integrals over the body of F, J and X ⊗ Fᵀẋ.
+/// Integrals of F, J and ρ X ⊗ Fᵀẋ over the body.
 struct Integrals {
   Eigen::Matrix3d F = Eigen::Matrix3d::Zero(), X_pulled_back = Eigen::Matrix3d::Zero();
   double volume = 0;
@@ -41,7 +41,7 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
   return sums;
 }
 
-/// |x|² and the square of its non-affine part about the origin.
+/// |x|² and the squared norm of the non-affine part, both about the origin.
 struct Parts {
   double whole, nonaffine;
 };
@@ -51,7 +51,7 @@ Parts parts(const PolynomialSpace& space, const Eigen::VectorXd& relative) {
   return {relative.squaredNorm(), (relative - affine).squaredNorm()};
 }
 
-/// Coefficients about the mean.
+/// The coefficients relative to the mean of x.
 Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x) {
   Eigen::VectorXd result = x.head(space.n_unknowns());
   for (int i = 0; i < 3; ++i)
@@ -69,7 +69,7 @@ void observe_energies(const PolynomialBody& body, const BodyState& state, mechan
   o.dissipated = body.dissipated(state.v);
 }
 
-/// All but the multiplier.
+/// All observables except the multiplier.
 void observe_motion(const PolynomialBody& body, const BodyState& state, const mechanics::ObservableRequest& request,
                     mechanics::ContinuumObservables& o) {
   const PolynomialSpace& space = body.space();

@@ -1,7 +1,7 @@
 #pragma once
-/// Observables of polynomial bodies at one state, the same as of the finite-element ball (continuum/output/observe.h),
-/// whole body, internal units. Quantities relative to an affine motion (Q_M, J, Z, the non-affine parts) are taken
-/// about the centre of mass.
+/// Observables of polynomial bodies at one state, the same as for the finite-element ball (continuum/output/observe.h).
+/// They are for the whole body, in internal units. Q_M, J, Z and the nonaffine quantities are computed relative to the
+/// centre of mass.
 
 #include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"
@@ -11,7 +11,7 @@ namespace pseudorigid::polynomial {
 
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
-/// Fails if the force fails.
+/// Computes the quantities of `request`. Fails if the force fails.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);

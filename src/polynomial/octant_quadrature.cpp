@@ -6,7 +6,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Legendre's P_n(x) and its derivative.
+/// Legendre's polynomial P_n(x) and its derivative.
 struct LegendreValue {
   double value, derivative;
 };
@@ -27,7 +27,7 @@ HalfGaussRule half_gauss_rule(int q) {
   HalfGaussRule rule;
   for (int i = q; i >= 1; --i) {
     double x = std::cos(std::numbers::pi * (i - 0.25) / (n + 0.5));
-    constexpr int n_newton = 8;  // from this start four reach round-off at any n
+    constexpr int n_newton = 8;  // from this start, four steps reach round-off at any n
     for (int k = 0; k < n_newton; ++k) {
       const auto [P, dP] = legendre(n, x);
       x -= P / dP;

@@ -1,8 +1,8 @@
 #pragma once
-/// A motion of the whole ball is even or odd under each reflection of a coordinate plane. Bit i of its parity is set
-/// where it is odd under the reflection of axis i: u_j then has the parity of the motion with bit j changed, and the
-/// constraints that of the motion. The stiffness at a state with the symmetry of an octant takes motions of each of the
-/// eight parities into themselves.
+/// The parity of a motion of the whole ball. Bit i is set if the motion is odd under the reflection of axis i. The
+/// component u_j then has the parity of the motion with bit j changed, and the constraints have the parity of the
+/// motion. At a state with the symmetry of an octant, the stiffness maps motions of each of the eight parities to
+/// motions of the same parity.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace pseudorigid::polynomial {
 
 inline constexpr int n_parities = 8;
 
-/// Places of the coefficients of each parity.
+/// Places of the coefficients of the motions of each parity.
 inline std::array<std::vector<int>, n_parities> unknowns_by_parity(const PolynomialSpace& space) {
   std::array<std::vector<int>, n_parities> places;
   for (const Block& block : space.blocks())
@@ -30,8 +30,8 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
   return places;
 }
 
-/// K u = −`force_rate(u)`, symmetrised. Motions of different parity are put into one call, and their images taken apart
-/// again.
+/// K with K u = −`force_rate(u)`, symmetrised. Each call is for the sum of one motion of each parity. The parities
+/// separate the images of these motions.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

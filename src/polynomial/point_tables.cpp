@@ -12,15 +12,16 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Functions times points of an octant, of a parity. Measured with vectors of 8 numbers: a pass of degree 5 (640) takes
-/// 0.6 times that of the factored sums, one of degree 7 (2560) as long.
+/// Direct sums are used up to this product of functions and points of an octant, for one parity. Measured with vectors
+/// of 8 numbers: for degree 5 (product 640) direct sums take 0.6 times the time of the factored sums. For degree 7
+/// (2560) they take the same time.
 constexpr double cheap_directly = 1500;
 
 double along(const Jet& jet, const std::array<double, 3>& direction) {
   return jet.gradient[0] * direction[0] + jet.gradient[1] * direction[1] + jet.gradient[2] * direction[2];
 }
 
-/// Y, and its derivatives along e_θ and e_φ on the unit sphere.
+/// Y and its derivatives along e_θ and e_φ on the unit sphere.
 std::array<double, 3> angular_terms(const Jet& jet, const SurfacePoint& direction) {
   return {jet.value, along(jet, direction.e_theta), along(jet, direction.e_phi)};
 }
@@ -69,7 +70,7 @@ void PointTables::set_rows(const Block& block, Factors& f) const {
   f.rows = std::move(rows);
 }
 
-/// φ = √5 X_k/(s_k √V), V the volume: the mass moment ∫X_k² dX is s_k² V/5.
+/// The linear function is φ = √5 X_k/(s_k √V) with the volume V, because the mass moment ∫X_k² dX is s_k² V/5.
 void PointTables::set_linear(const Block& block, const std::vector<BallPolynomial>& functions,
                              const Eigen::Vector3d& semi_axes, Factors& f) const {
   const double volume = 4.0 / 3.0 * std::numbers::pi * semi_axes.prod();
@@ -81,7 +82,7 @@ void PointTables::set_linear(const Block& block, const std::vector<BallPolynomia
   }
 }
 
-/// ∂/∂X_k = Σ_t D_kt ∂_t along e_r, e_θ, e_φ.
+/// Sets D_kt in ∂/∂X_k = Σ_t D_kt ∂_t, with the derivatives ∂_t along e_r, e_θ, e_φ.
 void PointTables::set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid) {
   frames_.assign(static_cast<std::size_t>(9) * width_, 0.0);
   for (int s = 0; s < n_directions_; ++s) {

@@ -10,7 +10,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// ∂F/∂X entries at one point as a matrix.
+/// The entries of F = ∂x/∂X at one point as a matrix.
 Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   Eigen::Matrix3d F;
   for (int i = 0; i < 3; ++i)
@@ -18,7 +18,7 @@ Eigen::Matrix3d tensor_at(const double* field, int n, int p) {
   return F;
 }
 
-/// Axes whose rotations leave the symmetry planes unchanged.
+/// The axes whose rotations do not change the symmetry planes.
 std::vector<int> free_turns(const std::array<bool, 3>& reflect) {
   std::vector<int> axes;
   for (int i = 0; i < 3; ++i) {
@@ -198,7 +198,7 @@ void PolynomialBody::add_force_rate(const Vector& q, const Vector& u, Vector& f)
 }
 
 void PolynomialBody::symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
-  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // ê x has (ê x)_j = −x_k, (ê x)_k = x_j
+  const int axis = turns_[i], j = (axis + 1) % 3, k = (axis + 2) % 3;  // (ê×x)_j = −x_k, (ê×x)_k = x_j
   dq.setZero();
   dv.setZero();
   for (int a = 0; a < space_->n_functions(); ++a) {

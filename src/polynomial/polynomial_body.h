@@ -4,19 +4,20 @@
 ///   x = Σ q_ia φ_a(X) e_i,   q̈ = −∂V/∂q + loads   [+ Gᵀλ,   g_b = ∫ψ_b ln J dX = 0,   incompressible_body.h]
 ///   V(q) = ∫W(F) + U(J) dX + Ê + V_e,   F = ∂x/∂X
 ///
-/// the generalized Newton law (Oliva 5.3–5.4) on the coefficients of an orthonormal basis, so that the mass is the
-/// identity (polynomial_space.h). N = 1 is the pseudo-rigid body; N → ∞ is the continuum. U is the volumetric
-/// stabilisation (κ/4)(J² − 1 − ln J²), 0 unless asked for. Loads are those of loads/forcing.h:
+/// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients of an orthonormal basis, so that the mass is
+/// the identity (polynomial_space.h). N = 1 is the pseudo-rigid body; N → ∞ is the continuum. U is the volumetric
+/// stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads are those of loads/forcing.h:
 ///
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
 ///   rigid planes             body_contact.h
 ///
-/// With dissipation, or with loads that depend on time, two numbers more, s and s', obey s̈ = the power that dissipation
-/// takes, s̈' = the power that a change of the loads gives: their velocities are the energies taken and given.
+/// With dissipation or loads that depend on time there are two more coordinates s and s'. They obey s̈ = power that is
+/// dissipated and s̈' = power that loads give by their change in time. Therefore their velocities are the dissipated
+/// and the given energy.
 ///
-/// All integrals are of the whole body, in internal units.
+/// All integrals are over the whole body, in internal units.
 
 #include <Eigen/Core>
 #include <functional>
@@ -33,7 +34,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// Material of a body, and its loads.
+/// Degree, sector, reference shape, material and loads of a body, and numbers of quadrature points.
 struct BodySetup {
   int degree = 3;
   std::array<bool, 3> reflect{};  ///< the symmetry planes of the motion
@@ -41,13 +42,13 @@ struct BodySetup {
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
-  std::optional<int> n_gravity_points{};  ///< in a direction of an octant of the surface
+  std::optional<int> n_gravity_points{};  ///< points of gravity per direction of an octant of the surface
   std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
-  std::optional<int> n_contact_points{};  ///< of contact, in a direction of an octant of the surface
+  std::optional<int> n_contact_points{};  ///< points of contact per direction of an octant of the surface
 };
 
 struct PotentialEnergies {
-  double elastic = 0;  ///< with the volumetric part
+  double elastic = 0;  ///< including the volumetric part
   double volumetric = 0, gravitational = 0, external = 0, contact = 0;
   double total() const { return elastic + gravitational + external + contact; }
 };
@@ -67,43 +68,43 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// Loads that depend on time are taken at t = 0; not finite if some det F ≤ 0.
+  /// The total potential energy at t = 0. It is not finite if det F ≤ 0 at a point.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Rotational symmetries: axes of rotation under which the symmetry planes and the loads are invariant.
+  /// Number of rotational symmetries: axes whose rotations do not change the symmetry planes and the loads.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
-  /// f ← f + the viscous force and the drag, linear in v (mechanics/core/linear_damping.h).
+  /// f ← f + viscous force and drag, both linear in v (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const;
-  /// f ← f + the rate of the conservative forces along u, of loads that do not depend on time.
+  /// f ← f + rate of the conservative forces along u. Loads that depend on time are not included.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
   /// Null without self-gravity.
   const BodyGravity* gravity() const { return gravity_.get(); }
-  /// Contact with rigid planes at q; none without planes.
+  /// Contact with rigid planes at q, empty if there are none.
   loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }
   double volumetric_stiffness() const { return volumetric_stiffness_; }
   const loads::Forcing& constant_forcing() const { return constant_; }
 
-  /// x = c + A X, and velocities in the same form.
+  /// Coefficients of x = c + A X, or of a velocity of this form.
   Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   void add_taken(double energy, Vector& v) const { v[space_->n_unknowns()] += energy; }
   double dissipated(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns()] : 0; }
   double given(const Vector& v) const { return n_accounts() > 0 ? v[space_->n_unknowns() + 1] : 0; }
 
-  /// Error with reason and place if x is not a deformation of this body.
+  /// Returns a failure with reason and place if q is not an admissible deformation of this body.
   mechanics::Status admissible(const Vector& q) const;
-  /// "det F = 0.61 at X/r = (0.000, 0.000, 0.930)" of the least det F over the points of integration.
+  /// The least det F over the quadrature points as text, such as "det F = 0.61 at X/r = (0.000, 0.000, 0.930)".
   std::string least_jacobian_in_words(const Vector& q) const;
-  /// The least value of a function of F over the points of integration.
+  /// The least value of a function of F over the quadrature points.
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// f of all but reactions. `held_at`: in place of contact, every point of the surface is held at this position by the
-  /// stiffness of the planes, as a bound for the stiffness; or null.
+  /// All forces without the reactions. If `held_at` is not null, contact is replaced by springs that hold every point
+  /// of the surface at this position with the stiffness of the planes. This gives a bound for the stiffness.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
@@ -117,8 +118,8 @@ class PolynomialBody {
   materials::AnyLaw law_;
   double volumetric_stiffness_;
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< the loads that do not depend on time
-  bool driven_;              ///< there are others
+  loads::Forcing constant_;  ///< loads that do not depend on time
+  bool driven_;              ///< some loads depend on time
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes

@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// R ξ, with the reflections of the slot's bits.
+/// The image R ξ under the reflections given by the bits of `slot`.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
     if (slot >> b & 1) xi[free_axes[b]] = -xi[free_axes[b]];
@@ -25,7 +25,7 @@ std::vector<int> axes_without_plane(const std::array<bool, 3>& reflect) {
   return axes;
 }
 
-/// The last point again, with weight 0.
+/// Repeats the last point with weight 0 up to a whole number of blocks.
 void fill_up(std::vector<WeightedPoint>& points) {
   WeightedPoint last = points.back();
   last.weight = 0;
@@ -51,7 +51,7 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
       pressure_blocks_(make_blocks(1, degree - 1, pressure_places_, n_pressures_)),
       gradients_(make_tables(Fields::gradient, blocks_)),
       values_(make_tables(Fields::value, blocks_)),
-      pressures_(make_tables(Fields::value, pressure_blocks_)) {  // ψ = φ as ρ = 1
+      pressures_(make_tables(Fields::value, pressure_blocks_)) {  // ψ = φ, because ρ = 1
   inertia_ = volume_ / 5 * semi_axes.cwiseAbs2();
   std::vector<WeightedPoint> octant = octant_points(n_points_in_direction());
   fill_up(octant);
@@ -65,7 +65,7 @@ PolynomialSpace::PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
     const std::vector<Jet> jets = functions_at(point.xi);
     for (std::size_t a = 0; a < jets.size(); ++a)
       for (int k = 0; k < 3; ++k)
-        if (functions_[a].parity() == 1U << k)  // the derivative of the others is odd in some coordinate
+        if (functions_[a].parity() == 1U << k)  // the derivatives of other functions are odd in some coordinate
           integrated_gradients_(k, static_cast<Eigen::Index>(a)) +=
               8 * point.weight * semi_axes.prod() * jets[a].gradient[k];
   }
@@ -118,7 +118,7 @@ double PolynomialSpace::orientation(int image) const {
   return std::popcount(static_cast<unsigned int>(image)) % 2 == 0 ? 1.0 : -1.0;
 }
 
-/// The function that is a multiple of ξ_axis.
+/// Number of the function that is a multiple of ξ_axis.
 int PolynomialSpace::linear_function(int axis) const {
   int a = 1;
   while (functions_[a].parity() != 1U << axis) ++a;

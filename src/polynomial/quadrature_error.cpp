@@ -15,10 +15,10 @@ namespace {
 
 using mechanics::detail::PilotRun;
 
-/// Length of the window, in units r/c: the lowest mode of the ball has the period 2.36.
+/// Parameters of the window in units r/c. The lowest mode of the ball has the period 2.36.
 constexpr double half_a_pulsation = 1.25, part_of_run = 1.0 / 16;
 constexpr double caution = 6;
-constexpr double caution_of_volume = 60;  // where points are added
+constexpr double caution_of_volume = 60;  // if points are added
 constexpr int most_points_more = 8;
 
 template <class Body>
@@ -32,7 +32,7 @@ class QuadratureSearch {
 
   QuadratureChoice run(const Body& body) {
     if (setup_.degree == 1) {
-      choice_.error = 0;  // affine for ever
+      choice_.error = 0;  // the motion remains affine
       return choice_;
     }
     double e = of_volume(body);
@@ -61,7 +61,7 @@ class QuadratureSearch {
         return 0;
       }
       const double before = std::exchange(e, error(factor, own_, finer));
-      // If the error no longer falls, it has reached round-off.
+      // If the error does not decrease, it has reached round-off.
       const bool is_enough = e <= mechanics::detail::error_safety * request_.tolerance || e > before / 2;
       if (!request_.adds_points || is_enough || choice_.n_points == most) return e;
       own_ = std::move(finer);
@@ -84,7 +84,7 @@ class QuadratureSearch {
     return factor * mechanics::detail::largest_difference(a, b) * std::pow(request_.end / window_, quadrature_growth);
   }
 
-  /// As long as stability admits, and shorter where the motion becomes stiffer.
+  /// Chooses the longest stable step. If the motion becomes stiffer, the step is halved.
   bool find_step(const Body& body) {
     constexpr double reserve = 0.8;
     constexpr int most_halvings = 3;
@@ -93,7 +93,7 @@ class QuadratureSearch {
     n_steps_ = std::max(1L, static_cast<long>(std::ceil(window_ / (reserve * stable))));
     for (int i = 0; i < most_halvings; ++i, n_steps_ *= 2)
       if (own_ = pilot(body); own_.status) return true;
-    // The motion itself ends here.
+    // The motion of the body ends inside the window, so the window is shortened.
     if (own_.t > 0) {
       window_ = own_.t / 2;
       own_ = pilot(body);

@@ -1,20 +1,23 @@
 #pragma once
-/// Error of Q by the quadrature of a polynomial body, and the number of points that a tolerance requires. The
-/// same body with another rule makes another motion. Pilot runs of both over a window w of a run of length T, by RATTLE
-/// with the same long steps, whose errors cancel, give
+/// Error of Q due to the quadrature of a polynomial body, and the number of points that a tolerance requires. The same
+/// body with another quadrature rule has another motion. Two pilot runs with different rules cover a window w of a run
+/// of length T. They use RATTLE with the same long steps, so that the errors of the steps cancel, and give
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
-/// Every rule is exact for affine states, of which the body is one at first, so the window holds about half a
-/// pulsation, or a sixteenth of the run. Beyond it the errors of the phases grow like t, and have hardly begun to in
-/// it: hence the power 3/2, as for the pilots of a step (mechanics/steps/step_search.h). If points are added, w = T
-/// and the factor of the volume is 60: there the long steps hide more of the difference. In the motions that the
-/// factors were chosen with the error was at most 0.75 e. docs/theory.md has those that judge them.
+/// Every rule is exact for affine states, and the body is affine at first. Therefore the window is at least about half
+/// a period of the lowest mode, and at least a sixteenth of the run. After the window the errors of the phases grow as
+/// t, but inside the window this growth has hardly begun. This explains the power 3/2, as in the pilot runs for a step
+/// (mechanics/steps/step_search.h). If points are added, w = T and the factor for the volume is 60, because the long
+/// steps hide more of the difference. The error was at most 0.75 e in the motions from which the factors were chosen.
+/// docs/theory.md has the motions that test the factors.
 ///
-/// For the volume, Q' has one point more in each direction of an octant. For self-gravity it has two less on the
-/// surface: that costs a quarter, and the difference is no less than the error if that falls with the fourth power.
+/// For the volume, Q' has one point more in each direction of an octant. For self-gravity, Q' has two points less on
+/// the surface, and its sums take about a quarter of the time. (If there are fewer than 4 points, Q' has two points
+/// more.) If the error decreases at least with the fourth power of the number of points, the difference is at least as
+/// large as the error.
 ///
-/// It does not include instability: errors that the motion magnifies beyond the window are larger.
+/// The estimate does not include instability. If the motion magnifies errors after the window, the errors are larger.
 
 #include <functional>
 #include <optional>
@@ -25,25 +28,25 @@
 
 namespace pseudorigid::polynomial {
 
-/// The power with which e grows beyond the window.
+/// The power of T/w with which e grows after the window.
 inline constexpr double quadrature_growth = 1.5;
 
 struct QuadratureRequest {
-  double end = 0;                   ///< T, from the state on
-  double stable_step = 0;           ///< of RATTLE; 0: not known
-  double tolerance = 1e-6;          ///< of Q
-  bool adds_points = false;         ///< until e is half of the tolerance
-  std::function<bool()> give_up{};  ///< asked after every step of a pilot
+  double end = 0;                   ///< T, measured from the state
+  double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
+  double tolerance = 1e-6;          ///< tolerance of Q
+  bool adds_points = false;         ///< add points until e is half of the tolerance
+  std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends it
 };
 
 struct QuadratureChoice {
-  int n_points = 0;               ///< in each direction of an octant
-  std::optional<double> error{};  ///< e; not known if the pilots fail
-  std::string reason{};           ///< then, why
-  long n_force = 0;               ///< of all pilots
+  int n_points = 0;               ///< number of points in each direction of an octant
+  std::optional<double> error{};  ///< e; empty if the pilot runs fail
+  std::string reason{};           ///< reason of the failure, or empty
+  long n_force = 0;               ///< number of forces in all pilot runs
 };
 
-/// `setup` is that of the body.
+/// `setup` must be the setup of `body`.
 template <class Body>
 QuadratureChoice choose_quadrature(const BodySetup& setup, const Body& body, const BodyState& state,
                                    const QuadratureRequest& request);

@@ -1,11 +1,12 @@
 #pragma once
 /// A family of steady rotations (steady_rotation.h) over a range of its parameter, with the stability of its members
-/// (rotation_spectrum.h) and its special points: where its spin has an extremum (fold), where the energy at fixed
-/// momenta gains or loses a negative direction in a class of motions (index: a branch may leave, and dissipation
-/// decides), and where a growth rate begins or ends in it (instability; mechanics/equilibria/special_points.h).
+/// (rotation_spectrum.h) and its special points (mechanics/equilibria/special_points.h). At a fold the spin has an
+/// extremum. At an index point the energy at fixed momenta gains or loses a negative direction in a class of motions: a
+/// branch may start there, and dissipation may destabilise. At an instability a growth rate begins or ends in a class
+/// of motions.
 ///
-/// Each member is followed from the nearest that is known: the first of spheroids from the ball at rest, the first of
-/// ellipsoids from a figure that the caller knows.
+/// Each member is found by continuation from the nearest known member. The first spheroid is found from the ball at
+/// rest, and the first ellipsoid from a figure that the caller provides.
 
 #include <functional>
 #include <map>
@@ -25,7 +26,7 @@ struct RotationMember {
 
 struct SpecialRotation {
   mechanics::SpecialKind kind;
-  MotionClass motions;  ///< class of the special point; of a fold, the class of the family
+  MotionClass motions;  ///< class of the special point; for a fold, the class of the family
   RotationMember member;
 };
 
@@ -36,11 +37,11 @@ struct NoRotation {
 
 struct RotationFamily {
   std::vector<RotationMember> members;
-  std::vector<SpecialRotation> special;  ///< by rising parameter between any two members
+  std::vector<SpecialRotation> special;  ///< by ascending parameter between any two members
   std::vector<NoRotation> missing;
 };
 
-/// An affine figure near the one asked for.
+/// An affine figure near the required one.
 struct NearbyFigure {
   Eigen::Vector3d a;
   double spin_squared;
@@ -49,7 +50,7 @@ struct NearbyFigure {
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// For families of ellipsoids.
+  /// Required for families of ellipsoids.
   std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 
@@ -57,9 +58,9 @@ class RotationFinder {
  public:
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
-  /// The members at these parameters. `give_up` is asked before each figure; the family ends there.
+  /// The members at these parameters. `give_up` is called before each figure; true ends the family.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// One of them.
+  /// The member at one parameter.
   mechanics::Status member(double parameter, RotationMember& member);
 
   const RotationSpectrum& spectrum() const { return spectrum_; }
@@ -74,8 +75,8 @@ class RotationFinder {
   SteadyRotations rotations_;
   RotationSpectrum spectrum_;
   std::function<bool()> give_up_{};
-  std::map<double, SteadyRotation> known_;    ///< by the value of the condition
-  std::map<double, RotationMember> members_;  ///< by the parameter
+  std::map<double, SteadyRotation> known_;    ///< by value of the condition
+  std::map<double, RotationMember> members_;  ///< by parameter
 };
 
 }  // namespace pseudorigid::polynomial

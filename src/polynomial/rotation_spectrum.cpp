@@ -18,10 +18,10 @@ namespace {
 
 constexpr Parity half_turn = 3;  // changes the parity in x and in y
 
-/// Singular values of G and of the symmetries below this part of the largest count as zero.
+/// Singular values of G and of the symmetries count as zero if they are less than this part of the largest one.
 constexpr double dependent = 1e-8;
 
-/// Coefficients of each parity without those of uniform motions.
+/// Places of the coefficients of each parity, without uniform motions.
 std::array<std::vector<int>, n_parities> coefficients_by_parity(const PolynomialSpace& space) {
   auto places = unknowns_by_parity(space);
   for (int i = 0; i < 3; ++i)
@@ -31,7 +31,7 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows that are more than round-off: a class has only the constraints of its own symmetry.
+/// The rows whose norm exceeds round-off. A class has only the constraints with its own symmetry.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -52,7 +52,8 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// The class, or on a spheroid its parts by m: the turn of a field about axis 3, u ↦ ê₃×u − ∂_φ u, has the square −m².
+/// Adds the class; on a spheroid, adds its parts by m. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u,
+/// has the square −m².
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
@@ -80,13 +81,13 @@ void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure
   }
 }
 
-/// The fields w of a class without divergence in the ball and without a part across its surface.
+/// The fields w of a class that have no divergence in the ball and no normal component on its surface.
 Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const {
   if (!is_fluid_) return Eigen::MatrixXd(fields.rows(), 0);
   const Eigen::VectorXd X = body_->affine(Eigen::Matrix3d::Identity());
   const Eigen::MatrixXd divergence = constraint_matrix(space(), X) * fields;
   Eigen::MatrixXd squares = divergence.transpose() * divergence;
-  for (const SurfacePoint& point : octant_surface_points(space().degree() + 2))  // exact for the degree 2N + 2
+  for (const SurfacePoint& point : octant_surface_points(space().degree() + 2))  // exact for degree 2N + 2
     for (int image = 0; image < n_parities; ++image) {
       std::array<double, 3> xi = point.xi;
       for (int i = 0; i < 3; ++i)
@@ -99,7 +100,7 @@ Eigen::MatrixXd RotationSpectrum::exchanges(const Eigen::MatrixXd& fields) const
       squares += point.weight * of_fields.transpose() * of_fields;
     }
   const auto spectrum = mechanics::symmetric_spectrum(squares);
-  constexpr double none = 1e-10;  // others are of order 1
+  constexpr double none = 1e-10;  // other eigenvalues are of order 1
   return fields * spectrum.vectors.leftCols((spectrum.values.array() < none).count());
 }
 
@@ -118,7 +119,7 @@ Eigen::VectorXd RotationSpectrum::whole_multiplier(const Eigen::VectorXd& lambda
   return all;
 }
 
-/// The rotations of space (ζ×x, −(ω×ζ)×x), ω = Ω ê₃, and those of the ball.
+/// Directions and rates of the rotations of space, (ζ×x, −(ω×ζ)×x) with ω = Ω ê₃, and of the rotations of the ball.
 mechanics::SymmetryDirections RotationSpectrum::turns(const Eigen::VectorXd& x, double spin) const {
   mechanics::SymmetryDirections N{Eigen::MatrixXd(x.size(), 6), Eigen::MatrixXd::Zero(x.size(), 6)};
   for (int axis = 0; axis < 3; ++axis) {
@@ -144,12 +145,12 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {
-  constexpr double absent = 1e-6;  // parts of a rotation in classes other than its own
+  constexpr double absent = 1e-6;  // bound for the parts of a rotation in classes other than its own
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
   for (Eigen::Index k = 0; k < y.cols(); ++k)
     if (y.col(k).norm() > absent * turns.y.col(k).norm()) present.push_back(k);
-  Eigen::MatrixXd exchanged = part.exchanges;  // A w
+  Eigen::MatrixXd exchanged = part.exchanges;  // the motions A w
   for (int i = 0; i < 3; ++i)
     for (int a = 0; a < space().n_functions(); ++a) exchanged.row(space().place(i, a)) *= A(i, i);
   const auto n_turns = static_cast<Eigen::Index>(present.size());

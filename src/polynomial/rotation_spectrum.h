@@ -1,18 +1,22 @@
 #pragma once
-/// Small motions about a figure that turns steadily about axis 3 (steady_rotation.h), in the frame that turns with it:
+/// Small motions about a figure that rotates steadily about axis 3 (steady_rotation.h), in the frame that rotates with
+/// it:
 ///
 ///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = D²V − Ω²P − Σ_b λ_b D²g_b      (mechanics/equilibria/linear_stability.h)
 ///
-/// of the whole body, in which every motion is allowed. They fall into classes that do not mix: even or odd under the
-/// reflection of axis 3, and under the half turn about it; on a spheroid, by the azimuthal number m, u ~ e^{imφ} as
-/// seen in cylindrical components. Each class is a dense eigenvalue problem, and all rates of the body are found.
+/// with the projection P of steady_rotation.h. The motions are those of the whole body, without symmetry. They belong
+/// to classes that are not coupled: even or odd under the reflection of axis 3, and even or odd under the half turn
+/// about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components u ~ e^{imφ}.
+/// Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
 ///
-/// Taken out with their momenta, as they say nothing of the figure: uniform motions; the turns of space (J); the turns
-/// of the reference ball (Z), which the exact integrals do not feel and those over points feel by their error; and of a
-/// fluid all motions A w(X), div w = 0 in the ball and w·X = 0 on its surface, which only exchange matter within the
-/// figure. The momenta of these are the circulations (Kelvin), and the remainder are motions at fixed circulations.
+/// Some motions are removed together with their momenta, because they give no information on the figure. These are
+/// uniform motions, the rotations of space (J), and the rotations of the reference ball (Z). Rotations of the ball do
+/// not change exact integrals, but change quadrature by its error. For a fluid, all motions A w(X) that only exchange
+/// matter within the figure are also removed: div w = 0 in the ball and w·X = 0 on its surface. Their momenta are the
+/// circulations (Kelvin), so the remaining motions have fixed circulations.
 ///
-/// K maps motions of each of the eight parities into themselves. So one call of the force rate gives a column for each.
+/// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
+/// for each parity.
 
 #include <memory>
 #include <vector>
@@ -25,7 +29,7 @@ namespace pseudorigid::polynomial {
 
 /// A class of small motions.
 struct MotionClass {
-  bool odd_in_z;  ///< under x₃ ↦ −x₃
+  bool odd_in_z;  ///< odd under x₃ ↦ −x₃
   int m;          ///< azimuthal number on a spheroid; on an ellipsoid 0 if even under the half turn, otherwise 1
 };
 
@@ -39,18 +43,18 @@ class RotationSpectrum {
   RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure);
 
   const PolynomialSpace& space() const { return body_->space(); }
-  /// Coefficients of the whole body from those of the octant.
+  /// Coefficients of the whole body, from the coefficients of the octant.
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
 
-  /// The classes in the same order for every figure.
+  /// Computes the stability of all classes. Their order is the same for every figure.
   mechanics::Status analyse(const SteadyRotation& rotation, std::vector<ClassStability>& classes) const;
 
  private:
-  /// A class with a basis of it, a column each.
+  /// A class with a basis of its motions, one column for each.
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;
-    Eigen::MatrixXd exchanges;  ///< w of a fluid
+    Eigen::MatrixXd exchanges;  ///< the motions w of a fluid
   };
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;

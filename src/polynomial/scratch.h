@@ -1,5 +1,6 @@
 #pragma once
-/// Arrays for the time of a function, kept for the next call: a step of a small body does not allocate memory.
+/// Arrays for the duration of a function. Their memory is used again in later calls, so that a step of a small body
+/// does not allocate memory.
 
 #include <cstddef>
 #include <new>
@@ -8,7 +9,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// n numbers of any value. Arrays end in the reverse order of their beginning.
+/// n numbers with undefined values. Arrays must be destroyed in the reverse order of their construction.
 class ScratchArray {
  public:
   explicit ScratchArray(std::size_t n) {
@@ -22,7 +23,7 @@ class ScratchArray {
   ~ScratchArray() {
     try {
       kept_arrays().push_back(std::move(numbers_));
-    } catch (const std::bad_alloc&) {  // it is freed, not kept
+    } catch (const std::bad_alloc&) {  // then the memory is freed
     }
   }
   ScratchArray(const ScratchArray&) = delete;

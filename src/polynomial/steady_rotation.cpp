@@ -21,7 +21,7 @@ int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m)
   return static_cast<int>(found - functions.begin());
 }
 
-/// Columns of U: the fields that a figure may be composed of.
+/// The columns of U: fields that generate the figures.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -47,7 +47,7 @@ Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int d
   return U;
 }
 
-/// Columns of V: the pressures that act on them.
+/// The columns of V: pressures that act on these fields.
 Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<int> places;
@@ -60,7 +60,7 @@ Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, in
   return V;
 }
 
-/// The axis that is compared with the first.
+/// The axis whose ratio to the first axis is the parameter.
 int other_axis(FigureParameter parameter) { return parameter == FigureParameter::log_ratio_21 ? 1 : 2; }
 
 double largest(const Eigen::VectorXd& x) { return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>(); }
@@ -140,7 +140,7 @@ mechanics::Status SteadyRotations::equations(const FigureCondition& condition, c
   return {};
 }
 
-/// The last row: Ω² − value, or a_k − exp(value) a₁.
+/// Sets the last row of the equations: Ω² − value, or a_k − exp(value) a₁.
 void SteadyRotations::add_condition(const FigureCondition& condition, const SteadyRotation& rotation,
                                     Equations& result) const {
   const Eigen::Index last = result.values.size() - 1;
@@ -196,7 +196,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
       mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// λ of a fluid, and the residual of all equations.
+/// Computes λ of a fluid, and the residual of all equations.
 mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {
@@ -206,7 +206,7 @@ mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   }
   if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
   const double scale = std::max({largest(f), largest(centrifugal), largest(reaction)});
-  constexpr double round_off = 1e-13;  // of all terms, at rest
+  constexpr double round_off = 1e-13;  // of all terms, for a body at rest
   rotation.residual = scale > round_off ? largest(f + centrifugal + reaction) / scale : 0;
   return {};
 }
@@ -234,9 +234,9 @@ double SteadyRotations::slope(const FigureCondition& condition, const SteadyRota
 
 mechanics::Status SteadyRotations::follow(double from, const FigureCondition& condition,
                                           SteadyRotation& rotation) const {
-  constexpr double shortest = 1.0 / 512;  // of the way
+  constexpr double shortest = 1.0 / 512;  // part of the distance between the parameters
   constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
-  constexpr double astray = 0.5;    // part of a step by which the solution may be away from its prediction
+  constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a part of the step
   constexpr double round_off = 1e-10;
   const double way = condition.value - from;
   double at = from, step = std::copysign(std::min(std::abs(way), longest), way);

@@ -1,25 +1,27 @@
 #pragma once
-/// Figures of a polynomial ball that turn uniformly about axis 3. In the frame that turns with them,
+/// Figures of a polynomial ball that rotate uniformly about axis 3. In the rotating frame,
 ///
-///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection across axis 3                [compressible: no λ, g]
+///   r = f(x) + Ω²Px + Gᵀλ = 0,   g(x) = 0,      P the projection onto the plane normal to axis 3
 ///
-/// in the octant, whose planes take the turns of space and of the ball out. A spheroid is sought among motions that
-/// have a symmetry of revolution,
+/// without λ and g for a compressible body. The equations are solved in the octant, whose symmetry planes exclude
+/// rotations of space and of the ball. A spheroid is sought among motions with rotational symmetry about axis 3,
 ///
 ///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃,
 ///
-/// where nothing is singular at a bifurcation to other figures. Midpoints in the longitude keep that symmetry: a figure
-/// found so solves all of the equations. Of the family of figures one is singled out by its spin, or by the ratio of
-/// two axes of its mass moment, with Ω² unknown; Newton's iteration goes on dense matrices with exact derivatives.
+/// Within these motions the equations are not singular at a bifurcation to other figures. Quadrature by midpoints in
+/// the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is determined by its
+/// spin, or by the ratio of two axes of its mass moment with unknown Ω². The equations are solved by Newton's iteration
+/// with dense matrices and exact derivatives.
 ///
-/// A fluid resists no change that moves no matter through its surface, so its equations do not determine x. But a fluid
-/// ellipsoid is an exact figure for every degree (Dirichlet, Riemann), so x is sought among affine motions, with the
-/// pressure p_c(1 − |X|²) that belongs to it. The remainder of r is the error of the quadrature of gravity, and of a λ
-/// of degree N − 1 < 2.
+/// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
+/// within its surface. However, a fluid ellipsoid is an exact figure for every degree (Dirichlet, Riemann). Therefore x
+/// is sought among affine motions, with the pressure p_c(1 − |X|²). The remaining r is the error of the quadrature of
+/// gravity, and of a λ of degree N − 1 < 2.
 ///
-/// The volumetric stabilisation belongs to the body as in its motions. It does nothing to an affine figure or to small
-/// motions about one, where div u = 0 at every point, and so nothing to a fluid. A soft elastic body under its own
-/// gravity needs it: the pressure of a figure that is not affine has a second variation without sign.
+/// The equations include the volumetric stabilisation, as the motions do. It has no effect on an affine figure, or on
+/// small motions about such a figure, because div u = 0 at every point. Therefore it has no effect on a fluid. A soft
+/// elastic body under its own gravity needs the stabilisation: if its figure is not affine, the second variation of the
+/// pressure term has no sign.
 
 #include <memory>
 
@@ -29,41 +31,41 @@ namespace pseudorigid::polynomial {
 
 enum class Figure { spheroid, ellipsoid };
 
-/// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), of the affine part A = diag(a) of x.
+/// The parameter of a figure in its family: Ω², ln(a₂/a₁) or ln(a₃/a₁), with the affine part A = diag(a) of x.
 enum class FigureParameter { spin_squared, log_ratio_21, log_ratio_31 };
 struct FigureCondition {
   FigureParameter parameter;
   double value;
 };
 
-/// Internal units. x and λ are coefficients of the octant.
+/// A steady rotation in internal units. x and λ are coefficients of the octant.
 struct SteadyRotation {
   Eigen::VectorXd x, lambda;
   double spin_squared = 0;
-  double residual = 0;  ///< |r|_∞ over the largest of its terms
+  double residual = 0;  ///< |r|_∞ divided by the largest of its terms
 };
 
 class SteadyRotations {
  public:
-  /// `setup.reflect` is not used, nor loads other than gravity and pressure.
+  /// `setup.reflect` is not used. Loads other than gravity and pressure are not used.
   SteadyRotations(const BodySetup& setup, bool incompressible, Figure figure);
 
-  /// The affine figure x = A X, A diagonal.
+  /// The affine figure x = A X, with A = diag(a).
   SteadyRotation affine(const Eigen::Vector3d& a, double spin_squared) const;
 
-  /// The figure near `rotation` that meets the condition.
+  /// Computes the figure near `rotation` that satisfies the condition.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Continuation from a known equilibrium at the parameter `from`, with steps that are as long as Newton's
+  /// Continuation from a known figure with the parameter `from`. The steps are as long as possible such that Newton's
   /// iteration stays close to its prediction.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// dΩ² by the parameter along the family.
+  /// Derivative of Ω² with respect to the parameter along the family.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;
 
  private:
   struct Equations {
     Eigen::VectorXd values;
     Eigen::MatrixXd derivative;
-    double scale;  ///< size of the values whose differences are taken
+    double scale;  ///< size of the terms whose differences are `values`
   };
   mechanics::Status terms(const SteadyRotation& rotation, Eigen::VectorXd& f, Eigen::VectorXd& centrifugal,
                           Eigen::VectorXd& reaction) const;
@@ -71,21 +73,21 @@ class SteadyRotations {
                               Equations& result) const;
   Eigen::MatrixXd tangent_matrix(const SteadyRotation& rotation) const;
   void add_condition(const FigureCondition& condition, const SteadyRotation& rotation, Equations& result) const;
-  /// Derivatives of (y, μ, Ω²) by the parameter.
+  /// Derivatives of (y, μ, Ω²) with respect to the parameter.
   Eigen::VectorXd tangent(const FigureCondition& condition, const SteadyRotation& rotation) const;
   void add(double factor, const Eigen::VectorXd& step, SteadyRotation& rotation) const;
   mechanics::Status newton(const FigureCondition& condition, SteadyRotation& rotation) const;
   mechanics::Status complete(SteadyRotation& rotation) const;
 
   bool incompressible_, is_fluid_;
-  std::shared_ptr<const CompressibleBody> body_;  ///< all forces but reactions, in the octant
+  std::shared_ptr<const CompressibleBody> body_;  ///< all forces without reactions, in the octant
   Eigen::MatrixXd U_, V_;                         ///< x = U y, λ = V μ
 };
 
-/// `setup` with the loads that have a part in a steady rotation: gravity, and the pressure on a compressible body.
+/// `setup` with only the loads that a steady rotation can have: gravity, and the pressure on a compressible body.
 BodySetup conservative_setup(BodySetup setup, bool incompressible);
 
-/// Px of the coefficients of any sector: the third component is left out.
+/// The coefficients of Px for any sector: the third component is set to 0.
 Eigen::VectorXd across_axis_3(const PolynomialSpace& space, Eigen::VectorXd x);
 
 }  // namespace pseudorigid::polynomial

@@ -10,7 +10,7 @@ Turns::Turns(const PolynomialSpace& space) : space_(space), functions_(ball_poly
   const int N = space.degree();
   for (auto& of_axis : of_harmonics_)
     for (int l = 0; l <= N; ++l) of_axis.emplace_back(Eigen::MatrixXd::Zero(2 * l + 1, 2 * l + 1));
-  for (const SurfacePoint& point : octant_surface_points(N / 2 + 1))  // exact for the degree 2N
+  for (const SurfacePoint& point : octant_surface_points(N / 2 + 1))  // exact for degree 2N
     for (int image = 0; image < 8; ++image) {
       std::array<double, 3> xi = point.xi;
       for (int i = 0; i < 3; ++i)
@@ -40,7 +40,7 @@ Eigen::VectorXd Turns::of_space(int axis, const Eigen::VectorXd& x) const {
 
 Eigen::VectorXd Turns::of_ball(int axis, const Eigen::VectorXd& x) const {
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(x.size());
-  for (int first = 0; first < space_.n_functions();) {  // the functions of one n and l, m = −l … l
+  for (int first = 0; first < space_.n_functions();) {  // functions with the same n and l, m = −l … l
     const int l = functions_[first].l, n_members = 2 * l + 1;
     for (int i = 0; i < 3; ++i) {
       Eigen::VectorXd members(n_members);

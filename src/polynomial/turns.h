@@ -1,9 +1,10 @@
 #pragma once
-/// Turns of a polynomial ball, on coefficients of the whole body: those of space, x ↦ ê×x, and those of the reference
-/// ball, x ↦ ∂x/∂X (ê×X). Both map P_N to itself; the second takes R_nl Y_lm to functions of the same n and l.
+/// Infinitesimal rotations of a polynomial ball, on coefficients of the whole body: rotations of space, x ↦ ê×x, and
+/// rotations of the reference ball, x ↦ ∂x/∂X (ê×X). Both map P_N to itself. The second map takes R_nl Y_lm to
+/// functions with the same n and l.
 ///
-/// A field that is turned as a whole, J_e u = ê×u − ∂u/∂X (ê×X), tells the degree of a motion: −Σ_e J_e² u = n(n + 1) u
-/// for a motion of degree n, toroidal or spheroidal.
+/// The joint rotation of a field is J_e u = ê×u − ∂u/∂X (ê×X). It determines the degree of a motion: for a toroidal or
+/// spheroidal motion of degree n, −Σ_e J_e² u = n(n + 1) u.
 
 #include <Eigen/Core>
 #include <array>
@@ -15,7 +16,7 @@ namespace pseudorigid::polynomial {
 
 class Turns {
  public:
-  /// For a ball without symmetry planes. The space must outlive this object.
+  /// The ball must not have symmetry planes. The space must outlive this object.
   explicit Turns(const PolynomialSpace& space);
 
   Eigen::Index n_unknowns() const { return space_.n_unknowns(); }

@@ -1,6 +1,6 @@
 #pragma once
-/// A pseudo-rigid body as plain numbers, for the kernels that evaluate its field at the eight stages of a Gauss step at
-/// once (gauss_body_kernels.h). Matrices are in the order of Eigen's: column by column.
+/// The data of a pseudo-rigid body as plain numbers, for the kernels that evaluate the body at the eight stages of a
+/// Gauss step at once (gauss_body_kernels.h). Matrices are stored by columns, as in Eigen.
 
 #include <array>
 #include <cstddef>
@@ -23,37 +23,37 @@ struct BodyOfStages {
   double volume = 1, inverse_m_bar = 1;
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< any of the following
+  bool loaded = false;          ///< a load is not 0: gravity, T, P̄ or pressure
   double gravity_strength = 0;  ///< k = (3/5) G M²
-  Numbers9 shape{};             ///< S
-  Numbers9 quadratic{};         ///< T
-  Numbers9 nominal_traction{};  ///< P̄
+  Numbers9 shape{};             ///< S (reference_body.h)
+  Numbers9 quadratic{};         ///< T (external_potential.h)
+  Numbers9 nominal_traction{};  ///< P̄ (external_potential.h)
   double pressure = 0;
 };
 
-/// Further parameters of a dissipative body.
+/// Further parameters of a body whose energy is not constant (dissipative_body.h).
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;
-  /// Loads that depend on time at the stages: T, P̄ and p; `driving_rate` are their rates.
+  /// The loads that depend on time, at the eight stages: T, P̄ and p; `driving_rate` has their time derivatives.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};
   } driving, driving_rate;
 };
 
-/// The entries of a stage: Q, the diagonal of Q, or Q with the energies that were taken and given.
+/// The coordinates of a stage: Q, the diagonal of Q, or Q with the dissipated energy and the energy given by loads.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
-/// Solves the stages of a Gauss step of the body. `accounts` is needed if the entries contain energies.
+/// Solves the stages of a Gauss step of the body. `accounts` is required if the coordinates contain energies.
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 
-/// As of mechanics/core/stage_by_stage.h.
+/// Cost of an iteration on the eight stages in units of one force (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
-/// Whether the gravity of the body at q is to be computed in lanes: not of bodies so flat or long that only principal
-/// axes keep its accuracy.
+/// True if the gravity of the body at q can be computed in lanes. Very flat or long bodies need principal axes for
+/// accuracy.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 Numbers9 numbers(const Eigen::Matrix3d& M);

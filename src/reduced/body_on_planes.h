@@ -1,12 +1,12 @@
 #pragma once
-/// The pseudo-rigid body x = c + Q X that may touch rigid planes. The contact energy V_c(Q, c) of
-/// loads/ellipsoid_contact.h couples the centre of mass to Q,
+/// The pseudo-rigid body x = c + Q X in contact with rigid planes. The contact energy V_c(Q, c)
+/// (loads/ellipsoid_contact.h) couples the centre of mass c to Q,
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
-/// with the loads of center_of_mass.h (ζ the drag), the damping R of the contact and all that acts on Q without planes.
-/// Further coordinates have the energies as velocities, as in dissipative_body.h: D, which dissipation has taken, and
-/// W, which loads have given. So q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// with the loads b, T and the drag ζ (center_of_mass.h), and Rayleigh's function R of the contact. f_Q is the force
+/// without planes. As in dissipative_body.h, further coordinates s, s' have energies as velocities: D, which has been
+/// dissipated, and W, which loads have given. So q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
@@ -24,8 +24,8 @@ class BodyOnPlanes {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If it is set, the stiffness of the planes holds every point of the surface at this position. No contact is
-    /// stiffer, and there is no pressure at this position.
+    /// If this is set, springs with the stiffness of the planes hold every point of the surface at this position. No
+    /// contact is stiffer, and the springs are unstressed at this position.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -106,7 +106,7 @@ class BodyOnPlanes {
   }
   void add_taken(double energy, Vector& v) const { v(0, 4) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 4); }
-  /// V_t − W of the loads that depend on time, on Q and on the centre.
+  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, 4);
@@ -133,14 +133,15 @@ class BodyOnPlanes {
                                        const Eigen::Vector3d& c) const {
     return {plane, body_.reference().shape, Q, c};
   }
-  /// −k∮u and −k∮u Xᵀ over the sphere ξ, with the displacement u = c + Q X.
+  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q. Here u = c + Q X is the displacement from the held
+  /// position, X = S ξ, and the integrals are over the unit sphere of ξ.
   void hold(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const double k = constant_.planes.stiffness_of_all(), area = 4 * std::numbers::pi;
     const Eigen::Matrix3d& S = body_.reference().shape;
     F.on_center -= k * area * c;
     F.on_Q -= k * area / 3 * Q * S * S.transpose();
   }
-  /// F ← F − ∂R/∂v; returns the power.
+  /// F ← F − ∂R/∂(Q̇, ċ) with Rayleigh's function R; returns the dissipated power.
   double add_dissipation(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, const Eigen::Matrix3d& Qdot,
                          const Eigen::Vector3d& cdot, loads::AffineForce& F) const {
     if (!constant_.dissipative()) return 0;
@@ -166,7 +167,7 @@ class BodyOnPlanes {
   }
 
   Body body_;
-  loads::Forcing constant_;  ///< of the loads that do not depend on time
+  loads::Forcing constant_;  ///< loads that do not depend on time
   Dissipation dissipation_;
   loads::Loads loads_;
   bool driven_;

@@ -24,12 +24,12 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
 
 namespace {
 
-/// Potential of a point of unit mass.
+/// Potential of the loads on a point of unit mass.
 double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
 
-/// Whether the centre stays at the origin.
+/// True if the centre stays at the origin.
 bool rests(const CenterOfMass& c) {
   bool pushed = !c.position.isZero(0) || !c.velocity.isZero(0) || !c.acceleration.isZero(0);
   c.driving.for_each([&]<class L>(const L& load) {
@@ -44,7 +44,7 @@ double CenterOfMass::driven(const Motion& m, double t) const {
   return potential_of(loads::driving(driving, t), m.x) - m.work;
 }
 
-/// q = (x, s), v = (ẋ, w) with ẅ replaced by ẇ = ∂φ/∂t: the work is the velocity of a further coordinate.
+/// Integrates q = (x, s) and v = (ẋ, w). The work w is the velocity of a further coordinate s, with ẇ = ∂φ/∂t.
 struct CenterPath::Integration {
   struct Field {
     using Vector = Eigen::Vector4d;
@@ -64,9 +64,10 @@ struct CenterPath::Integration {
   };
   using Method = mechanics::DormandPrince8;
   using State = mechanics::State<Field>;
-  /// Tolerance of local errors: a decade less is round-off.
+  /// Tolerance of local errors. A tolerance smaller by a factor of 10 is below round-off.
   static constexpr double tolerance = 1e-15;
-  /// Integrates to a far end, so that steps do not depend on the sampling times.
+  /// Bound of the length of a step. It is so large that the method alone chooses the steps, and they do not depend on
+  /// the sampling times.
   static constexpr double far = 1e3;
 
   explicit Integration(const CenterOfMass& center) : field{&center} { begin(); }
@@ -79,7 +80,7 @@ struct CenterPath::Integration {
     workspace.emplace(field, tolerance);
   }
 
-  /// The method chooses its steps until one passes t; a last step from the state before it ends at t.
+  /// The method chooses its steps until one of them passes t. A last step from the start of this step ends at t.
   CenterOfMass::Motion at(double t) {
     if (t < before.t) begin();
     while (next.t <= t) {

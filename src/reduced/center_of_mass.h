@@ -1,10 +1,12 @@
 #pragma once
-/// The centre of mass under loads (loads/forcing.h). Its law is linear and separate from that of Q,
+/// The centre of mass under loads (loads/forcing.h): a uniform acceleration b, a quadratic potential ½ xᵀTx per mass
+/// and a drag c. Its equation of motion is linear and does not contain Q,
 ///
 ///   ẍ = b − T x − c ẋ.
 ///
-/// If no load depends on time, x(t) is known exactly: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1). Otherwise it is integrated
-/// to round-off, together with the energy per mass that such loads have given,
+/// If no load depends on time, the solution is exact: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1) with the matrix A of this
+/// linear equation. Otherwise the motion is integrated to round-off, together with the energy per mass that these loads
+/// have given,
 ///
 ///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
 
@@ -22,28 +24,29 @@ struct CenterOfMass {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();                                  ///< b
   Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();                                     ///< T
   double drag = 0;                                                                         ///< c
-  loads::Loads driving{};  ///< the loads among them that depend on time
+  loads::Loads driving{};  ///< loads that depend on time
 
   struct Motion {
     Eigen::Vector3d x, v;
     double work = 0;  ///< w
   };
 
-  /// If no load depends on time. Not finite if an unstable T has carried it beyond all numbers.
+  /// Requires that no load depends on time. The result is not finite if an unstable T leads beyond the largest number.
   Motion at(double t) const;
 
   /// Energies per mass.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
   double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
-  /// Energy of the loads that depend on time, minus the energy that they have given.
+  /// Energy of the loads that depend on time, minus the energy that these loads have given.
   double driven(const Motion& m, double t) const;
 };
 
-/// The motion at increasing times. The result at a time does not depend on the times requested before.
+/// The motion of the centre of mass. The result at a time does not depend on the times requested before. An earlier
+/// time may start the integration again.
 class CenterPath {
  public:
   explicit CenterPath(const CenterOfMass& center);
-  CenterPath(const CenterPath&) = delete;  // its integration refers to the law
+  CenterPath(const CenterPath&) = delete;  // the integration has a pointer to the member center_
   CenterPath& operator=(const CenterPath&) = delete;
   ~CenterPath();
 
@@ -53,7 +56,7 @@ class CenterPath {
  private:
   struct Integration;
   CenterOfMass center_;
-  std::unique_ptr<Integration> integration_;  ///< null if the motion is known
+  std::unique_ptr<Integration> integration_;  ///< null if the solution is exact
 };
 
 }  // namespace pseudorigid::reduced

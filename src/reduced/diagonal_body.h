@@ -1,15 +1,15 @@
 #pragma once
-/// The pseudo-rigid body that neither turns nor circulates: if Q₀, Q̇₀, E₀ and the loads are diagonal, Q = diag(a)
-/// for all times, and (5.120) is
+/// The pseudo-rigid body without rotation and circulation. If Q₀, Q̇₀, E₀ and the loads are diagonal, then Q = diag(a)
+/// for all times. The equation of motion (5.120) of pseudo_rigid_body.h is then
 ///
 ///   e_i ä_i = −∂V/∂a_i + Λ/a_i,   ln a₁a₂a₃ = 0,   E₀ = diag(e),
 ///
 ///   Λ = [Σ (ȧ_i/a_i)² + Σ ∂V/∂a_i /(a_i e_i)] / Σ 1/(a_i² e_i).
 ///
-/// Each of them must be diagonal by itself, which the owner of the scene judges (scene/sector.h): loads whose sum is
-/// diagonal at the start turn the body later.
+/// Each load must be diagonal by itself: loads with a diagonal sum at the start may rotate the body later. The caller
+/// checks this condition (scene/sector.h).
 ///
-/// Three numbers instead of nine, and self-gravity has its axes without an eigenvalue problem.
+/// This form has three coordinates instead of nine, and self-gravity needs no eigenvalue problem for the axes.
 
 #include <cassert>
 #include <cmath>
@@ -82,7 +82,7 @@ class DiagonalBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
   double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
-  /// The rotations are not symmetries within these motions; J = Z = 0.
+  /// No symmetries: rotations of space and of the reference ball do not keep Q diagonal. J = Z = 0.
   int n_symmetries() const { return 0; }
   void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {
     da.setZero();
@@ -95,7 +95,7 @@ class DiagonalBody {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
   double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
-  /// The state of this form that begins with (Q, Q̇).
+  /// The state of this form with the same time, Q and Q̇.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     return {motion.t, motion.q.diagonal(), motion.v.diagonal()};
   }

@@ -1,12 +1,13 @@
 #pragma once
-/// Dissipative forces on the pseudo-rigid body, from Rayleigh's function R(Q, Q̇) (PHYSICS section 0; Oliva 5.8):
+/// Dissipative forces on the pseudo-rigid body, from Rayleigh's function R(Q, Q̇) (docs/physics.md, section 0; Oliva
+/// 5.8):
 ///
 ///   objective viscosity (Kelvin–Voigt, σ = 2ηd):  R = η Vol det Q tr d²,   d = sym(Q̇Q⁻¹)
 ///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and keeps the angular momentum J
 ///   linear drag (force density −cρẋ):             R = ½ c tr(Q̇ E₀ Q̇ᵀ)
 ///       −∂R/∂Q̇ = −c Q̇ E₀;  it damps every motion, a rigid spin as well
 ///
-/// Both take the energy 2R per unit of time.
+/// Each force dissipates the power 2R.
 
 #include <Eigen/Dense>
 
@@ -21,7 +22,6 @@ struct Dissipation {
   double viscosity = 0;  ///< η
   double drag = 0;       ///< c
 
-  /// The dissipation of a forcing.
   static Dissipation of(const loads::Forcing& forcing) {
     return {.viscosity = forcing.viscosity, .drag = forcing.drag};
   }

@@ -1,12 +1,12 @@
 #pragma once
-/// The pseudo-rigid body whose energy is not constant: M q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ with dissipation and with loads
-/// V_t(Q, t) that depend on time, together with the energy D that dissipation has taken and the energy W that such
-/// loads have given,
+/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. R is Rayleigh's function
+/// (dissipation.h), and V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the
+/// energy W that these loads have given are integrated with the motion,
 ///
 ///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t,
 ///
-/// written as the velocities of further coordinates of unit mass, s̈ = 2R, so that every method integrates them with its
-/// own order: q = [Q | (s, s', 0)ᵀ], v = [Q̇ | (D, W, 0)ᵀ].
+/// D and W are the velocities of further coordinates of unit mass, s̈ = 2R and s̈' = ∂V_t/∂t. Therefore every method
+/// integrates the energies with its own order: q = [Q | (s, s', 0)ᵀ], v = [Q̇ | (D, W, 0)ᵀ].
 
 #include "loads/list.h"
 #include "mechanics/core/constrained_system.h"
@@ -25,7 +25,7 @@ class DissipativeBody {
   using Workspace = typename Body::Workspace;
   static constexpr int n_constraints = Body::n_constraints;
 
-  /// `driving`: the loads that depend on time.
+  /// `driving` contains the loads that depend on time.
   DissipativeBody(Body body, const Dissipation& dissipation, const loads::Loads& driving = {})
       : body_(std::move(body)), dissipation_(dissipation), driving_(driving), driven_(loads::depend_on_time(driving)) {}
 
@@ -99,13 +99,13 @@ class DissipativeBody {
   }
   void add_taken(double energy, Vector& v) const { v(0, 3) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 3); }
-  /// V_t − W
+  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads have given.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return ExternalPotential(loads::driving(driving_, state.t)).energy(body_.reference(), matrix(state.q)) -
            state.v(1, 3);
   }
-  /// The state of this form that begins with (Q, Q̇).
+  /// The state of this form with the same time, Q and Q̇, and with energies of 0.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
     state.q.leftCols<3>() = motion.q;

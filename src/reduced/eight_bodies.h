@@ -1,10 +1,10 @@
 #pragma once
-/// Eight pseudo-rigid bodies that keep their volume as one system: the product of eight independent systems (5.120),
-/// one in each lane of a SIMD vector. Its vectors are the entries of Q, each for all eight bodies, its multipliers
-/// eight numbers. Methods of fixed step take it as it is; all eight move with one step, and loops that run until a
-/// residual is small enough run until the largest is.
+/// Eight incompressible pseudo-rigid bodies as one system, one body in each lane of a SIMD vector. The equations of
+/// motion of the bodies (pseudo_rigid_body.h) are independent. A vector of the system has the entries of Q for all
+/// eight bodies, and a multiplier has eight numbers. Methods of fixed step can integrate this system without changes.
+/// All bodies have the same step, and an iteration ends when the largest of the eight residuals is small enough.
 ///
-/// The bodies have one law of the material and each its own inertia.
+/// The bodies have one material law, and each body has its own inertia.
 
 #include <cmath>
 
@@ -18,12 +18,12 @@ namespace pseudorigid::reduced {
 
 using BodyLanes = mechanics::Lanes<n_body_lanes>;
 
-/// A number of each body.
+/// One number for each body.
 struct EightNumbers {
   BodyLanes x{0.0};
 };
 
-/// A matrix of each body.
+/// One matrix for each body.
 struct EightMatrices {
   static constexpr int n_entries = 9;
   BodyLanes x[n_entries];
@@ -57,7 +57,7 @@ struct EightMatrices {
   }
 };
 
-/// The greatest of all lanes, a NaN being the greatest of all.
+/// The largest of all lanes. NaN counts as larger than every number.
 [[gnu::always_inline]] inline double greatest(BodyLanes a) {
   const auto of_two = [](auto u, auto v) { return (u > v) | (u != u) ? u : v; };
   const auto four =
@@ -68,7 +68,7 @@ struct EightMatrices {
 
 [[gnu::always_inline]] inline BodyLanes absolute(BodyLanes a) { return a.v < 0.0 ? -a.v : a.v; }
 
-/// ln J as materials::log_near_one has it, J > 0: the series if all are near 1.
+/// ln J for J > 0, as in materials::log_near_one: the series is used if J is near 1 in all lanes.
 [[gnu::always_inline]] inline BodyLanes log_near_one(BodyLanes J) {
   const BodyLanes delta = J - 1.0;
   if (!(greatest(absolute(delta)) <= 0x1p-11)) return log(J);
@@ -146,7 +146,7 @@ class EightBodies {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { set(by_inverse_inertia(tensor(f)), a); }
 
-  /// ln det Q; a NaN if a body is turned inside out, which no iteration takes for met.
+  /// ln det Q for each body. It is NaN for det Q ≤ 0, and no iteration accepts NaN as converged.
   mechanics::Status constraint(const Vector& Q, Multiplier& g) const {
     const BodyLanes J = materials::determinant(tensor(Q));
     g.x = J.v > 0.0 ? log_near_one(J).v : BodyLanes(std::numeric_limits<double>::quiet_NaN()).v;
@@ -173,7 +173,7 @@ class EightBodies {
                materials::dot(cof1, by_inverse_inertia(cof0));
     return {};
   }
-  /// Twice that of a single body: the largest of eight residuals that are at round-off.
+  /// Twice the tolerance of a single body, because the residual is the largest of eight residuals at round-off.
   double constraint_tolerance() const { return 8e-16; }
 
   Vector make_vector() const { return {}; }
@@ -182,7 +182,7 @@ class EightBodies {
 
  private:
   using Tensor = materials::Tensor<BodyLanes>;
-  /// False if the law does not admit the deformation of a body.
+  /// Computes P(F). Returns false if the law does not admit the deformation of one of the bodies.
   using Stress = bool (*)(const materials::AnyLaw&, const Tensor&, Tensor&);
 
   template <class Law>
@@ -214,7 +214,7 @@ class EightBodies {
   Stress stress_;
   BodyLanes volume_;
   Tensor E0_inverse_;
-  bool isotropic_;  // E₀ ∝ Id for all
+  bool isotropic_;  // E₀ ∝ Id for all bodies
 };
 
 }  // namespace pseudorigid::reduced

@@ -1,32 +1,34 @@
 #pragma once
-/// The steady motions of a figure with given semi-axes, in closed form for every isotropic potential on SL(3).
+/// Steady motions of a body with given semi-axes, in closed form for every isotropic potential on SL(3). R is the
+/// residual of steady_motion.h.
 ///
-/// R off the diagonal does not contain the potential: ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j. So (Riemann) ω
-/// and Λ lie along one axis, or in one principal plane, where axes do not coincide.
+/// The entries of R off the diagonal do not contain the potential: ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j. If
+/// the axes are different, ω and Λ therefore lie along one axis or in one principal plane (Riemann).
 ///
-/// Type S, both along axis 3. With V_i = ∂V/∂a_i per m̄, ∂²V[·] likewise, E_ij the matrix with 1 at ij, and
-/// (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁], (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁] (V does not feel turns):
+/// Type S: ω and Λ lie along axis 3. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] be the second derivative per m̄, and E_ij the
+/// matrix with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and
+/// (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The motion has
 ///
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃,
 ///
-/// with nothing divided by the difference of axes. For the neo-Hookean law these are κ and κ/(a₁a₂)³, for a fluid
-/// Riemann's
+/// No term is divided by a difference of axes. For the neo-Hookean law the two right-hand sides are κ = 5μ/(ρr²) and
+/// κ/(a₁a₂)³. For a fluid they are Riemann's, with the symbols A_i, A_ij and B_ij of Chandrasekhar,
 ///
 ///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///
-/// Spheroid a₁ = a₂ turning about axis 3: only Ω = ω − Λ matters, and Λ = 0 is chosen,
+/// Spheroid a₁ = a₂ rotating about axis 3: the motion depends only on Ω = ω − Λ, and Λ = 0 is chosen,
 ///
 ///   Ω² = (1 − a₃²/a₁²) E₃₁:∂²V[E₃₁].
 ///
-/// Types I–III, ω = (0, ω₂, ω₃), Λ = (0, βω₂, γω₃): R₂₃ = R₃₂ = 0 are a₃ − 2a₁β + a₂βγ = 0 = a₂ − 2a₁γ + a₃βγ, so that
-/// p = βγ solves
+/// Types I–III: let ω = (0, ω₂, ω₃) and Λ = (0, βω₂, γω₃). Then R₂₃ = R₃₂ = 0 give a₃ − 2a₁β + a₂βγ = 0 and
+/// a₂ − 2a₁γ + a₃βγ = 0, so that p = βγ satisfies
 ///
-///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁);
+///   a₂a₃(p² + 1) + (a₂² + a₃² − 4a₁²)p = 0,   β = (a₃ + a₂p)/(2a₁),   γ = (a₂ + a₃p)/(2a₁).
 ///
-/// the roots p, 1/p (dual motions) are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types II, III:
-/// Chandrasekhar §51). R_ii = 0 are then linear in ω₂², ω₃², λ.
+/// The roots p and 1/p belong to dual motions. They are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types
+/// II, III: Chandrasekhar §51). The equations R_ii = 0 are then linear in ω₂², ω₃², λ.
 ///
-/// On GL⁺(3) λ = 0: the same formulas, with the size of the figure such that they give this multiplier.
+/// On GL⁺(3) λ = 0. The same formulas hold, with the size of the body such that they give λ = 0.
 
 #include <string>
 
@@ -38,7 +40,7 @@ namespace pseudorigid::reduced {
 
 using mechanics::bracketed_root;
 
-/// E_ij
+/// The matrix with 1 at ij and 0 elsewhere.
 inline Eigen::Matrix3d unit_matrix(int i, int j) {
   Eigen::Matrix3d E = Eigen::Matrix3d::Zero();
   E(i, j) = 1;
@@ -50,14 +52,14 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
 
-/// motion(size · axes, m), which sets m.lambda even if it fails; on GL⁺(3) at the size at which the multiplier is 0,
-/// the nearest to 1.
+/// Calls motion(axes, m), which sets m.lambda even if it fails. On GL⁺(3) it calls motion(size · axes, m), with the
+/// size nearest to 1 at which the multiplier is 0.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
   if (body.incompressible) return motion(axes, m);
   constexpr double factor = 1.05;
-  constexpr int n_factors = 60;  // up to 18 times larger or smaller
+  constexpr int n_factors = 60;  // sizes up to 18 times larger or smaller
   const auto multiplier = [&](double log_size) {
     SteadyMotion trial;
     (void)motion(std::exp(log_size) * axes, trial);
@@ -75,7 +77,7 @@ mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vec
   return mechanics::Status::failure("a free body has no steady motion of this shape at any size");
 }
 
-/// ω² + Λ² and 2ωΛ of a figure that turns and circulates about axis 3, and its multiplier.
+/// ω² + Λ², 2ωΛ and the multiplier of a body with ω and Λ along axis 3.
 struct TypeSSquares {
   double sum, twice_product, lambda;
 };
@@ -87,7 +89,7 @@ TypeSSquares type_s_squares(const IsotropicBody<V>& body, const Eigen::Vector3d&
   return {D(1, 0), D(0, 1) + lambda / (a[0] * a[1]), lambda};
 }
 
-/// The motion of type S with |ω| ≥ |Λ|, ω ≥ 0; its dual has the other order.
+/// The motion of type S with ω ≥ |Λ|. In its dual motion ω and Λ are exchanged.
 template <SmoothPotential V>
 mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const auto [sum, product, lambda] = type_s_squares(body, a);
@@ -105,7 +107,7 @@ mechanics::Status type_s_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// The spheroid a = (a₁, a₁, a₃) that turns about axis 3 as a whole.
+/// The spheroid a = (a₁, a₁, a₃) that rotates about axis 3 without circulation.
 template <SmoothPotential V>
 mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, double a3, SteadyMotion& m) {
   m.A = Eigen::Vector3d(a1, a1, a3).asDiagonal();
@@ -120,8 +122,8 @@ mechanics::Status spheroid_motion(const IsotropicBody<V>& body, double a1, doubl
   return {};
 }
 
-/// The motion of types I–III with ω and Λ in the plane of axes 2 and 3: of the root with |p| ≤ 1, ω₂, ω₃ ≥ 0. Its dual
-/// belongs to the other root.
+/// The motion of types I–III with ω and Λ in the plane of axes 2 and 3, for the root with |p| ≤ 1 and for ω₂, ω₃ ≥ 0.
+/// The dual motion belongs to the other root.
 template <SmoothPotential V>
 mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vector3d& a, SteadyMotion& m) {
   const double half = (4 * a[0] * a[0] - a[1] * a[1] - a[2] * a[2]) / (2 * a[1] * a[2]);  // p + 1/p = 2 half
@@ -150,8 +152,8 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
   return {};
 }
 
-/// The figure with a₂/a₁ that turns about axis 3 without circulation (Jacobi's, for a fluid): the ratio a₃/a₁ at which
-/// 2ωΛ = 0 and ω² > 0, the largest if there are several. Its dual is Dedekind's.
+/// The body with the ratio a₂/a₁ that rotates about axis 3 without circulation (Jacobi's ellipsoid for a fluid). The
+/// ratio a₃/a₁ is the largest one with 2ωΛ = 0 and ω² > 0. The dual motion is Dedekind's ellipsoid.
 template <SmoothPotential V>
 mechanics::Status jacobi_motion(const IsotropicBody<V>& body, double a2_to_a1, SteadyMotion& m) {
   constexpr double factor = 1.1, least_ratio = 1e-4;

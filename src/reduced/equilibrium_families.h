@@ -1,13 +1,14 @@
 #pragma once
-/// Families of steady motions over a range of their parameter, with their stability and special points:
+/// Families of steady motions over a range of a parameter, with stability and special points. Functions, parameters and
+/// motions:
 ///
-///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), spinning elastic spheroids, both together
-///   spheroids_of_spin    Ω                         the same, by Newton's iteration from the sphere on
+///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), elastic spheroids, elastic ones with gravity
+///   spheroids_of_spin    Ω                         the same motions, found by Newton's iteration from the sphere
 ///   jacobi, dedekind     a₂/a₁                     for any potential: figures without circulation, and their duals
 ///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures
 ///   planar               a₂/a₁ at one a₃/a₁        Riemann types I–III, ω and Λ in the plane of axes 2 and 3
 ///
-/// A parameter that has no steady motion is reported with the reason and left out.
+/// A parameter without a steady motion is reported with the reason.
 
 #include <functional>
 #include <string>
@@ -22,11 +23,11 @@ namespace pseudorigid::reduced {
 
 using mechanics::SpecialKind, mechanics::SpecialPoint, mechanics::StabilityAlong;
 
-/// n values from first to last, both included; n = 1: first alone.
+/// n values from first to last, both included. For n = 1 the only value is `first`.
 struct ParameterRange {
   double first, last;
   int n;
-  std::function<bool()> give_up{};  ///< asked before each value, if there is one; the family ends there
+  std::function<bool()> give_up{};  ///< called before each value, if set; true ends the family
   double value(int k) const { return k == 0 ? first : k == n - 1 ? last : first + (last - first) * k / (n - 1); }
 };
 
@@ -46,7 +47,7 @@ struct EquilibriumFamily {
   std::vector<NoEquilibrium> missing;
 };
 
-/// The constant quantity of a family, and the quantity whose extrema are its folds.
+/// The constant quantity of a family, and the quantity whose extrema along the family are folds.
 struct FamilyCurve {
   Target condition;
   Quantity fold_quantity;
@@ -54,7 +55,8 @@ struct FamilyCurve {
 
 namespace detail {
 
-/// Appends the special points between two parameters. motion(p, m) → Status.
+/// Appends the special points between the parameters a and b. motion(p, m) sets m to the motion with parameter p and
+/// returns a Status.
 template <SmoothPotential V, class MotionOfParameter>
 void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
                                double a, double b, EquilibriumFamily& result) {
@@ -92,7 +94,7 @@ void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParam
 
 }  // namespace detail
 
-/// The family p ↦ motion(p, m) → Status.
+/// The family of the motions p ↦ m. motion(p, m) sets m and returns a Status.
 template <SmoothPotential V, class MotionOfParameter>
 EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const ParameterRange& range,
                                      const FamilyCurve& family, const MotionOfParameter& motion) {
@@ -146,7 +148,7 @@ EquilibriumFamily dedekind(const IsotropicBody<V>& body, const ParameterRange& a
   return equilibrium_family(body, a2_to_a1, {{quantities::omega_3, 0}, quantities::Lambda_3}, motion);
 }
 
-/// |ω| ≥ |Λ|; `dual`: the motions with the rates exchanged.
+/// Motions with |ω| ≥ |Λ|. With `dual`, ω and Λ are exchanged.
 template <SmoothPotential V>
 EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -160,7 +162,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// The planar figures of the root |p| ≤ 1 (see ellipsoidal_motions.h); with `dual` of the other root.
+/// Motions with ω and Λ in a principal plane, for the root |p| ≤ 1 (ellipsoidal_motions.h); with `dual`, for the other
+/// root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -174,11 +177,11 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Spheroids by their spin, each found from the one before, in a few steps of the spin; the first from the sphere at
-/// rest. Past the fold of the spin there are none.
+/// Spheroids with given spins. The first motion is found from the sphere at rest and each other motion from the
+/// previous one, by a few steps of the spin. There are no spheroids beyond the fold of the spin.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
-  constexpr int n_steps = 8;  // so that Newton's iteration does not leave for another branch
+  constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch
   SteadyMotion last;
   (void)motion_of_shape(
       body, Eigen::Vector3d::Ones(),

@@ -1,9 +1,9 @@
 #pragma once
-/// All that is reported of one steady motion: its momenta and energies (physical, in internal units),
+/// The reported numbers of one steady motion: its momenta and energies in internal units (not per m̄),
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///
-/// the vorticity of the inner motion, seen from the turning figure, ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j), and its linear
+/// the vorticity of the circulation relative to the rotating body, ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j), and the linear
 /// stability.
 
 #include "reduced/linear_stability.h"
@@ -11,21 +11,21 @@
 namespace pseudorigid::reduced {
 
 struct EquilibriumPoint {
-  double parameter = 0;       ///< of the family
+  double parameter = 0;       ///< parameter of the family
   SteadyMotion motion;        ///< A = diag(a₁, a₂, a₃)
-  Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω, Λ: not sorted
+  Eigen::Vector3d semi_axes;  ///< a₁, a₂, a₃ along the axes 1, 2, 3 of ω and Λ, not sorted
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< J, Z
   Eigen::Vector3d vorticity;                      ///< ζ
-  double residual = 0;                            ///< |R| over the largest of its terms
+  double residual = 0;                            ///< |R| divided by the largest of the terms of R
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }
-  /// Riemann's f = ζ/Ω along axis 3: 0 without inner motion, infinite if the figure does not turn.
+  /// Riemann's f = ζ/Ω along axis 3: 0 without circulation, infinite if the body does not rotate.
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Fails if the linearisation does.
+/// Computes the numbers of the steady motion m. Fails if the linear stability cannot be computed.
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

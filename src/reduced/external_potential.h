@@ -5,7 +5,7 @@
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
 ///
-/// Parts that the forcing lacks cost only a branch.
+/// A part that the forcing does not have costs only a branch.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -24,7 +24,7 @@ class ExternalPotential {
   }
 
   bool present() const { return depends_on_direction() || pressure_ != 0; }
-  /// Whether rotations of the body change it.
+  /// True if V changes under rotations of the body.
   bool depends_on_direction() const { return quadratic_ || nominal_traction_; }
 
   double energy(const ReferenceBody& body, const Eigen::Matrix3d& Q) const {
@@ -48,7 +48,7 @@ class ExternalPotential {
                              Eigen::Matrix3d& D) const {
     if (quadratic_) D += *quadratic_ * H * body.E0;
     if (pressure_ == 0) return;
-    // cof is quadratic: D cof(Q)[H] = cof(Q + H) − cof Q − cof H, here with each product written once.
+    // cof is quadratic: D cof(Q)[H] = cof(Q + H) − cof Q − cof H. The code writes each product of this difference once.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;

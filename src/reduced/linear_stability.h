@@ -1,19 +1,20 @@
 #pragma once
-/// Linear stability of a steady motion. With Q = exp(tω̂)(A + εH)exp(−tΛ̂), (5.120) is to first order
+/// Linear stability of a steady motion (steady_motion.h). With Q = exp(tω̂)(A + εH)exp(−tΛ̂), the equation of motion
+/// (5.120) of pseudo_rigid_body.h is in first order of ε
 ///
 ///   Ḧ + 2(ω̂Ḣ − ḢΛ̂) + (ω̂²H − 2ω̂HΛ̂ + HΛ̂²) + D(∂V)(A)[H]/m̄ + λA⁻ᵀHᵀA⁻ᵀ = δλ A⁻ᵀ,   tr(A⁻¹H) = 0.
 ///
-/// In an orthonormal basis T of the tangent space, H = Ty (8 dimensions; on GL⁺(3) 9), this is
+/// In an orthonormal basis T of the tangent space, H = Ty (8 dimensions; 9 on GL⁺(3)), the equation is
 ///
 ///   ÿ + 2Gẏ + Ky = 0,   G = −Gᵀ,   K = Kᵀ                                 (mechanics/equilibria/linear_stability.h).
 ///
-/// The turns of space and of the reference ball give the invariant space N of
+/// The rotations of space and of the reference ball give the invariant space N of
 ///
 ///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
 ///
-/// whose rates are known (0, ±i|ω|, ±i|Λ|) and say nothing. What is left is the space of fixed J and Z modulo the group
-/// that keeps J and Z; its dimension is 8 for a generic motion, 10 for a spheroid turning about its axis (the symmetry
-/// about it is then no motion of the figure) and for a sphere at rest.
+/// with known rates (0, ±i|ω|, ±i|Λ|) that contain no information on the motion. The remainder is the space of fixed J
+/// and Z modulo the group that keeps J and Z. Its dimension is 8 for a generic motion. It is 10 for a sphere at rest
+/// and for a spheroid that rotates about its axis, whose symmetry about the axis does not move the body.
 
 #include <Eigen/Core>
 #include <utility>
@@ -28,21 +29,21 @@ using mechanics::LinearStability, mechanics::Rate, mechanics::ReducedLinearSyste
 
 namespace detail {
 
-/// Directions of N, and of J and Z, below this part of the largest count as absent.
+/// Directions of N, and momenta J and Z, count as absent if they are less than this part of the largest one.
 inline constexpr double absent = 1e-8;
 
 inline Eigen::Matrix<double, 9, 1> flat(const Eigen::Matrix3d& H) { return H.reshaped(); }
 inline Eigen::Matrix3d unflat(const Eigen::VectorXd& h) { return h.reshaped(3, 3); }
 
-/// T: orthonormal basis of the tangent space.
+/// Orthonormal basis T of the tangent space.
 Eigen::MatrixXd tangent_space(const SteadyMotion& m, bool incompressible);
 
-/// The rotations in the basis T.
+/// Directions of the rotations of space and of the reference ball, in the basis T.
 mechanics::SymmetryDirections turns(const SteadyMotion& m, const Eigen::MatrixXd& T);
 
 }  // namespace detail
 
-/// S and W about a steady motion.
+/// The linear system on the reduced space (mechanics/equilibria/linear_stability.h) for a steady motion.
 template <SmoothPotential V>
 ReducedLinearSystem reduce_linearisation(const IsotropicBody<V>& body, const SteadyMotion& m) {
   using detail::flat, detail::unflat;

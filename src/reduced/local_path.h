@@ -1,6 +1,6 @@
 #pragma once
-/// A stretch of a motion around one of its states, for differences along the path: the states at t + jh, j = −4 … 4,
-/// each from its neighbour by short steps of the classical Runge–Kutta method.
+/// A short piece of a motion around one of its states, for differences along the path: the states at t + jh,
+/// j = −4 … 4. Each state is computed from its neighbour by short steps of the classical Runge–Kutta method.
 
 #include <array>
 
@@ -15,7 +15,7 @@ template <class System>
 mechanics::Status local_path(const System& system, const mechanics::State<System>& state, double h,
                              LocalPath<System>& path) {
   using Vector = typename System::Vector;
-  constexpr int n_substeps = 8;  // error (h/8)⁴ in addition to that of the differences, h⁸
+  constexpr int n_substeps = 8;  // error (h/8)⁴, in addition to the error h⁸ of the differences
   const mechanics::ExplicitMultiplier<System> field(system);
   auto w = field.make_workspace();
   mechanics::Status status;

@@ -1,6 +1,6 @@
 #pragma once
-/// Motions of eight bodies (motions_in_lanes.h), and the eight stages of a Gauss step of one (body_of_stages.h), as
-/// they are compiled for one set of instructions.
+/// Functions compiled for one instruction set: motions of eight bodies (motions_in_lanes.h), and the eight stages of a
+/// Gauss step of one body (body_of_stages.h).
 
 #include "mechanics/core/kernel_builds.h"
 #include "reduced/body_of_stages.h"
@@ -17,10 +17,10 @@ struct MotionKernels {
                        mechanics::GaussStages& stages);
 };
 
-/// Defined by the build, the best first.
+/// The tables of all instruction sets, the fastest first. The build defines this function.
 std::span<const mechanics::KernelBuild<MotionKernels>> builds_of_motion_kernels();
 
-/// Those that this process uses.
+/// The table that this process uses.
 const MotionKernels& motion_kernels();
 
 }  // namespace pseudorigid::reduced

@@ -1,6 +1,6 @@
 #pragma once
-/// Motions of eight pseudo-rigid bodies at a time (eight_bodies.h), compiled for several sets of instructions
-/// (motion_kernels.h). Arguments and results of this interface are plain numbers.
+/// Motions of eight pseudo-rigid bodies at once (eight_bodies.h), compiled for several instruction sets
+/// (motion_kernels.h). The arguments and results of this interface are plain numbers.
 
 #include <array>
 #include <string>
@@ -14,7 +14,7 @@ namespace pseudorigid::reduced {
 
 inline constexpr int n_body_lanes = 8;
 
-/// An entry of a matrix for all bodies, one entry after the other: (entry, body).
+/// The entries of a matrix for all bodies. The values of one entry for the eight bodies are contiguous: [entry][body].
 using MatricesInLanes = std::array<double, 9 * n_body_lanes>;
 
 struct InertiaInLanes {
@@ -24,14 +24,14 @@ struct InertiaInLanes {
 };
 
 struct MotionsInLanes {
-  std::string failure;  ///< failure of one of the bodies, which ends the motions of all; empty if there is none
-  double t = 0;         ///< time reached
+  std::string failure;             ///< reason of the failure of a body, which ends all motions; empty if all succeed
+  double t = 0;                    ///< time reached
   std::vector<MatricesInLanes> q;  ///< at the samples
   std::vector<MatricesInLanes> v;
   mechanics::Counters counters{};
 };
 
-/// Whether bodies in lanes can move by a method: the symmetric multistep methods.
+/// True for the methods that can integrate bodies in lanes: the symmetric multistep methods.
 bool moves_in_lanes(mechanics::MethodId method);
 
 MotionsInLanes motions_in_lanes(const materials::AnyLaw& law, const InertiaInLanes& inertia, const MatricesInLanes& q,

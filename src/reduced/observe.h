@@ -1,7 +1,8 @@
 #pragma once
-/// Observables of the reduced body at one state (reduced.csv), in internal units:
+/// Observables of the pseudo-rigid body at one state (reduced.csv), in internal units. Angular momentum and circulation
+/// are
 ///
-///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (PHYSICS section 1, with general E₀)
+///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (docs/oliva.md, section 1, with general E₀)
 
 #include <algorithm>
 #include <array>
@@ -59,8 +60,8 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
   return {};
 }
 
-/// The bipolar part of the observables, after `observe` has found the multiplier. `before` is the decomposition at the
-/// sample before, if any, and becomes that of this one.
+/// Computes the bipolar observables after `observe` has computed the multiplier. `before` is the decomposition at the
+/// previous sample, if there is one. It is replaced by the decomposition at this sample.
 template <class System>
 mechanics::Status observe_bipolar(const System& system, const mechanics::State<System>& state,
                                   typename System::Workspace& workspace, std::optional<Bipolar>& before,
@@ -77,7 +78,7 @@ mechanics::Status observe_bipolar(const System& system, const mechanics::State<S
   before = b;
 
   LocalPath<System> path;
-  // If two axes come close, the frames can turn as fast as |u| over their distance.
+  // If two axes are close, the frames may rotate at a rate up to |u| divided by the distance of the axes.
   const double gap = std::min({std::abs(b.a[0] - b.a[1]), std::abs(b.a[1] - b.a[2]), std::abs(b.a[2] - b.a[0])});
   const double rate = r.u.norm(), h = 0.02 / (1 + rate + rate / std::max(gap, 1e-4));
   auto force = system.make_vector();

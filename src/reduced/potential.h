@@ -4,8 +4,9 @@
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
-/// with a_i the semi-axes of the ellipsoid Q B, the singular values of Q S, and k = (3/5) G M². Parts that the scene
-/// does not name cost only a branch. A body evaluates V per reference volume, as it does W of a material law:
+/// with Carlson's integral R_F and k = (3/5) G M². The a_i are the semi-axes of the ellipsoid Q B (reference_body.h),
+/// which are the singular values of Q S. A part that is not in the scene costs only a branch. A body evaluates V per
+/// reference volume, like W of a material law:
 ///
 ///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
 
@@ -33,7 +34,7 @@ class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// The part of the forcing that has a potential in Q.
+  /// Uses the part of the forcing that has a potential in Q.
   Potential(const materials::AnyLaw& law, const ReferenceBody& body, const loads::Forcing& forcing = {})
       : law_(law),
         limited_(!materials::limit_of(law).empty()),
@@ -46,7 +47,7 @@ class Potential {
     if (G != 0) gravity_ = gravity::EllipsoidGravity{0.6 * G * body.mass * body.mass};
   }
 
-  /// As of a law, materials/law_limits.h.
+  /// Limits of the material law (materials/law_limits.h).
   bool admits(const Tensor& Q) const { return !limited_ || materials::admits(law_, Q); }
   std::string_view limit() const { return materials::limit_of(law_); }
 
@@ -82,19 +83,19 @@ class Potential {
     return D;
   }
 
-  /// Whether a load breaks the symmetry under rotations of space.
+  /// True if V changes under rotations of space because of a load.
   bool depends_on_direction() const { return external_.depends_on_direction(); }
 
   const materials::AnyLaw& law() const { return law_; }
   const loads::Forcing& forcing() const { return forcing_; }
 
-  /// First Piola–Kirchhoff stress of the material alone.
+  /// First Piola–Kirchhoff stress of the material without loads.
   Eigen::Matrix3d material_stress(const Eigen::Matrix3d& Q) const {
     return materials::to_matrix(std::visit([&](const auto& law) { return law.stress(materials::to_tensor(Q)); }, law_));
   }
 
  private:
-  /// ∂/∂Q of the potential without the stored energy.
+  /// ∂/∂Q of V without the stored energy.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);

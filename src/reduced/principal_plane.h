@@ -1,12 +1,13 @@
 #pragma once
 /// Steady motions as zeros of a function of eight numbers. By Riemann's theorem (ellipsoidal_motions.h) every steady
-/// motion can be turned such that A is diagonal and ω, Λ lie in the plane of axes 2 and 3:
+/// motion can be rotated such that A is diagonal and ω and Λ lie in the plane of axes 2 and 3:
 ///
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).
 ///
-/// The other entries of R vanish for an isotropic potential. Six equations for eight unknowns, with exact derivatives:
-/// the motions are a surface, on which two quantities (axis ratios, spin, momenta, …) single out one.
+/// The other entries of R vanish for an isotropic potential. There are six equations for eight unknowns, with exact
+/// derivatives. Therefore the motions form a surface, and two quantities (axis ratios, spin, momenta, …) select one
+/// motion.
 
 #include <array>
 #include <limits>
@@ -21,7 +22,7 @@ namespace pseudorigid::reduced {
 using PlaneVector = Eigen::Matrix<double, 8, 1>;
 using PlaneMatrix = Eigen::Matrix<double, 8, 8>;
 
-/// u of a motion that is in this form already, and back.
+/// The numbers u of a motion with diagonal A and with ω and Λ in the plane of axes 2 and 3.
 inline PlaneVector plane_coordinates(const SteadyMotion& m) {
   PlaneVector u;
   u << m.A.diagonal().array().log().matrix(), m.omega.tail<2>(), m.Lambda.tail<2>(), m.lambda;
@@ -36,11 +37,11 @@ inline SteadyMotion motion_of(const PlaneVector& u) {
   return m;
 }
 
-/// The motion turned such that A = diag(a) with a > 0 and the plane of ω and Λ is as near as can be to that of axes 2
-/// and 3. A motion in that form is left as it is. Needs det A > 0.
+/// Rotates the motion such that A = diag(a) with a > 0, and permutes the axes such that ω₁² + Λ₁² is least. A motion
+/// with such A and ω₁ = Λ₁ = 0 is not changed. Requires det A > 0.
 SteadyMotion to_principal_plane(const SteadyMotion& m);
 
-/// A quantity of the motion, as a function of u.
+/// A quantity of the motion as a function of u, with its derivatives.
 using PlaneDual = mechanics::Dual<double, 8>;
 using PlaneDuals = mechanics::Coordinates<PlaneDual, 8>;
 using Quantity = PlaneDual (*)(const PlaneDuals&);
@@ -48,7 +49,7 @@ using Quantity = PlaneDual (*)(const PlaneDuals&);
 namespace quantities {
 inline PlaneDual axis_ratio_21(const PlaneDuals& u) { return exp(u[1] - u[0]); }
 inline PlaneDual axis_ratio_31(const PlaneDuals& u) { return exp(u[2] - u[0]); }
-/// e = √(1 − a₃²/a₁²); not differentiable at the sphere
+/// e = √(1 − a₃²/a₁²), which is not differentiable at the sphere.
 inline PlaneDual eccentricity(const PlaneDuals& u) { return sqrt(1.0 - exp(2.0 * (u[2] - u[0]))); }
 inline PlaneDual omega_2(const PlaneDuals& u) { return u[3]; }
 inline PlaneDual omega_3(const PlaneDuals& u) { return u[4]; }
@@ -68,7 +69,7 @@ inline PlaneDual circulation_3(const PlaneDuals& u) {
 
 inline double value_of(Quantity q, const PlaneVector& u) { return q(mechanics::independent<double, 8>(u)).value(); }
 
-/// F minus its prescribed value, and its derivative, for the first six rows.
+/// The first six rows: F, with the prescribed value subtracted, and the derivative DF with respect to u.
 template <SmoothPotential V>
 void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) {
   const SteadyMotion m = motion_of(u);
@@ -95,12 +96,12 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
 
 namespace detail {
 
-/// Newton's step DF⁻¹F without the components of F that are round-off: at a bifurcation they would be divided by a
-/// singular value near 0 and carry the point away along the other branch.
+/// Newton's step DF⁻¹F without the components of F at round-off. At a bifurcation they would be divided by a singular
+/// value near 0 and lead to another branch.
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
-/// Newton's iteration on equations(u, F, DF), until |F| no longer falls; that must be at round-off of terms of size
-/// `scale`. Steps are limited, so that axes stay in range.
+/// Newton's iteration on equations(u, F, DF), until |F| no longer decreases. It succeeds if |F| is then at the
+/// round-off of terms of size `scale`. The step length is limited, so that the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;
@@ -125,7 +126,7 @@ mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVe
                                     mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Size of the terms of F.
+/// Size of the terms of F, for the comparison with |F|.
 template <SmoothPotential V>
 double equations_scale(const IsotropicBody<V>& body, const PlaneVector& u) {
   const SteadyMotion m = motion_of(u);
@@ -139,8 +140,8 @@ struct Target {
   double value;
 };
 
-/// The steady motion near `motion` with the two quantities. If they do not single out one (on a fold, at a
-/// bifurcation) the iteration fails, or finds a neighbour.
+/// Finds the steady motion near `motion` with the two values of `targets`. At a fold or a bifurcation these may not
+/// determine one motion. Then the iteration fails or finds a neighbouring motion.
 template <SmoothPotential V>
 mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,
                                      SteadyMotion& motion) {

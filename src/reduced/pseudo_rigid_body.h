@@ -1,12 +1,12 @@
 #pragma once
 /// The pseudo-rigid body (Dirichlet–Riemann; Oliva 5.7): x = Q X, Q ∈ SL(3) or GL⁺(3),
 ///
-///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or with gravity and loads that of potential.h,
+///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or V of potential.h with gravity and loads,
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
-/// On SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²), so that
-/// G M⁻¹ Gᵀ Λ = r is one division: tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The book's multiplier per m̄ is λ = Λ/m̄.
-/// On GL⁺(3) there is no constraint and nothing of this remains.
+/// On SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). Therefore
+/// G M⁻¹ Gᵀ Λ = r needs only one division: tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva, per m̄, is λ = Λ/m̄.
+/// On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -25,8 +25,8 @@
 
 namespace pseudorigid::reduced {
 
-/// `EnergyDensity` is V per reference volume, energy(Q) with its derivative stress(Q): a material law, where stored
-/// energy is all there is, or reduced::Potential.
+/// `EnergyDensity` has V per reference volume, energy(Q), and its derivative stress(Q). It is reduced::Potential, or a
+/// material law if V is the stored energy alone.
 template <class EnergyDensity, bool incompressible>
 class PseudoRigidBody {
   static constexpr bool has_parts = std::is_same_v<EnergyDensity, Potential>;
@@ -56,7 +56,7 @@ class PseudoRigidBody {
       of_stages_ = body_of_stages(density_, body, incompressible, isotropic_);
   }
 
-  /// Q̈ of (5.120) with its multiplier, from one cofactor matrix C = cof Q = J Q⁻ᵀ:
+  /// Computes Q̈ of (5.120) with its multiplier, from one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
   ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
   mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
@@ -98,7 +98,7 @@ class PseudoRigidBody {
     if constexpr (incompressible) g = materials::log_near_one(J);
     return {};
   }
-  /// ln det(Q + Q_rounding) to about 1e-19.
+  /// ln det(Q + Q_rounding) with an error of about 1e-19.
   mechanics::Status constraint(const Vector& Q, const Vector& Q_rounding, Multiplier& g) const requires incompressible {
     materials::Tensor<long double> q;
     for (int i = 0; i < 3; ++i)
@@ -127,12 +127,12 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// f = Gᵀλ for λ = 1, without other forces.
+  /// f = Gᵀλ for λ = 1.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
   }
-  /// d/dt of the reaction along Q̇ = v:  (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
+  /// Adds the time derivative of the reaction Gᵀλ along Q̇ = v: (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
   void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) {
       const Eigen::Matrix3d inverse_transposed = Q.inverse().transpose();
@@ -151,7 +151,7 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// Round-off of ln det Q; bodies with large axis ratios stop at the round-off that they have (ConvergenceMonitor).
+  /// Round-off of ln det Q. For large axis ratios the round-off is larger, and ConvergenceMonitor detects it.
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }
@@ -167,9 +167,9 @@ class PseudoRigidBody {
   }
   double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
-  /// Turns of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i), which
-  /// is a symmetry if E₀ ∝ Id and the law is isotropic. External loads leave the turns of space that leave them
-  /// unchanged, of which methods need not know.
+  /// Rotations of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i). The
+  /// latter are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on direction, the number is 0: some
+  /// rotations may still be symmetries, but methods do not need them.
   int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
@@ -187,7 +187,7 @@ class PseudoRigidBody {
   double m_bar() const { return m_bar_; }
   const Eigen::Matrix3d& E0() const { return E0_; }
 
-  /// Cauchy stress of the homogeneous state, σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q; λ is the multiplier per m̄.
+  /// Cauchy stress of the homogeneous state, σ = (P − (Λ/Vol) Q⁻ᵀ) Qᵀ / det Q. `lambda` is the multiplier per m̄.
   Eigen::Matrix3d cauchy_stress(const Vector& Q, double lambda) const {
     Eigen::Matrix3d P;
     if constexpr (has_parts)
@@ -197,15 +197,15 @@ class PseudoRigidBody {
     return (P * Q.transpose() - lambda * m_bar_ / volume_ * Eigen::Matrix3d::Identity()) / Q.determinant();
   }
 
-  /// Error with reason if Q is not a deformation of this body.
+  /// Returns a failure with the reason if Q is not an admissible deformation of this body.
   mechanics::Status admissible(const Vector& Q) const {
     const Tensor q = materials::to_tensor(Q);
     const double J = materials::determinant(q);
     return admissible(q, J) ? mechanics::Status() : inadmissible(J);
   }
 
-  /// The interface of several forms of the same body (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇), and
-  /// the dissipated energy.
+  /// The interface that all forms of the body have (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇), and the
+  /// dissipated energy.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }
@@ -242,7 +242,7 @@ class PseudoRigidBody {
 
   static bool has_volume(double J) { return J > 0 && std::isfinite(J); }
   bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
-  /// Apart from the steps' path: a message costs more than a right-hand side.
+  /// A separate function, because the code that makes the message would slow down the evaluation of the force.
   [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       mechanics::six_digits(J));

@@ -1,10 +1,10 @@
 #pragma once
-/// The reference body B of x = Q X: its inertia E₀ = ∫ρXXᵀdV (Oliva 5.7.2), volume and mass, and the linear map S that
-/// takes the unit ball to B if B is an ellipsoid, so that Q B is the ellipsoid with the principal axes of Q S.
+/// The reference body B of x = Q X: its inertia E₀ = ∫ρXXᵀdV (Oliva 5.7.2), volume and mass. If B is an ellipsoid, the
+/// linear map S takes the unit ball to B. The ellipsoid Q B then has the principal axes of Q S.
 ///
 ///   ball of radius r:  E₀ = (4/15)πρr⁵ Id,     ellipsoid:  E₀ = (M/5) SSᵀ,   M = (4/3)πρ det S
 ///
-/// All in internal units, ρ = 1.
+/// All quantities are in internal units, ρ = 1.
 
 #include <Eigen/Dense>
 #include <numbers>
@@ -15,7 +15,7 @@ struct ReferenceBody {
   Eigen::Matrix3d E0;
   double volume;
   double mass = volume;                                 ///< ρ = 1
-  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; of another body, that of the ellipsoid with its E₀
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; for another body, S of the ellipsoid with the same E₀
 
   /// The ball of the internal units: r = ρ = 1.
   static ReferenceBody unit_ball() {
@@ -27,7 +27,7 @@ struct ReferenceBody {
     const double volume = 4.0 / 3.0 * std::numbers::pi * a.prod();
     return {volume / 5 * Eigen::Matrix3d(a.cwiseAbs2().asDiagonal()), volume, volume, a.asDiagonal()};
   }
-  /// Any other body, of which only inertia and volume are known. E₀ is symmetric and positive definite.
+  /// A body of any shape with this inertia and volume. E₀ must be symmetric and positive definite.
   static ReferenceBody of_inertia(const Eigen::Matrix3d& E0, double volume);
 };
 

@@ -13,21 +13,22 @@
 namespace pseudorigid::reduced {
 namespace {
 
-/// A volume ratio below which a compressible body counts as collapsed: laws that admit vanishing volumes have critical
+/// A compressible body with a smaller volume ratio counts as collapsed. Laws that admit such ratios have critical
 /// points at det Q = 0, which are not deformations.
 constexpr double collapsed = 1e-8;
 
 Eigen::VectorXd column_of(const Eigen::Matrix3d& A) { return A.reshaped(); }
 Eigen::Matrix3d basis_matrix(Eigen::Index k) { return Eigen::Matrix<double, 9, 1>::Unit(k).reshaped(3, 3); }
 
-/// A rotation of uniform measure from three numbers in [0, 1) (Shoemake, Graphics Gems III, 1992).
+/// A random rotation, uniformly distributed, from three random numbers in [0, 1) (Shoemake, Graphics Gems III, 1992).
 Eigen::Matrix3d uniform_rotation(const std::function<double()>& uniform) {
   const double u = uniform(), a = 2 * std::numbers::pi * uniform(), b = 2 * std::numbers::pi * uniform();
   const double p = std::sqrt(1 - u), q = std::sqrt(u);
   return Eigen::Quaterniond(p * std::sin(a), p * std::cos(a), q * std::sin(b), q * std::cos(b)).toRotationMatrix();
 }
 
-/// The critical points of P̄:R on the rotations: with P̄ = U diag(σ) Vᵀ the four R = U diag(±1) Vᵀ of determinant 1.
+/// The critical points of P̄:R among the rotations R. With P̄ = U diag(σ) Vᵀ, they are the four R = U diag(±1) Vᵀ with
+/// det R = 1.
 std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(P, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() > 0 ? 1 : -1;
@@ -37,7 +38,7 @@ std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   return rotations;
 }
 
-/// |ln S|
+/// |ln S| with the singular values S of Q.
 double log_stretch(const Eigen::Matrix3d& Q) { return mechanics::singular_values(Q).array().log().matrix().norm(); }
 
 }  // namespace
@@ -102,7 +103,7 @@ mechanics::Status StaticLandscape::damping(const Vector& q, Matrix& C) const {
   return {};
 }
 
-/// dV/ds at Q = R₁ exp(s diag(d)) R₂; of (R₁, R₂, d) quaternions and a vector of any length.
+/// dV/ds at Q = R₁ exp(s diag(d)) R₂. `direction` has the quaternions of R₁ and R₂, and a vector of any length along d.
 double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction) const {
   const auto rotation = [&](Eigen::Index first) {
     return Eigen::Quaterniond(Eigen::Vector4d(direction.segment<4>(first))).normalized().toRotationMatrix();
@@ -112,14 +113,14 @@ double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction
   d.normalize();
   const Eigen::Vector3d S = (s * d).array().exp();
   const Eigen::Matrix3d R1 = rotation(0), R2 = rotation(4), Q = R1 * S.asDiagonal() * R2;
-  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // V is infinite there
+  if (!materials::admits(potential_, materials::to_tensor(Q))) return HUGE_VAL;  // V is infinite at Q
   return potential_.gradient(Q).cwiseProduct(R1 * S.cwiseProduct(d).asDiagonal() * R2).sum();
 }
 
 bool StaticLandscape::rises_at(double s) const {
   constexpr int n_descents = 64, n_steps = 60;
   std::mt19937_64 generator(1);
-  const auto irregular = [&] {  // in (−1, 1), the same everywhere
+  const auto irregular = [&] {  // random numbers in (−1, 1), the same on every machine
     return Eigen::VectorXd(
         Eigen::VectorXd::NullaryExpr(11, [&] { return 2 * static_cast<double>(generator() >> 11) * 0x1p-53 - 1; }));
   };

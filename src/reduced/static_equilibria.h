@@ -1,15 +1,14 @@
 #pragma once
-/// The pseudo-rigid body at rest: critical points of its potential energy on SL(3) or GL⁺(3) (Oliva 5.8 applied
-/// to 5.7),
+/// The pseudo-rigid body at rest: critical points of its potential energy on SL(3) or GL⁺(3) (Oliva 5.7 and 5.8),
 ///
-///   ∂V/∂Q = Λ Q⁻ᵀ,   ln det Q = 0     (on GL⁺(3): Λ = 0 in place of the second)
+///   ∂V/∂Q = Λ Q⁻ᵀ,   ln det Q = 0     (on GL⁺(3), Λ = 0 replaces the second equation)
 ///
-/// with the second derivative of V − Λ ln det along H, the metric and the damping at rest,
+/// The second derivative of V − Λ ln det along H, the metric and the damping at rest are
 ///
 ///   D(∂V)(Q)[H] + Λ Q⁻ᵀHᵀQ⁻ᵀ,   ⟨H, H⟩ = tr(H E₀ Hᵀ),   −C H = −∂R/∂Q̇ at Q̇ = H.
 ///
-/// All are exact. Morse index, nullity and rates are those of mechanics/equilibria/critical_point.h: a body that may be
-/// turned, in space or within, without a change of V has a nullity for that.
+/// These derivatives are exact. Morse index, nullity and rates are defined in mechanics/equilibria/critical_point.h. If
+/// rotations of space or of the reference body do not change V, the nullity counts these rotations.
 
 #include <Eigen/Dense>
 
@@ -22,7 +21,7 @@
 
 namespace pseudorigid::reduced {
 
-/// V on the matrices Q, whose columns stand one below the other in vectors of 9 entries.
+/// The landscape of V on the matrices Q. A vector has 9 entries, the columns of Q one after the other.
 class StaticLandscape {
  public:
   using Vector = Eigen::VectorXd;
@@ -44,8 +43,9 @@ class StaticLandscape {
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
-  /// Whether V rises outwards where |ln S| = s > 0, Q = R₁ S R₂ with S diagonal: looked for by 64 descents to the least
-  /// slope over the directions of S and both rotations.
+  /// True if V increases with s everywhere on the surface |ln S| = s > 0, with Q = R₁ S R₂ and S diagonal. 64 random
+  /// descents over the directions of ln S and both rotations search for a negative slope. If they find none, the result
+  /// is true.
   bool rises_at(double s) const;
 
  private:
@@ -58,15 +58,15 @@ class StaticLandscape {
   bool incompressible_;
 };
 
-/// Whether Morse's count (mechanics/equilibria/morse_count.h) says that equilibria are missing among these. SL(3) and
-/// GL⁺(3) retract along the stretches to SO(3), and so does each of their parts |ln S| ≤ s, whose Betti numbers over
-/// Z/2 are 1, 1, 1, 1: if V rises at such a boundary around the points, there is at least one each of index 0 to 3,
-/// and the numbers of even and odd index are equal. That holds for every law and load. It cannot judge degenerate
-/// points, as those of a body that may be turned without a change of V, nor if V falls outwards.
+/// True if Morse's count (mechanics/equilibria/morse_count.h) shows that some equilibria are not among these points.
+/// The parts |ln S| ≤ s of SL(3) and GL⁺(3) have SO(3) as a deformation retract, with the Betti numbers 1, 1, 1, 1 over
+/// Z/2. If V increases outwards at such a boundary around all points, there is at least one point of each index 0 to 3.
+/// The numbers of points of even and odd index are then equal. This holds for every law and load. The result is false
+/// if a point is degenerate, as for rotations that do not change V, or if V decreases outwards.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
-/// A search that starts from Q = Id, from the four rotations that a dead traction leaves at rest in a body that is
-/// almost rigid, and then from Q = R₁ diag(exp s) R₂ with rotations and |s_i| < 1.5 by chance.
+/// A search with random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. It begins at Q = Id. If
+/// there is a dead traction, the four rotations at which an almost rigid body is in equilibrium come next.
 mechanics::CriticalPointSearch static_search(bool incompressible, const Eigen::Matrix3d& nominal_traction,
                                              int n_starts);
 

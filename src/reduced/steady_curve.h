@@ -1,14 +1,15 @@
 #pragma once
-/// Curves of steady motions: the six equations of principal_plane.h and one condition c(u) = value (Λ₃ = 0, a
-/// circulation, an axis ratio, …) leave one dimension of the eight, DF t = 0, |t| = 1. A fold of a quantity q along the
-/// curve is where ∇q·t = 0, with exact derivatives.
+/// Curves of steady motions. The six equations of principal_plane.h and one condition c(u) = value (Λ₃ = 0, a
+/// circulation, an axis ratio, …) for eight unknowns define a curve. With the derivative DF of these seven equations,
+/// its tangent t satisfies DF t = 0, |t| = 1. A fold of a quantity q is a point of the curve with ∇q·t = 0. The
+/// derivatives are exact.
 
 #include "reduced/principal_plane.h"
 
 namespace pseudorigid::reduced {
 
-/// The null direction of the first seven rows, the one of their smallest singular value, and that value over the
-/// largest one. At a point where another curve crosses both directions are null.
+/// The null direction of the first seven rows of DF, the direction of their smallest singular value, and this value
+/// divided by the largest one. At a crossing with another curve both directions are null.
 struct NullDirections {
   PlaneVector first, second;
   double second_singular_value;
@@ -23,7 +24,7 @@ class SteadyCurve {
 
   const IsotropicBody<V>& body() const { return body_; }
 
-  /// Rows 0–5: F; row 6: the condition; row 7 is left free.
+  /// Rows 0–5 are F, row 6 is the condition, and row 7 is not set.
   void evaluate(const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) const {
     steady_equations(body_, u, F, DF);
     const PlaneDual c = condition_.quantity(mechanics::independent<double, 8>(u));
@@ -31,7 +32,7 @@ class SteadyCurve {
     DF.row(6) = c.derivatives().transpose();
   }
 
-  /// The unit tangent of the curve at u, turned to `along`.
+  /// The unit tangent of the curve at u, with a positive component along `along`.
   PlaneVector tangent_at(const PlaneVector& u, const PlaneVector& along) const {
     PlaneVector F;
     PlaneMatrix DF;
@@ -39,7 +40,8 @@ class SteadyCurve {
     return tangent(DF, along);
   }
 
-  /// The same for the derivatives DF. If another curve crosses, this curve continues along `along`.
+  /// The same for given derivatives DF. At a crossing with another curve, the tangent is the null direction nearest to
+  /// `along`.
   static PlaneVector tangent(const PlaneMatrix& DF, const PlaneVector& along) {
     constexpr double crossing = 1e-6;
     const NullDirections null = null_directions(DF);

@@ -1,16 +1,18 @@
 #pragma once
-/// Steady motions (relative equilibria) of the pseudo-rigid body with E₀ = m̄ Id under an isotropic potential,
-/// V(RQS) = V(Q) for rotations R, S (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium, ch. 7; Oliva
-/// 5.7.8):
+/// Steady motions (relative equilibria) of the pseudo-rigid body with E₀ = m̄ Id. The potential is isotropic,
+/// V(RQS) = V(Q) for rotations R, S. A steady motion (Riemann 1861; Chandrasekhar, Ellipsoidal Figures of Equilibrium,
+/// ch. 7, and Oliva 5.7.8) is
 ///
-///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant:
+///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// the figure AB turns at ω in space while matter circulates in it at −Λ. (5.120) asks for
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates at the rate ω in space, and matter
+/// circulates in the ellipsoid at the rate −Λ. The equation of motion (5.120) of pseudo_rigid_body.h requires
 ///
-///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3): λ = 0 in place of the second)
+///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
-/// Turning space and the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, makes A = diag(a₁, a₂, a₃). The motion Q(t)ᵀ,
-/// (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is steady too (Dedekind's duality); its J and Z are −Z and −J of this one.
+/// Rotations U of space and V of the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, make A = diag(a₁, a₂, a₃). The
+/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). Its momenta J and Z are −Z and
+/// −J of Q(t).
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -24,7 +26,7 @@
 
 namespace pseudorigid::reduced {
 
-/// V with its exact first and second derivatives, physical (not per m̄).
+/// A potential V(Q) with exact first and second derivatives, not divided by m̄.
 template <class V>
 concept SmoothPotential = requires(const V potential, const Eigen::Matrix3d Q, const Eigen::Matrix3d H) {
   { potential.energy(Q) } -> std::convertible_to<double>;
@@ -32,7 +34,7 @@ concept SmoothPotential = requires(const V potential, const Eigen::Matrix3d Q, c
   { potential.second_derivative(Q, H) } -> std::convertible_to<Eigen::Matrix3d>;  // D(∂V)(Q)[H]
 };
 
-/// A body with E₀ = m̄ Id and an isotropic potential. `potential` is referred to and must outlive the body.
+/// A body with E₀ = m̄ Id and an isotropic potential. The body has a reference to `potential`, which must outlive it.
 template <SmoothPotential V>
 struct IsotropicBody {
   const V& potential;
@@ -44,7 +46,7 @@ struct IsotropicBody {
   Eigen::Matrix3d second_derivative(const Eigen::Matrix3d& A, const Eigen::Matrix3d& H) const {
     return potential.second_derivative(A, H) / m_bar;
   }
-  /// Whether the law of the material admits A.
+  /// Fails if the material law does not admit A.
   mechanics::Status admissible(const Eigen::Matrix3d& A) const {
     if (materials::admits(potential, materials::to_tensor(A))) return {};
     return mechanics::Status::failure(materials::beyond_limit(materials::limit_of(potential)));
@@ -83,7 +85,7 @@ struct SteadyMotion {
 
 namespace detail {
 
-/// ω̂²X − 2ω̂XΛ̂ + XΛ̂²: the acceleration of exp(tω̂) X exp(−tΛ̂), X constant, seen in the co-moving frame.
+/// ω̂²X − 2ω̂XΛ̂ + XΛ̂²: the acceleration of exp(tω̂) X exp(−tΛ̂), X constant, in the co-moving frame.
 inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const Eigen::Vector3d& Lambda,
                                            const Eigen::Matrix3d& X) {
   const Eigen::Matrix3d w = mechanics::cross_matrix(omega), l = mechanics::cross_matrix(Lambda);
@@ -92,14 +94,14 @@ inline Eigen::Matrix3d steady_acceleration(const Eigen::Vector3d& omega, const E
 
 }  // namespace detail
 
-/// R, per m̄.
+/// The residual R per m̄.
 template <SmoothPotential V>
 Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return detail::steady_acceleration(m.omega, m.Lambda, m.A) + body.gradient(m.A) -
          m.lambda * m.A.inverse().transpose();
 }
 
-/// The largest of the terms of R, with which |R| is compared.
+/// The largest of the terms of R, for the comparison with |R|.
 template <SmoothPotential V>
 double steady_residual_scale(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return std::max({(m.omega.squaredNorm() + m.Lambda.squaredNorm()) * m.A.norm(), body.gradient(m.A).norm(),

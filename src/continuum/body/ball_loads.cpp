@@ -5,7 +5,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX: the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, where d = F = Id, with 2η = −1.
+/// ∫∇φ_n dX. It is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with d = F = Id and 2η = −1.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();
@@ -13,7 +13,7 @@ Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) 
   return gradients;
 }
 
-/// A a_n at every node.
+/// A a_n at every node n.
 Vector at_nodes(const Eigen::Matrix3d& A, const Vector& a) {
   Vector result = a;
   for (unsigned int i = 0; i < a.locally_owned_size(); i += 3)
@@ -70,7 +70,8 @@ void LoadForces::add_body_forces(const loads::Forcing& forcing, const Vector& x,
     }
 }
 
-/// The viscous force −2η∫J d F⁻ᵀ∇φ_n of ẋ = x, for which d = Id, with 2η = p.
+/// Adds the force of the pressure. It equals the viscous force −2η∫J d F⁻ᵀ∇φ_n of the velocity ẋ = x with 2η = p,
+/// because then d = Id.
 void LoadForces::add_pressure(double pressure, const Vector& x, Vector& f) const {
   if (pressure != 0) kernels_.add_viscous_force(pressure / 2, x, x, f);
 }
@@ -91,7 +92,7 @@ double LoadForces::driving_power(const loads::Forcing& rate, const Vector& x) co
              x_n.dot(rate.nominal_traction * gradient);
   }
   if (rate.pressure == 0) return power;
-  // V = ∫J dX is homogeneous of degree 3 in x, and so is a third of its own gradient times x.
+  // V = ∫J dX is homogeneous of degree 3 in x. Therefore V = x·∇V/3 by Euler's theorem.
   Vector force = space_.make_vector();
   add_pressure(rate.pressure, x, force);
   for (unsigned int i = 0; i < x.locally_owned_size(); ++i) power -= force.local_element(i) * x.local_element(i) / 3;

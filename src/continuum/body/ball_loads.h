@@ -1,6 +1,7 @@
 #pragma once
-/// The loads on the finite-element ball (loads/forcing.h), node by node with the lumped mass, so that the motions x =
-/// QX have exactly the forces of the pseudo-rigid body (reduced/external_potential.h, reduced/dissipation.h):
+/// The loads on the finite-element ball (loads/forcing.h). Forces per mass use the lumped mass of the nodes. Therefore
+/// motions x = QX have exactly the forces of the pseudo-rigid body (reduced/external_potential.h,
+/// reduced/dissipation.h):
 ///
 ///   quadratic potential ½ xᵀTx per mass     f_n = −m_n T x_n               V = ½ Σ m_n x_nᵀTx_n
 ///   uniform acceleration b                  f_n = m_n b                    V = −Σ m_n b·x_n
@@ -9,9 +10,9 @@
 ///   objective viscosity σ = 2ηd             f_n = −∫2ηJ d F⁻ᵀ∇φ_n dX,   d = sym(∇ẋ F⁻¹)
 ///   drag, force density −cρẋ                f_n = −c m_n ẋ_n
 ///
-/// The last two take the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|², and a load that depends on time gives the power ∂V/∂t: the
-/// node BallSpace::account has both as its forces, so that its velocity is (D, W, 0), the energy taken and given. All
-/// in internal units.
+/// Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time gives the power
+/// ∂V/∂t. Both powers are forces on the node BallSpace::account, whose velocity (D, W, 0) therefore has the dissipated
+/// and the given energy. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -21,7 +22,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The forces of the loads on the nodes of a space. A load that is zero costs one branch.
+/// The forces of the loads on the nodes of a space. A load of zero costs only a branch.
 class LoadForces {
  public:
   LoadForces(const loads::Loads& loads, const BallSpace& space, const CellKernels& kernels);
@@ -29,15 +30,16 @@ class LoadForces {
   bool dissipative() const { return constant_.dissipative(); }
   bool time_dependent() const { return driven_; }
 
-  /// f ← f + loads, with the powers of the whole ball at BallSpace::account.
+  /// f ← f + loads, with the powers of the whole ball at the node BallSpace::account.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f + the forces of viscosity and drag; returns the power that they take, over the cells and nodes of this rank.
+  /// f ← f + viscous force and drag. Returns the power that they dissipate in the cells and nodes of this rank.
   double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
-  /// V of the whole ball, from Σ m xxᵀ, Σ m x and ∫F dX over it and its volume.
+  /// V of the whole ball from its integrals Σ m xxᵀ, Σ m x and ∫F dX and its volume.
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
-  /// For a space with loads that depend on time: f ← f − ∂V/∂x, and ∂V/∂t from the rate over the nodes of this rank.
+  /// For loads that depend on time. add_driving: f ← f − ∂V/∂x. driving_power: ∂V/∂t over the nodes of this rank, from
+  /// the rates of the loads.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 
@@ -46,11 +48,11 @@ class LoadForces {
   void add_pressure(double pressure, const Vector& x, Vector& f) const;
 
   loads::Loads loads_;
-  loads::Forcing constant_;  ///< the loads that do not depend on time
-  bool driven_;              ///< there are others
+  loads::Forcing constant_;  ///< loads that do not depend on time
+  bool driven_;              ///< some loads depend on time
   const BallSpace& space_;
   const CellKernels& kernels_;
-  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX, where loads depend on time
+  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX, if loads depend on time
   std::optional<Vector> traction_;   ///< P̄ ∫∇φ_n dX
 };
 

@@ -3,7 +3,7 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads,
 ///
-/// whose restriction to x = QX is the pseudo-rigid body on GL⁺(3). No pressure and no Gram solver are made.
+/// The restriction to motions x = QX is the pseudo-rigid body on GL⁺(3). This ball has no pressure and no Gram solver.
 
 #include "continuum/body/ball_body.h"
 #include "mechanics/core/unconstrained.h"

@@ -95,7 +95,7 @@ double ContactForces::add_damping(const Vector& x, const Vector& v, Vector& f) c
     for (const Face& face : faces_) {
       const MatrixXd nodal = along(plane, plane.position, face, x);
       if (plane.damping == 0 || !may_touch(nodal)) continue;
-      const MatrixXd rates = -at_points(along(plane, 0, face, v));  // ḋ
+      const MatrixXd rates = -at_points(along(plane, 0, face, v));  // ḋ, the rate of the penetration
       const MatrixXd pressures = -plane.stiffness * plane.damping *
                                  face.weights.cwiseProduct(at_points(nodal).cwiseMin(0)).cwiseProduct(rates);
       power += pressures.cwiseProduct(rates).sum();

@@ -1,15 +1,17 @@
 #pragma once
-/// Contact of the finite-element ball with rigid planes (loads/plane.h), by Gauss points on the faces of the free
+/// Contact of the finite-element ball with rigid planes (loads/plane.h), by Gauss quadrature on the faces of the free
 /// surface:
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ φ_m x_m,   f_m = −∂V/∂x_m = Σ w k d n φ_m,
 ///
-/// w the reference area of a point. The sums are factorised on each face. Faces that no polynomial through their nodes
-/// brings to the plane are left out. With the Lebesgue constant Λ of the nodes at the points,
+/// with the stiffness k of a plane n·x = z₀ and the reference area w of a point. The sums are factorised on each face.
+/// A face is skipped if no polynomial through its nodes can reach the plane. With the Lebesgue constant Λ of the nodes
+/// at the points, and the maximum and minimum of n·x at the nodes of the face,
 ///
-///   n·x ≥ (max + min)/2 − Λ² (max − min)/2   over the nodes of the face.
+///   n·x ≥ (max + min)/2 − Λ² (max − min)/2.
 ///
-/// A sector has the contact of its own points; the planes as a whole are symmetric to its planes of reflection.
+/// In a sector, the forces act on the points of the sector only. The set of planes must have the symmetry of the
+/// sector.
 
 #include <Eigen/Core>
 #include <vector>
@@ -19,7 +21,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Points in a direction of a face: 2(k + 1), more than the nodes, since the edge of the contact is within faces.
+/// Number of points in each direction of a face: 2(k + 1). It exceeds the number of nodes, because the edge of the
+/// contact area lies inside faces.
 int n_contact_points(const BallSpace& space);
 
 class ContactForces {
@@ -28,17 +31,17 @@ class ContactForces {
 
   /// f ← f − ∂V/∂x. Collective.
   void add(const Vector& x, Vector& f) const;
-  /// f ← f + the force of the damping; returns the power that it takes from the computed sector. Collective.
+  /// f ← f + damping force. Returns the power that this force dissipates in the computed sector. Collective.
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x − x₀|², as if planes on all sides held every point at x₀. Collective.
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|², as if planes on all sides held every point of the surface at x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
-  /// The contact of the whole ball. Collective.
+  /// Contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;
 
  private:
   struct Face {
-    std::vector<unsigned int> nodes;  ///< [j·n + i], i along p
-    Eigen::MatrixXd weights;          ///< reference area of the points: [p][q]
+    std::vector<unsigned int> nodes;  ///< [j·n + i], with i along direction p
+    Eigen::MatrixXd weights;          ///< reference areas of the points: [p][q]
   };
 
   /// n·u − offset at the nodes of a face.
@@ -48,7 +51,7 @@ class ContactForces {
     return half.lazyProduct(values_.transpose());
   }
   bool may_touch(const Eigen::MatrixXd& heights) const;
-  /// f ← f + the forces of pressures w p at the points along n.
+  /// f_m ← f_m + Σ_points w p φ_m n, with w p in `pressures`.
   void spread(const Eigen::MatrixXd& pressures, const Eigen::Vector3d& normal, const Face& face, Vector& f) const;
 
   loads::Planes planes_;

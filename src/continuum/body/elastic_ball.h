@@ -3,9 +3,10 @@
 ///
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// A pressure on the surface is carried by the constraint and is not a force here. λ_h ∈ discontinuous P_{k−1} is the
-/// Kirchhoff pressure Jp. With ln J in place of J − 1 the second variation of the constraint has no (div u)² term, and
-/// the discrete motion does not depend on the hydrostatic gauge of W.
+/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
+/// λ_h is the Kirchhoff pressure Jp. It is discontinuous and belongs to P_{k−1} on each cell. The constraint uses ln J
+/// instead of J − 1. Therefore its second variation has no (div u)² term, and the discrete motion does not change if a
+/// multiple of ln J is added to W.
 
 #include <cmath>
 #include <optional>
@@ -22,7 +23,7 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< sufficient residual for the caller of solve_gram, Euclidean norm
+    double residual_sought = 0;       ///< residual that suffices for the caller of solve_gram, Euclidean norm
     const Vector* held_at = nullptr;  ///< BallBody::applied_force
 
     template <class Visit>
@@ -32,7 +33,7 @@ class ElasticBall : public BallBody {
   };
   static constexpr int n_constraints = mechanics::dynamic_constraints;
 
-  /// As BallBody, with a choice of the solver of the Gram systems.
+  /// The constructors of BallBody, with a choice of the solver of the Gram systems.
   ElasticBall(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
               const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF,
               std::optional<GramMethod> gram_method = std::nullopt)
@@ -67,7 +68,8 @@ class ElasticBall : public BallBody {
                                     Multiplier& lambda) const {
     return workspace.gram.solve(x1, x0, r, workspace.residual_sought, lambda);
   }
-  /// |g|_∞ and |Gv|_∞ that count as zero: 1e-13 in the scale of ln J (the ψ are L²-orthonormal in their cells).
+  /// |g|_∞ and |Gv|_∞ count as zero up to this value, which corresponds to 1e-13 of ln J (the ψ are L²-orthonormal in
+  /// each cell).
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
   /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J| over a cell.
   double multiplier_scale() const { return multiplier_scale_; }

@@ -1,13 +1,14 @@
 #pragma once
-/// Self-gravity of the finite-element ball (gravity/surface_gravity.h): its free surface is all that it needs. With
-/// the Gauss points of the faces,
+/// Self-gravity of the finite-element ball, computed from its free surface (gravity/surface_gravity.h). At the Gauss
+/// points of the faces,
 ///
 ///   x = Σ φ_n x_n,   N = ±w ∂x/∂ξ_p × ∂x/∂ξ_q,
 ///   f_n = −∂Ê/∂x_n = −Σ_points [φ_n ∂Ê/∂x ± w (∂φ_n/∂ξ_p x_q × ∂Ê/∂N + ∂φ_n/∂ξ_q ∂Ê/∂N × x_p)],
 ///
-/// the exact derivative of the discrete Ê: total force and total torque are zero. The sources are the points of all
-/// ranks and, where a sector is computed, their mirror images. Pairs of this rank's points are computed once for both.
-/// The density must be uniform: incompressible balls only.
+/// with x_p = ∂x/∂ξ_p, the quadrature weights w, and the sign for which N points outwards. The force is the exact
+/// derivative of the discrete Ê, so the total force and the total torque are zero. The sources are the points of all
+/// ranks and, if only a sector is computed, their mirror images. A pair of points of this rank is computed once for
+/// both points. The density must be uniform, so the ball must be incompressible.
 
 #include <array>
 #include <vector>
@@ -17,46 +18,48 @@
 
 namespace pseudorigid::continuum {
 
-/// Points in each direction for which the error of gravity is below the error of the mesh: k + 2, and k + 1 if the
-/// faces of an elastic body are refined. With k + 1 points on the surface of a fluid, which only gravity stabilises,
-/// the shortest waves of the mesh grow by a factor of 2.3 in the time 1/√(Gρ). With k + 2 points their weight is
-/// resolved.
+/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. It
+/// is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because only gravity makes the
+/// shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3 in the time 1/√(Gρ).
+/// With k + 2 points the quadrature resolves their weight.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {
  public:
-  /// G in internal units, in which ρ = 1; the number of points in a direction of each face.
+  /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
+  /// a face.
   SurfaceGravityForces(double gravity_constant, const BallSpace& space, int n_points);
 
-  /// G
+  /// The gravitational constant G.
   double constant() const { return constant_; }
 
   /// f ← f − ∂Ê/∂x. Collective.
   void add(const Vector& x, Vector& f) const;
-  /// f ← f − D²Ê(x)[u] for x with the symmetry of the sector and u(R_c X) = s_c R_c u(X) under its reflections R_c:
-  /// with s_c = 1 the rate of the force, with others that of a motion which is odd under some reflections. Collective.
+  /// f ← f − D²Ê(x)[u]. x has the symmetry of the sector, and u(R_c X) = s_c R_c u(X) under its reflections R_c. If all
+  /// s_c are 1, this is the rate of the force; otherwise u is odd under some reflections. Collective.
   void add_rate(const Vector& x, const Vector& u, const std::array<int, 3>& s, Vector& f) const;
   /// Ê of the computed sector. Collective.
   double energy(const Vector& x) const;
-  /// φ, the potential per mass, at points of the computed sector. Collective.
+  /// The gravitational potential φ per mass at points of the computed sector. Collective.
   std::vector<double> potential(const Vector& x, const std::vector<Eigen::Vector3d>& points) const;
 
  private:
   using Jets = SurfaceInterpolation::Jets;
-  using Signs = std::array<int, 3>;  ///< signs under the reflections of the sector: all 1, except for rates
+  using Signs = std::array<int, 3>;  ///< signs s_c under the reflections of the sector: all 1, except for rates
 
   Jets jets_at(const Vector& x) const;
-  /// The points of this rank's faces from the jets of x, and the rates of points and areas from those of u.
+  /// `own_points` computes the points of the faces of this rank from the jets of x. `own_rates` computes the rates of
+  /// these points and area vectors from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
-  /// Points or rates with their images.
+  /// Points (or rates) with their mirror images.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
-  /// The points of all ranks with their images.
+  /// The points of all ranks with their mirror images.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
-  /// The sums over all sources.
+  /// The sums over all sources, for the points of this rank.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
-  /// f ← f − the forces of a derivative by points and areas.
+  /// f ← f − the nodal forces of a derivative with respect to points and area vectors.
   void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;

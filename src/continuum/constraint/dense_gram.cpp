@@ -7,7 +7,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The columns of these nodes, three each.
+/// The columns of the given nodes, three per node.
 dealii::LAPACKFullMatrix<double> columns_of(const dealii::LAPACKFullMatrix<double>& rows,
                                             const std::vector<unsigned int>& nodes) {
   dealii::LAPACKFullMatrix<double> columns(rows.m(), 3 * nodes.size());
@@ -51,7 +51,7 @@ mechanics::Status DenseGram::renew(const Vector& x) {
   const std::vector<Block> G = scaled_constraint_rows(x);
   const unsigned int n_p = space_->n_pressure(), n = space_->n_cells() * n_p;
   Block S(n, n), product(n_p, n_p);
-  // LAPACK reads the lower triangle.
+  // Sets blocks below the diagonal only, because LAPACK reads the lower triangle.
   const auto set_block = [&](unsigned int row, unsigned int column) {
     for (unsigned int j = 0; j < n_p; ++j) std::copy_n(&product(0, j), n_p, &S(row * n_p, column * n_p + j));
   };
@@ -76,8 +76,8 @@ mechanics::Status DenseGram::renew(const Vector& x) {
 }
 
 double DenseGram::renewal_cost() const {
-  // n³ operations and the rows of G, over iterations that grow as n with the body. Runs with 80 … 640 multipliers are
-  // fastest with this; larger ones were not tried.
+  // The rows of G and n³ operations, divided by the cost of an iteration, which grows as n. The constants give the
+  // shortest run times for 80 … 640 multipliers; larger problems were not measured.
   const double n = space_->n_cells() * space_->n_pressure();
   return 40 + 6e-4 * n * n;
 }

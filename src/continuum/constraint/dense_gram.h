@@ -1,12 +1,12 @@
 #pragma once
-/// The Gram operator of a position, assembled and inverted as a dense matrix: the preconditioner of small problems, in
-/// one process. Its inverse is kept in single precision, which is enough for the four digits that a solve asks for.
-/// With B_c the rows G M^{-1/2} of the multipliers of cell c, the block of the cells b and a is a sum over the nodes n
-/// that both have,
+/// The Gram operator at given positions, assembled and inverted as a dense matrix. It is the preconditioner of small
+/// problems in one process. The inverse has single precision, because a solve needs only four digits. Let B_c be the
+/// rows of G M^{-1/2} for the multipliers of cell c, and (B_c)_n the columns of node n. The block of the cells b and a
+/// is a sum over their shared nodes n,
 ///
 ///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
 ///
-/// and is zero if they have none.
+/// and is zero if they do not share a node.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -32,12 +32,13 @@ class DenseGram final : public GramPreconditioner {
 
  private:
   using Block = dealii::LAPACKFullMatrix<double>;
-  /// The nodes that two cells a < b share, by their numbers in the one and in the other.
+  /// The nodes that two cells a < b share, by their numbers in each of the cells.
   struct SharedNodes {
     std::vector<unsigned int> in_a, in_b;
   };
 
-  /// G M^{-1/2}, a block a cell: a row for a multiplier function, a column for a component of one of the cell's nodes.
+  /// G M^{-1/2}, one block for each cell. A row is a multiplier function, and a column a component of a node of the
+  /// cell.
   std::vector<Block> scaled_constraint_rows(const Vector& x) const;
 
   const BallSpace* space_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Preconditioner of the Gram operator S = G M⁻¹Gᵀ of a position.
+/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ at given positions.
 
 #include <cstddef>
 
@@ -12,13 +12,13 @@ class GramPreconditioner {
  public:
   virtual ~GramPreconditioner() = default;
 
-  /// Computes the preconditioner for the positions x. Fails if the Gram operator is singular there. Collective.
+  /// Computes the preconditioner for the positions x. Fails if the Gram operator is singular at x. Collective.
   virtual mechanics::Status renew(const Vector& x) = 0;
-  /// result ≈ S⁻¹ r, by a symmetric positive definite operator. Collective.
+  /// result ≈ S⁻¹ r, a symmetric positive definite approximation. Collective.
   virtual void apply(Vector& result, const Vector& r) const = 0;
-  /// Cost of its renewal, in iterations of a solve.
+  /// Cost of `renew`; the unit is one iteration of a solve with S.
   virtual double renewal_cost() const = 0;
-  /// Bytes held on this rank.
+  /// Memory on this rank in bytes.
   virtual std::size_t memory() const = 0;
 };
 

@@ -77,7 +77,7 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Makes the preconditioner again for a run that continues from a checkpoint.
+  /// Computes the preconditioner at its earlier positions, for a run that continues from a checkpoint.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
@@ -111,13 +111,15 @@ class GramSolver::Impl {
             n_iterations};
   }
 
-  /// The tangent of a small body stays in the cache and also gives the reactions. The tangent of a large body serves
-  /// only the iterations, whose result the constraint checks; single precision halves the bytes to read.
+  /// For small problems the tangent stays in the cache and also gives the reactions, in double precision. For large
+  /// problems only the iterations use the tangent, and the constraint checks their result. Single precision then halves
+  /// the memory to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
 
-  /// The constraint's tangent at the last positions; those of small bodies are remembered, since they come again.
+  /// The tangent of the constraint at the last positions. In double precision it is computed again only if the
+  /// positions change.
   class TangentAt {
    public:
     TangentAt(const CellKernels& kernels, Precision precision)
@@ -131,7 +133,7 @@ class GramSolver::Impl {
       }
       kernels_->set_tangent(x, *tangent_);
     }
-    /// The tangent, for a caller that sets it at x; null if it has single precision.
+    /// The tangent, for a caller that sets its values at x; null if it has single precision.
     ConstraintTangent* to_be_set_at(const Vector& x) {
       if (tangent_->precision() != Precision::double_precision) return nullptr;
       positions_.assign(x.begin(), x.begin() + x.locally_owned_size());
@@ -149,11 +151,11 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
-  bool is_symmetric_ = false;  // q₁ is q₀
+  bool is_symmetric_ = false;  // q₁ = q₀
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;
-  bool is_made_ = false;  // in this process
+  bool is_made_ = false;  // computed in this process
   Statistics statistics_;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
-/// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball, matrix-free, by conjugate residuals
-/// (mechanics/core/conjugate_residuals.h) preconditioned for the symmetric Gram operator S = G M⁻¹ Gᵀ of some earlier
-/// position: with its inverse (dense_gram.h) while that is small, beyond and on several ranks with two levels
-/// (two_level_gram.h). The preconditioner is renewed when the iterations that its age has cost exceed the cost of a new
-/// one.
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball without assembling the matrix, by conjugate residuals
+/// (mechanics/core/conjugate_residuals.h). The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at
+/// earlier positions. Small problems in one process use the inverse of S (dense_gram.h), other problems use two levels
+/// (two_level_gram.h). Because the positions move away from those of the preconditioner, solves need more iterations.
+/// The preconditioner is renewed when the additional iterations cost more than the renewal.
 
 #include <memory>
 
@@ -16,7 +16,7 @@ namespace pseudorigid::continuum {
 
 enum class GramMethod { dense, two_level };
 
-/// The method for a space: dense up to `n_dense` multipliers in one process.
+/// The method for a space: dense for up to `n_dense` multipliers in one process, otherwise two levels.
 GramMethod fitting_gram_method(const BallSpace& space);
 
 class GramSolver {
@@ -25,22 +25,22 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if a fresh preconditioner
-  /// does not help.
+  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if the iteration does not
+  /// converge with a preconditioner at q₁.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as CellKernels; with the dense inverse it remembers the tangent for a
-  /// solve at x.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as in CellKernels. With the dense inverse, it also stores the tangent at x for a
+  /// later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
   /// f += G(x)ᵀλ.
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// State on which later solves depend. A resumed run that has it repeats the whole one, whose residuals depend on the
-  /// preconditioner.
+  /// State on which later solves depend, for checkpoints. The residuals depend on the preconditioner, so a resumed run
+  /// needs this state to repeat the uninterrupted run.
   struct History {
-    Vector renewed_at;  ///< the positions of the preconditioner
+    Vector renewed_at;  ///< positions of the preconditioner
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< or not made yet
+    bool stale = true;  ///< the preconditioner must be renewed; also true before the first computation
   };
   History& history();
   template <class Visit>
@@ -58,14 +58,14 @@ class GramSolver {
   };
   Statistics statistics() const;
 
-  /// Reduction of the residual by one call. The constraint loops of the methods call again until their own residual is
-  /// small, so one call need not do more than a step of Newton's iteration.
+  /// Reduction of the residual by one call. The constraint loops of the methods repeat the call until their own
+  /// residual is small. Therefore a call need not be more accurate than a step of Newton's iteration.
   static constexpr double reduction = 1e-4;
-  /// Up to this many multipliers in one process the dense inverse makes a step cheaper than two levels do.
+  /// For up to this many multipliers in one process, a step with the dense inverse is cheaper than with two levels.
   static constexpr std::size_t n_dense = 2400;
 
  private:
-  class Impl;  // on the heap, because PETSc keeps its address and a workspace can be moved
+  class Impl;  // on the heap, because PETSc has its address and a workspace can be moved
   std::unique_ptr<Impl> impl_;
 };
 

@@ -22,11 +22,11 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Higher degrees save iterations, but their matrices cost more: a step at k = 6 takes as long as 44 forces with degree
-/// 2 and as 71 with degree 3.
+/// A higher coarse degree saves iterations, but its matrices cost more. For elements of degree k = 6, a step takes the
+/// time of 44 forces with coarse degree 2 and of 71 with coarse degree 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
-/// The nodes' weights of one cell: (Gauss–Lobatto weight) · det ∂X/∂ξ.
+/// The weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.
 Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
   const ReferenceCell& ref = space.reference_cell();
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);
@@ -38,8 +38,8 @@ Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
   return weights;
 }
 
-/// N_i (first) and ∂N_i/∂ξ_d (the others) of the Lagrange polynomials on `functions`³, at the nodes of a cell: [node,
-/// i].
+/// Tables at the nodes of a cell, [node, i]: first N_i, then ∂N_i/∂ξ_d. The N_i are the Lagrange polynomials on the
+/// tensor grid of `functions`.
 std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vector<double>& functions) {
   const auto n = static_cast<std::size_t>(ref.n), m = functions.size();
   std::vector<MatrixXd> tables(4, MatrixXd(n * n * n, m * m * m));
@@ -57,13 +57,13 @@ std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vecto
   return tables;
 }
 
-/// Reads one of the matrices of the cells.
+/// One of the matrices of the cells.
 Eigen::Map<Eigen::MatrixXf> cell_matrix(std::vector<float>& matrices, unsigned int cell, std::size_t n_rows,
                                         Eigen::Index n_columns) {
   return {&matrices[cell * n_rows * static_cast<std::size_t>(n_columns)], static_cast<Eigen::Index>(n_rows), n_columns};
 }
 
-/// Sets an option of PETSc that the user has not set.
+/// Sets an option of PETSc unless the user has set it.
 void set_default_option(const char* name, const char* value) {
   PetscBool is_set = PETSC_FALSE;
   PetscOptionsHasName(nullptr, nullptr, name, &is_set);
@@ -123,7 +123,7 @@ void TwoLevelGram::number_functions() {
   }
 }
 
-/// P_ji = ∫ψ_j N_i dX by the Gauss–Lobatto rule of the nodes; 0 for functions that do not vanish on the surface.
+/// P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes. P_ji = 0 if N_i does not vanish on the surface.
 void TwoLevelGram::project_functions() {
   tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
   const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();
@@ -161,15 +161,15 @@ void TwoLevelGram::make_coarse_solver() {
   KSPGetPC(coarse_solver_, &preconditioner);
   PCSetType(preconditioner, PCGAMG);
   set_default_option("-gram_coarse_pc_gamg_aggressive_coarsening",
-                     "0");  // aggressive coarsening needs half as many iterations more
-  // A second sweep of the smoother costs more than it saves: at degree 4 it saves a tenth of the iterations, and each
+                     "0");  // aggressive coarsening needs 1.5 times the iterations
+  // A second sweep of the smoother does not pay. For k = 4 it reduces the iterations by a tenth, but each iteration
   // costs a fifth more.
   set_default_option("-gram_coarse_mg_levels_ksp_max_it", "1");
   KSPSetFromOptions(coarse_solver_);
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
-/// K at the positions x, the identity at functions that do not vanish on the surface.
+/// Computes K at the positions x. K is the identity for functions that do not vanish on the surface.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
@@ -201,7 +201,7 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   K_->compress(dealii::VectorOperation::add);
 }
 
-/// False where a block is not positive definite.
+/// Returns false if a block is not positive definite.
 bool TwoLevelGram::invert_blocks(const Vector& x) {
   const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
   inverse_blocks_.assign(space_.n_cells() * n_rows_ * space_.n_pressure(), 0);
@@ -227,7 +227,8 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   const bool regular = invert_blocks(x);
   assemble_coarse_matrix(x);
   const Mat matrix = *K_;
-  // Kept from an earlier matrix, the smoothers' bounds of the spectrum may be too small, and the V-cycle indefinite.
+  // Without this reset, the smoothers keep bounds of the spectrum of an earlier matrix. If these are too small, the
+  // V-cycle can be indefinite.
   KSPReset(coarse_solver_);
   const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0 &&
                       KSPSetUpOnBlocks(coarse_solver_) == 0;
@@ -235,7 +236,8 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   return mechanics::Status::failure("the Gram operator of the incompressibility constraint is singular");
 }
 
-/// KSPSolve would ask all ranks after every application of the preconditioner whether it has failed.
+/// Applies K⁻¹. If the solver only applies its preconditioner, this function calls the preconditioner directly, because
+/// KSPSolve would communicate with all ranks after each call.
 void TwoLevelGram::solve_coarse() const {
   if (!applies_preconditioner_) {
     KSPSolve(coarse_solver_, coarse_in_, coarse_out_);

@@ -1,8 +1,8 @@
 #pragma once
-/// The cells of the ball in batches of as many as the SIMD vectors used have lanes, with all that the kernels read:
-/// node numbers, the data of the constraint at the Gauss points and the L²-orthonormal basis ψ = L⁻¹(monomials) of
-/// P_{k−1}, LLᵀ = ∫monomials ⊗ monomials. The lanes of the last batch that have no cell of their own repeat its first
-/// one and are left out of results.
+/// The cells of the ball in batches, one cell in each lane of a SIMD vector, with the data that the kernels read. The
+/// data are node numbers, the data of the constraint at the Gauss points, and the L²-orthonormal basis ψ of P_{k−1}. It
+/// is ψ = L⁻¹(monomials), with LLᵀ = ∫monomials ⊗ monomials. If the last batch has fewer cells than lanes, its other
+/// lanes repeat the first cell, and results omit these lanes.
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ class CellBatches {
     const auto& w = cells.reference.point_weights;
     for (int q = 0; q < n_points; ++q) unit_weights[q] = w[q % n] * w[q / n % n] * w[q / n / n];
     const std::size_t n_batches = (cells.nodes.size() + n_lanes - 1) / n_lanes;
-    pressure_points_.reserve(n_batches * n_points);  // exact room, without unused entries
+    pressure_points_.reserve(n_batches * n_points);  // the exact number of entries
     offsets_.reserve(n_batches * n_nodes);
     basis_.reserve(n_batches * n_packed);
     batches.reserve(n_batches);
@@ -49,13 +49,13 @@ class CellBatches {
   const PressurePoint* pressure_points(std::size_t batch) const { return &pressure_points_[batch * n_points]; }
   const L* basis(std::size_t batch) const { return &basis_[batch * n_packed]; }
 
-  /// u[c][node] of the batch from a vector.
+  /// Loads u[c][node] of the batch from the vector x.
   void gather(const double* x, std::size_t batch, L (*u)[n_nodes]) const {
     const auto* offsets = &offsets_[batch * n_nodes];
     for (int i = 0; i < n_nodes; ++i) L::load_triples(x, offsets[i].data(), u[0][i], u[1][i], u[2][i]);
   }
 
-  /// Asks for the entries that the batch after this one will gather for a layer of nodes.
+  /// Prefetches the entries of one layer of nodes that the next batch will gather.
   void prefetch_layer(const double* x, std::size_t batch, int layer) const {
     if (batch + 1 == batches.size()) return;
     const auto* offsets = &offsets_[(batch + 1) * n_nodes + layer * n * n];
@@ -69,7 +69,7 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f, offsets[i].data());
   }
 
-  /// Coefficients of the monomials for λ_h = Σ λ_j ψ_j.
+  /// Coefficients of λ_h = Σ λ_j ψ_j in the monomials.
   void monomial_coefficients(const L* lambda, std::size_t batch, L* coefficients) const {
     const L* entry = basis(batch);
     for (int j = 0; j < n_pressure; ++j) coefficients[j] = L(0.0);
@@ -107,7 +107,7 @@ class CellBatches {
 
   SumFactorization<n> factorization;
   std::array<double, n_points> unit_weights;  ///< quadrature weights on the reference cell
-  const double* reference_positions;          ///< with the ghost nodes
+  const double* reference_positions;          ///< including the ghost nodes
   std::vector<Batch> batches;
 
  private:
@@ -150,7 +150,7 @@ class CellBatches {
       for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
-  /// basis = L⁻¹ of the Cholesky factor of the monomials' Gram matrix, packed by rows.
+  /// Computes the basis L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. It is packed by rows.
   void orthonormalize(std::size_t index) {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),
         inverse(n_pressure * n_pressure, L(0.0));

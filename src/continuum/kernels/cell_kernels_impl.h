@@ -1,12 +1,12 @@
 #pragma once
-/// The kernels of local_kernels.h for one degree; the law is behind point_law.h. The work at the points is done plane
-/// by plane (sum_factorization.h); geometry and positions that come next are asked for ahead of time. In reference
-/// coordinates, H = ∂x/∂ξ:
+/// The kernels of local_kernels.h for one degree. They evaluate the law through point_law.h. The operations at the
+/// points are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. In reference
+/// coordinates, with H = ∂x/∂ξ and with weights w that contain det ∂X/∂ξ:
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
 ///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
 ///
-/// so the constraint's operators read one scalar of geometry a point in addition to its position.
+/// Therefore the operators of the constraint need only H, the weight w and the position at each point.
 
 #include <cmath>
 #include <utility>
@@ -32,7 +32,7 @@ class DegreeKernels final : public LocalKernels {
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
-  DegreeKernels(const DegreeKernels&) = delete;  // its parts refer to one another
+  DegreeKernels(const DegreeKernels&) = delete;  // its parts have pointers to one another
   DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
       : law_(std::move(law)), planes_(cells), tangents_(planes_) {
@@ -100,7 +100,7 @@ class DegreeKernels final : public LocalKernels {
 
   void constraint_curvature(const double* x, const double* v, double* r) const override {
     pull_back(x, v, r, [](const Tensor& cof, const L& inverse_det, const Tensor& dv) {
-      L trace_of_square(0.0);  // of H⁻¹ ∂v/∂ξ
+      L trace_of_square(0.0);  // trace of (H⁻¹ ∂v/∂ξ)²
       Tensor A;
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
@@ -131,7 +131,7 @@ class DegreeKernels final : public LocalKernels {
     tangents_.add_reaction(at_x, lambda, f);
   }
 
-  /// In reference coordinates 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ, d = sym(∂v/∂ξ H⁻¹).
+  /// In reference coordinates, 2ηJ d F⁻ᵀ : ∇φ = 2η (det ∂X/∂ξ)⁻¹ d cof H : ∂φ/∂ξ with d = sym(∂v/∂ξ H⁻¹).
   double add_viscous_force(double viscosity, const double* x, const double* v, double* f) const override {
     double power = 0;
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -220,7 +220,7 @@ class DegreeKernels final : public LocalKernels {
     return result;
   }
 
-  /// r_j = ∫ψ_j s(H, ∂v/∂ξ); `integrand` gets cof H, 1/det H and ∂v/∂ξ.
+  /// r_j = ∫ψ_j s(H, ∂v/∂ξ). integrand(cof H, 1/det H, ∂v/∂ξ) returns s.
   template <class Integrand>
   void pull_back(const double* x, const double* v, double* r, const Integrand& integrand) const {
     for (std::size_t b = 0; b < batches_.batches.size(); ++b) {
@@ -247,8 +247,8 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// f −= ∫∂(W + U)/∂F : ∇φ. For every plane at_H(batch, plane) sees H in the buffers, and at_T the stress in its
-  /// place.
+  /// f −= ∫∂(W + U)/∂F : ∇φ. For every plane of points, at_H(batch, plane) is called with H in the buffers, and
+  /// at_T(batch, plane) later with the stress in the same buffer.
   template <class AtH, class AtT>
   double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
     double least = HUGE_VAL;
@@ -270,7 +270,7 @@ class DegreeKernels final : public LocalKernels {
     return least;
   }
 
-  /// result ← ∫λ_h F⁻ᵀ:∇φ for the layers and the multiplier in the buffers.
+  /// result ← ∫λ_h F⁻ᵀ:∇φ of a batch. The buffers contain the layers of x and the multiplier.
   void reaction_of_batch(std::size_t b) const {
     L coefficients[n_pressure];
     batches_.monomial_coefficients(buffers_.multiplier, b, coefficients);
@@ -292,7 +292,7 @@ class DegreeKernels final : public LocalKernels {
     planes_.distribute_layers();
   }
 
-  /// For the layers of X, x and v in the buffers.
+  /// Adds the integrals of a batch. The buffers contain the layers of X, x and v.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
     L elastic(0.0), volumetric(0.0), volume(0.0), least(HUGE_VAL), F_sum[9], pulled_back[9], reserve[plane];
@@ -300,7 +300,7 @@ class DegreeKernels final : public LocalKernels {
     for (int q3 = 0; q3 < n; ++q3) {
       planes_.plane_gradient(buffers_.x, q3, buffers_.H);
       planes_.deformation_gradients(q3, buffers_.H);
-      planes_.plane_gradient(buffers_.v, q3, buffers_.dv);  // leaves v itself in the values
+      planes_.plane_gradient(buffers_.v, q3, buffers_.dv);  // this call also leaves v in the buffer `values`
       law_->energy(buffers_.H[0], buffers_.weights, plane, elastic, volumetric);
       law_->reserve(buffers_.H[0], plane, reserve);
       for (int q = 0; q < plane; ++q) {
@@ -330,7 +330,7 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// `evaluate(F, values)` for the points of a plane.
+  /// Least value over all points, with its place. `evaluate(F, values)` computes the values at the points of a plane.
   template <class Evaluate>
   LeastPlace locate(const double* x, const Evaluate& evaluate) const {
     LeastPlace result;

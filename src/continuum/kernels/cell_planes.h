@@ -1,6 +1,7 @@
 #pragma once
-/// One batch of cells at a time, plane by plane of points (sum_factorization.h): from the nodes to H = ∂x/∂ξ, and from
-/// T at the points to the sums Σ_q T : ∂φ/∂ξ. Planes must be visited in order, from the first to the last.
+/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). They compute
+/// H = ∂x/∂ξ at the points from values at the nodes, and the sums Σ_q T : ∂φ/∂ξ from T at the points. The planes of a
+/// batch must be processed in ascending order.
 
 #include <memory>
 
@@ -31,7 +32,7 @@ class CellPlanes {
 
   explicit CellPlanes(const LocalCells& cells) : batches(cells), buffers_(std::make_unique<Buffers>()) {}
 
-  /// The work space. It holds one batch: every call below overwrites part of it.
+  /// The workspace. It has the data of one batch, and each of the following functions overwrites a part of it.
   Buffers& buffers() const { return *buffers_; }
   std::size_t n_batches() const { return batches.batches.size(); }
   std::size_t memory() const { return batches.memory() + sizeof(Buffers); }
@@ -50,14 +51,14 @@ class CellPlanes {
     for (int c = 0; c < 3; ++c) batches.factorization.interpolate_layers(layers[c]);
   }
 
-  /// H = ∂x/∂ξ at the points of a plane; the values themselves are left in the buffer.
+  /// H = ∂x/∂ξ at the points of a plane. The values of x at these points remain in the buffer `values`.
   [[gnu::noinline]] void plane_gradient(const Nodal& layers, int q3, Field& H) const {
     for (int c = 0; c < 3; ++c)
       batches.factorization.plane_gradient(layers[c], q3, buffers_->values[c], H[3 * c], H[3 * c + 1], H[3 * c + 2]);
   }
 
-  /// F = H (∂X/∂ξ)⁻¹ in the place of H, with the weights w, from the layers of X in the buffers. Computed
-  /// afresh: energies and minima are needed too seldom to store the inverse.
+  /// Replaces H by F = H (∂X/∂ξ)⁻¹ and computes the weights w. The buffers contain the layers of X. The inverse is not
+  /// stored, because energies and minima are computed rarely.
   void deformation_gradients(int q3, Field& H) const {
     plane_gradient(buffers_->X, q3, buffers_->dX);
     for (int q = 0; q < plane; ++q) {
@@ -71,7 +72,7 @@ class CellPlanes {
     }
   }
 
-  /// result (+)= Σ_q T : ∂φ/∂ξ over the points of a plane
+  /// result (+)= Σ_q T : ∂φ/∂ξ over the points of a plane. The first plane overwrites `result`.
   [[gnu::noinline]] void integrate_plane(const Field& T, int q3) const {
     for (int c = 0; c < 3; ++c)
       batches.factorization.integrate_plane(T[3 * c], T[3 * c + 1], T[3 * c + 2], q3, buffers_->values[c],
@@ -82,7 +83,7 @@ class CellPlanes {
     for (int c = 0; c < 3; ++c) batches.factorization.distribute_layers(buffers_->result[c]);
   }
 
-  /// ∫ψ_j s of the batch from the moments ∫(monomial) s.
+  /// Stores ∫ψ_j s of the batch, computed from the moments ∫(monomial) s.
   void store_moments(const L* moments, std::size_t b, double* g) const {
     L values[n_pressure];
     batches.from_moments(moments, b, values);

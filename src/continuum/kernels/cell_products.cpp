@@ -5,9 +5,9 @@
 namespace pseudorigid::continuum {
 namespace {
 
-constexpr std::size_t most_rows = 64;  // whose sums stay in registers
+constexpr std::size_t most_rows = 64;  // their sums fit into registers
 
-/// The sums of `n` rows of all columns. `distance`: from a column to the next.
+/// Adds the products of n rows with x to y. `distance` is the number of rows between consecutive columns in memory.
 template <std::size_t n>
 void add_rows(const float* A, std::size_t distance, std::size_t n_columns, const float* x, float* y) {
   float sums[n];
@@ -26,7 +26,7 @@ void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::si
   }
 }
 
-/// The products of `n` columns with x.
+/// The scalar products of n columns with x.
 template <std::size_t n>
 void multiply_columns(const float* A, std::size_t n_rows, const float* x, float* y) {
   float sums[n][rows_together] = {};

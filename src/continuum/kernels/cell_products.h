@@ -1,7 +1,8 @@
 #pragma once
-/// Products with small dense matrices, of the cells and of a small body's inverse, in single precision: half the bytes,
-/// and twice the numbers in a vector. A matrix lies in memory by columns; the number of its rows is a multiple of
-/// `rows_together`. It is one of the kernels (kernel_table.h).
+/// Products with small dense matrices in single precision, which halves the memory and doubles the numbers in a SIMD
+/// vector. They are for matrices of cells (constraint/two_level_gram.h) and for constraint/symmetric_matrix.h. A matrix
+/// is stored by columns, and the number of rows is a multiple of `rows_together`. These functions are kernels
+/// (kernel_table.h).
 
 #include <cstddef>
 

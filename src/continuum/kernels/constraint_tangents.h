@@ -1,6 +1,6 @@
 #pragma once
-/// The constraint's derivative at positions that stay while it acts often: T_q = w H⁻ᵀ is kept at every point, in
-/// double precision or, for iterations, in single:
+/// The derivative of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ is stored at every point, in
+/// double precision or, for iterations, in single precision:
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -42,7 +42,8 @@ class ConstraintTangents {
     of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
   }
 
-  /// Calls use(cell, values) with the rows of G at x that belong to a cell: by multiplier, node and component.
+  /// Calls use(cell, values) with the rows of G of each cell at x. The values are ordered by multiplier, node and
+  /// component.
   void rows(const double* x, const UseRows& use) const {
     constexpr std::size_t n_nodes = Planes::n_nodes, size = n_pressure * 3 * n_nodes;
     std::vector<double> values(n_lanes * size);
@@ -62,11 +63,11 @@ class ConstraintTangents {
     }
   }
 
-  /// w H⁻ᵀ in one plane of points of a tangent in double precision.
+  /// w H⁻ᵀ at the points of one plane, from a tangent in double precision.
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }
-  /// T = w H⁻ᵀ
+  /// T = w H⁻ᵀ at the points of one plane.
   template <class Number>
   void set_plane(std::size_t b, int q3, const Field& H_of_plane, Number (&T)[9][plane]) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
@@ -77,7 +78,7 @@ class ConstraintTangents {
       for (int k = 0; k < 9; ++k) T[k][q] = factor * cof.a[k / 3][k % 3];
     }
   }
-  /// sum += λ_h T for λ_h of these coefficients of monomials
+  /// sum += λ_h T at the points of one plane. `coefficients` are those of λ_h in the monomials.
   void add_pressure(std::size_t b, int q3, const L (&coefficients)[n_pressure], const Field& T, Field& sum) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
     for (int q = 0; q < plane; ++q) {
@@ -89,12 +90,12 @@ class ConstraintTangents {
   }
 
  private:
-  /// w H⁻ᵀ in the planes of points of all batches; Number is L or Single.
+  /// w H⁻ᵀ at the points of one plane. Number is L or Single.
   template <class Number>
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches a piece of the next plane with every point of the present plane; does nothing after the last plane.
+  /// Prefetches a part of the next plane at every point of the present plane. `next` may be behind the last plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;
@@ -124,7 +125,7 @@ class ConstraintTangents {
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) set_batch(x, b, &stored[b * n]);
   }
 
-  /// The planes of one batch.
+  /// Computes the planes of one batch.
   template <class Number>
   void set_batch(const double* x, std::size_t b, PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();
@@ -169,7 +170,7 @@ class ConstraintTangents {
     }
   }
 
-  /// buffers.result = Gᵀ λ of one batch, λ from buffers.multiplier
+  /// buffers.result = Gᵀ λ of one batch, with λ in buffers.multiplier.
   template <class Number>
   void react(std::size_t b, const PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();

@@ -1,5 +1,5 @@
 #pragma once
-/// The kernels of the continuum as they are compiled for one set of instructions.
+/// The kernels of the continuum, compiled for one instruction set.
 
 #include <cstddef>
 #include <memory>
@@ -12,16 +12,16 @@ namespace pseudorigid::continuum {
 struct KernelTable {
   /// Throws std::invalid_argument for a degree that is not compiled.
   std::unique_ptr<LocalKernels> (*make_local_kernels)(int degree, const LocalCells& cells, const StoredEnergy& stored);
-  /// y ← A x for the lower triangle of A by rows.
+  /// y ← A x for a symmetric A, given by the rows of its lower triangle (packed_product.h).
   void (*multiply_packed)(const float* entries, std::size_t n, const float* x, float* y);
-  /// cell_products.h
+  /// The functions of cell_products.h.
   void (*add_product)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
   void (*multiply_transposed)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
 };
 
-/// Defined by the build, the best first.
+/// The tables of all instruction sets, the fastest first. The build defines this function.
 std::span<const mechanics::KernelBuild<KernelTable>> builds_of_kernels();
-/// The kernels of this process. Throws mechanics::NoKernels.
+/// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const mechanics::KernelBuild<KernelTable>& chosen_kernels();
 
 }  // namespace pseudorigid::continuum

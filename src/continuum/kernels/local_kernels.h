@@ -1,7 +1,8 @@
 #pragma once
-/// The integrals of cell_kernels.h over the cells of one process, for the entries of its vectors as they lie in memory:
-/// its own, then those of ghost nodes, which are up to date. The owner of a ghost node collects the contributions to
-/// it. Nothing here depends on deal.II, so the kernels compile in a few seconds per degree.
+/// The integrals of cell_kernels.h over the cells of one process. Vectors are given by the entries of this process in
+/// memory: its own entries, and then the entries of ghost nodes, which must be up to date. The owner of a ghost node
+/// later adds the contributions of other ranks. This file does not depend on deal.II, so the kernels compile in a few
+/// seconds per degree.
 
 #include <array>
 #include <functional>
@@ -16,14 +17,14 @@
 
 namespace pseudorigid::continuum {
 
-/// Data of the kernels, which must outlive them.
+/// The data that the kernels use. The data must outlive the kernels.
 struct LocalCells {
   const ReferenceCell& reference;
   const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest
   const double* positions;                              ///< X, entry 3·node + component
 };
 
-/// Integrals over the computed sector that observables are made of.
+/// Integrals over the computed sector from which observables are computed.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
   double elastic = 0;                                      ///< ∫W dX
@@ -34,15 +35,15 @@ struct CellIntegrals {
   double least = std::numeric_limits<double>::infinity();  ///< least value of J and of the law's reserve
 };
 
-/// Calls `use(cell, values)` for each cell.
+/// A function that is called as `use(cell, values)` for each cell.
 using UseRows = std::function<void(unsigned int, std::span<const double>)>;
 
-/// A function of F, given row by row.
+/// A function of F. The entries of F are given row by row.
 using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
 
-/// Data of the constraint's derivative at a position, computed once for many products: w H⁻ᵀ at every point.
+/// Data of the derivative of the constraint at given positions, for many products: w H⁻ᵀ at every point.
 class ConstraintTangent {
  public:
   explicit ConstraintTangent(Precision precision) : precision_(precision) {}
@@ -56,9 +57,10 @@ class ConstraintTangent {
 class LocalKernels {
  public:
   virtual ~LocalKernels() = default;
-  /// Adds to f. Returns the least of J and of the law's reserve.
+  /// Adds the force to f. Returns the least of J and of the law's reserve.
   virtual double add_force(const double* x, double* f) const = 0;
-  /// f += force + G(x)ᵀλ in one go; `at_x`, of double precision, becomes the tangent at x unless it is null.
+  /// f += force + G(x)ᵀλ in one pass. If `at_x` is not null, it must have double precision and is set to the tangent at
+  /// x.
   virtual double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
                                          double* f) const = 0;
   virtual double constraint(const double* x, double* g) const = 0;
@@ -82,7 +84,8 @@ class LocalKernels {
   virtual std::size_t memory() const = 0;
 };
 
-/// One source file a degree defines it, compiled for the widest vectors of the machine, and for few_lanes.
+/// The kernels of one degree, for few_lanes or native_lanes depending on the number of cells. Each degree has its own
+/// source file.
 template <int degree>
 std::unique_ptr<LocalKernels> make_local_kernels(const LocalCells& cells, const StoredEnergy& stored);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Fields of one cell at its own nodes, for rare computations: set-up and pictures. Steps use the kernels.
+/// Fields of one cell at its own nodes, for set-up and pictures. Steps use the kernels.
 
 #include <Eigen/Core>
 
@@ -7,7 +7,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Nodal values of a cell, one column a node. Ghost nodes are read if the cell has some.
+/// Nodal values of a cell, one column for each node. The ghost nodes of the cell must be up to date.
 inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, unsigned int cell) {
   const auto& nodes = space.cell_nodes(cell);
   Eigen::Matrix3Xd values(3, nodes.size());
@@ -16,7 +16,7 @@ inline Eigen::Matrix3Xd nodal_values(const BallSpace& space, const Vector& x, un
   return values;
 }
 
-/// ∂x/∂ξ at node i of a cell, from its nodal values.
+/// ∂x/∂ξ at node i of a cell, computed from the nodal values.
 inline Eigen::Matrix3d reference_gradient(const ReferenceCell& ref, const Eigen::Matrix3Xd& x, int i) {
   Eigen::Matrix3d gradient = Eigen::Matrix3d::Zero();
   for (int d = 0, stride = 1; d < 3; ++d, stride *= ref.n) {

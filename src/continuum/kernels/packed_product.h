@@ -1,6 +1,6 @@
 #pragma once
-/// The product with a symmetric matrix in single precision, of which the lower triangle lies in memory by rows. It is
-/// one of the kernels (kernel_table.h).
+/// The product with a symmetric matrix in single precision, whose lower triangle is stored by rows. This function is a
+/// kernel (kernel_table.h).
 
 #include <cstddef>
 

@@ -1,11 +1,10 @@
 #pragma once
-/// The only part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells,
-/// between the derivatives of the shape functions and the sums over them. All laws are compiled in one file, without
-/// the degree, and all degrees without the law. It holds the geometry that the law's stress reads (stress_points.h);
-/// points are counted through all batches.
+/// The part of the kernels that depends on the law: the operations at the quadrature points of a batch of cells. All
+/// laws are compiled in one file, which does not depend on the degree. All degrees are compiled without the law. This
+/// class stores the geometry that the stress needs (stress_points.h). The points are numbered through all batches.
 ///
-/// A tensor at every point is 9 · n_points numbers, entry (i, j) of point q at (3i + j) n_points + q. Wide vectors
-/// cross this interface in memory only.
+/// A tensor at n_points points has 9 · n_points numbers, with the entry (i, j) of point q at (3i + j) n_points + q.
+/// SIMD vectors are passed only in memory.
 
 #include <cstddef>
 #include <memory>
@@ -21,24 +20,24 @@ class PointLaw {
   using L = Lanes<n_lanes>;
   virtual ~PointLaw() = default;
 
-  /// Allocates exactly so many points.
+  /// Allocates memory for exactly this number of points.
   virtual void reserve_points(std::size_t n_points) = 0;
-  /// The next points, of the Jacobians ∂X/∂ξ and the weights on the reference cell.
+  /// Adds the next points, from their Jacobians ∂X/∂ξ and weights on the reference cell.
   virtual void add_points(const L* jacobians, const double* unit_weights, int n_points) = 0;
 
-  /// T ← −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ in the place of H = ∂x/∂ξ for points from the first; least ← the least of it, of
-  /// det F and of the law's reserve, lane by lane.
+  /// Replaces H = ∂x/∂ξ by T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ at points from number `first` on. `least` becomes the least of
+  /// `least`, det F and the law's reserve, lane by lane.
   virtual void stress(std::size_t first, const double* unit_weights, int n_points, L* H, L& least) const = 0;
   /// elastic += Σ w W(F), volumetric += Σ w U(J)
   virtual void energy(const L* F, const L* weights, int n_points, L& elastic, L& volumetric) const = 0;
   /// The reserve of the law (materials/law_limits.h) at each point; infinite for a law without limits.
   virtual void reserve(const L* F, int n_points, L* reserve) const = 0;
 
-  /// Bytes held for geometry.
+  /// Memory for the geometry in bytes.
   virtual std::size_t memory() const = 0;
 };
 
-/// For vectors of native_lanes or few_lanes.
+/// The implementation for a law; n_lanes is native_lanes or few_lanes.
 template <int n_lanes>
 std::unique_ptr<PointLaw<n_lanes>> make_point_law(const StoredEnergy& stored);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// PointLaw for any law of materials/.
+/// The implementation of PointLaw for any law of materials/.
 
 #include <cmath>
 #include <vector>

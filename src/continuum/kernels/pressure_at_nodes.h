@@ -1,8 +1,10 @@
 #pragma once
-/// The multiplier's basis of P_{k−1} at the nodes of the displacements, where pictures show the multiplier and the
-/// preconditioner of the Gram operator projects it:
+/// The basis ψ_j of the multiplier (degree k − 1 on each cell) at the nodes X_i of the displacements. Pictures show λ_h
+/// there, and the preconditioner of the Gram operator projects its coarse functions onto ψ_j by quadrature there:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
+///
+/// with the centre X_c and the size h_c of the cell, and L the Cholesky factor of the Gram matrix of the monomials.
 
 #include <cstddef>
 #include <memory>
@@ -14,7 +16,7 @@
 
 namespace pseudorigid::continuum {
 
-/// [component][node]: (X − X_c)/h_c at the nodes of a batch's cells.
+/// (X − X_c)/h_c at the nodes of the cells of a batch: [component][node].
 template <int degree, int n_lanes>
 auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size_t b) {
   using Batches = CellBatches<degree, n_lanes>;
@@ -26,7 +28,7 @@ auto local_node_positions(const CellBatches<degree, n_lanes>& batches, std::size
   return local;
 }
 
-/// As LocalKernels::multiplier_at_nodes.
+/// Implementation of LocalKernels::multiplier_at_nodes.
 template <int degree, int n_lanes>
 void multiplier_at_nodes(const CellBatches<degree, n_lanes>& batches, const double* lambda, unsigned int cell,
                          std::span<double> values) {
@@ -41,7 +43,7 @@ void multiplier_at_nodes(const CellBatches<degree, n_lanes>& batches, const doub
     values[i] = Batches::Monomials::evaluate(coefficients, local[0][i], local[1][i], local[2][i])[lane];
 }
 
-/// As LocalKernels::pressure_basis_at_nodes.
+/// Implementation of LocalKernels::pressure_basis_at_nodes.
 template <int degree, int n_lanes>
 void pressure_basis_at_nodes(const CellBatches<degree, n_lanes>& batches, const UseRows& use) {
   using Batches = CellBatches<degree, n_lanes>;

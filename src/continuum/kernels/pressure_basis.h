@@ -1,6 +1,6 @@
 #pragma once
-/// Polynomials of total degree ≤ m in one cell, in the local coordinates ξ = (X − X_c)/h_c (unmapped):
-/// monomials x^a y^b z^c, a + b + c ≤ m, ordered by a, then b, then c.
+/// Polynomials of total degree ≤ m in one cell, in the local coordinates (x, y, z) = (X − X_c)/h_c of the reference
+/// position X. The monomials x^a y^b z^c, a + b + c ≤ m, are ordered by a, then b, then c.
 
 namespace pseudorigid::continuum {
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Geometry of a quadrature point of a batch of cells, one lane a cell. The data of the constraint are stored here, and
-/// those of the law apart (stress_points.h): each kernel streams only its own numbers.
+/// Geometry of a quadrature point of a batch of cells, one cell in each lane. This file has the data of the constraint.
+/// The data of the law are separate (stress_points.h), so that each kernel reads only the numbers that it needs.
 
 #include <cstddef>
 
@@ -12,8 +12,9 @@ using mechanics::Lanes;
 using mechanics::lesser;
 using mechanics::native_lanes;
 
-/// Number of lanes for a body with few cells, for which wider vectors would hold copies: the octant has four. Not
-/// inline, because the value differs between files that are compiled for other instructions.
+/// Number of lanes for a body with few cells, such as an octant with four cells. In wider vectors the other lanes would
+/// only repeat cells. This constant is not inline, because its value depends on the instruction set of each source
+/// file.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
 /// Data for ∫λ_h F⁻ᵀ:∇φ and similar integrals.
@@ -25,7 +26,7 @@ struct PressurePoint {
   L position[3];  ///< local coordinates of the pressure basis
 };
 
-/// Prefetches the geometry of a point that is used soon; does nothing if there is none.
+/// Prefetches the geometry of a point that is used soon. `point` may be behind the last point.
 template <class Point>
 [[gnu::always_inline]] inline void prefetch(const Point* point) {
   constexpr std::size_t cache_line = 64;

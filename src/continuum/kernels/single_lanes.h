@@ -1,5 +1,5 @@
 #pragma once
-/// Lanes kept in memory in single precision.
+/// Lanes that are stored in memory in single precision.
 
 #include "mechanics/core/lanes.h"
 
@@ -7,7 +7,7 @@ namespace pseudorigid::continuum {
 
 namespace detail {
 template <int n_lanes>
-struct SingleVector;  // spelled out, as in mechanics/core/lanes.h
+struct SingleVector;  // written for each size, as in mechanics/core/lanes.h
 template <>
 struct SingleVector<2> {
   typedef float Native __attribute__((vector_size(8)));

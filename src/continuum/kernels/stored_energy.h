@@ -1,11 +1,12 @@
 #pragma once
-/// The energy that the finite elements store per reference volume: that of the law and the volumetric stabilisation,
+/// The energy per reference volume that the finite elements store: W of the law, and the volumetric stabilisation U
+/// with the stiffness κ,
 ///
 ///   W(F) + U(J),   U(J) = (κ/4)(J² − 1 − ln J²),   ∂U/∂F = (κ/2)(J − 1/J) cof F,   J = det F.
 ///
-/// U and its first derivative are 0 if J = 1, so that an exact incompressible motion does not feel it. If the
-/// pressure space leaves J ≠ 1, the second variation κ (div u)² counteracts that of the multiplier, which has no sign:
-/// under self-gravity, in strong motions, and always in a fluid, W = 0.
+/// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. If the pressure
+/// space leaves J ≠ 1, the second variation of the multiplier's term has no sign, and κ (div u)² counteracts it. A body
+/// needs U under self-gravity, in strong motions, and always if it is a fluid (W = 0).
 
 #include <concepts>
 
@@ -14,7 +15,7 @@
 namespace pseudorigid::continuum {
 
 struct StoredEnergy {
-  /// A law as it is.
+  /// A material law, by default without stabilisation.
   template <std::convertible_to<materials::AnyLaw> Law>
   StoredEnergy(const Law& l, double kappa = 0) : law(l), volumetric_stiffness(kappa) {}
 

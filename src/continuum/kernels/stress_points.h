@@ -1,11 +1,11 @@
 #pragma once
-/// Data of the stress at a quadrature point, one lane a cell, and the stress there as a function of H = ∂x/∂ξ:
+/// Data of the stress at a quadrature point, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   w = ŵ det ∂X/∂ξ
 ///
-/// with ŵ the weight on the reference cell and U = (κ/4)(J² − 1 − 2 ln J). For any law these are ten numbers, (∂X/∂ξ)⁻¹
-/// and w. If ∂W/∂F = a F + c cof F with a and c functions of J (materials/stress_coefficients.h), seven will do, as
-/// cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ:
+/// with the weight ŵ on the reference cell and U = (κ/4)(J² − 1 − 2 ln J). A general law needs ten numbers, (∂X/∂ξ)⁻¹
+/// and w. If ∂W/∂F = a F + c cof F, with functions a and c of J (materials/stress_coefficients.h), seven numbers are
+/// sufficient. Because cof F (∂X/∂ξ)⁻ᵀ = cof H / det ∂X/∂ξ, the stress is then
 ///
 ///   T = −a H G − ŵ (c + (κ/2)(J − 1/J)) cof H,   J = D det H,
 ///   G = w (∂X/∂ξ)⁻¹ (∂X/∂ξ)⁻ᵀ,   D = 1 / det ∂X/∂ξ
@@ -18,7 +18,7 @@
 
 namespace pseudorigid::continuum {
 
-/// ∂U/∂J
+/// ∂U/∂J.
 template <class L>
 [[gnu::always_inline]] inline L stabilizing_pressure(double kappa, const L& J) {
   return (0.5 * kappa) * (J - 1.0 / J);
@@ -36,7 +36,7 @@ struct AnyStressPoint {
     weight = unit_weight * det;
   }
 
-  /// T; least ← the least of it, of J and of the law's reserve.
+  /// Returns T. `least` becomes the least of `least`, J and the law's reserve.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double, const Tensor& H, L& least) const {
     const Tensor F = times_inverse(H);
@@ -73,7 +73,7 @@ struct AnyStressPoint {
   }
 };
 
-/// For laws with stress coefficients.
+/// Data for a law with stress coefficients.
 template <class L>
 struct MetricStressPoint {
   using Tensor = materials::Tensor<L>;
@@ -88,7 +88,7 @@ struct MetricStressPoint {
     G00 = entry(0, 0), G01 = entry(0, 1), G02 = entry(0, 2), G11 = entry(1, 1), G12 = entry(1, 2), G22 = entry(2, 2);
   }
 
-  /// As AnyStressPoint's.
+  /// The same as AnyStressPoint::stress.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double unit_weight, const Tensor& H,
                                        L& least) const {

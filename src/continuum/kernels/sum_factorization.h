@@ -1,13 +1,13 @@
 #pragma once
-/// Sum factorisation on one batch of cells: values u at the n³ nodes ↔ reference gradients at the n³ Gauss points,
-/// ordered first direction fastest. With I the interpolation to the points and D the differentiation there, both
-/// one-dimensional,
+/// Sum factorisation on one batch of cells: transforms values u at the n³ nodes to reference gradients at the n³ Gauss
+/// points, and back. The first direction is the fastest index. With the one-dimensional interpolation I to the points
+/// and differentiation D at the points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
 ///
-/// so that the work at the points is done while their plane is in the nearest cache. Nodes and points lie
-/// symmetrically: I and D act on even and odd parts apart, which halves the multiplications.
+/// The operations at the points of a plane follow at once, while the plane is in the first-level cache. Nodes and
+/// points are symmetric, so I and D act separately on even and odd parts, which halves the multiplications.
 
 #include <array>
 
@@ -15,13 +15,13 @@
 
 namespace pseudorigid::continuum {
 
-/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i], as its action on x_i + x_{n−1−i} and x_i − x_{n−1−i}.
+/// An n×n matrix with M[n−1−q][n−1−i] = ±M[q][i], stored as its action on x_i + x_{n−1−i} and x_i − x_{n−1−i}.
 template <int n>
 struct EvenOddMatrix {
   static constexpr int half = n / 2, upper = (n + 1) / 2;
   double even[upper][upper], odd[upper][upper];
 
-  /// Entry (q, i) is m(q, i).
+  /// m(q, i) is the entry M[q][i].
   template <class Entry>
   explicit EvenOddMatrix(const Entry& m) {
     for (int q = 0; q < upper; ++q)
@@ -31,7 +31,7 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q (+)= Σ_i M_qi in_i for entries `stride` apart; M has the sign + if `symmetric`.
+  /// out_q (+)= Σ_i M_qi in_i, with entries `stride` apart. `symmetric` means the sign + of the symmetry of M.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];
@@ -97,7 +97,7 @@ class SumFactorization {
     sweep_layers<true>(distribute_, u);
   }
 
-  /// Values and gradient at the points of a plane, from interpolated layers.
+  /// Values and gradients at the points of a plane, from interpolated layers.
   template <class L>
   void plane_gradient(const L* layers, int q3, L* values, L* g1, L* g2, L* g3) const {
     evaluate_plane(layers, q3, values, g3);
@@ -105,7 +105,8 @@ class SumFactorization {
     sweep_columns<false, false>(differentiate_, values, g2);
   }
 
-  /// The transpose: layers (+)= the contribution of the gradient g at the points of a plane; the first plane clears.
+  /// The transpose: layers (+)= contribution of the gradient g at the points of a plane. The first plane overwrites the
+  /// layers.
   template <class L>
   void integrate_plane(const L* g1, const L* g2, const L* g3, int q3, L* values, L* layers) const {
     sweep_rows<false, false>(differentiate_transposed_, g1, values);
@@ -122,7 +123,7 @@ class SumFactorization {
 
   template <bool symmetric, bool add, class L>
   static void sweep_rows(const Matrix& matrix, const L* in, L* out) {
-    const Matrix M = matrix;  // a copy that the results cannot alias: its entries stay in registers
+    const Matrix M = matrix;  // a local copy cannot be an alias of results, so it stays in registers
     for (int line = 0; line < plane; line += n) M.template apply<symmetric, add, 1>(in + line, out + line);
   }
   template <bool symmetric, bool add, class L>
@@ -138,7 +139,7 @@ class SumFactorization {
     }
   }
 
-  /// Values and slopes in the third direction at the points of a plane.
+  /// Values and derivatives in the third direction at the points of a plane.
   template <class L>
   void evaluate_plane(const L* layers, int q3, L* values, L* slopes) const {
     const Row value_row = value_[q3], slope_row = slope_[q3];
@@ -154,7 +155,7 @@ class SumFactorization {
     }
   }
 
-  /// Its transpose; the first plane clears.
+  /// The transpose of evaluate_plane. For the first plane, `add` is false.
   template <bool add, class L>
   void add_plane(const L* values, const L* slopes, int q3, L* layers) const {
     const Row value_row = value_[q3], slope_row = slope_[q3];
@@ -169,7 +170,7 @@ class SumFactorization {
   }
 
   Matrix interpolate_, distribute_, differentiate_, differentiate_transposed_;
-  std::array<Row, n> value_, slope_;  ///< I and DI: rows for the third direction
+  std::array<Row, n> value_, slope_;  ///< I and DI, the rows for the third direction
 };
 
 }  // namespace pseudorigid::continuum

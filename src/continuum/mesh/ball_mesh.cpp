@@ -18,11 +18,11 @@ namespace {
 using Corner = std::array<double, 3>;
 using CoarseCell = std::array<Corner, 8>;
 
-/// Distances of the central block's corners from the centre along the axes, the face diagonals and the space diagonal.
+/// Distances of the corners of the central block from the centre: along an axis, a face diagonal and a space diagonal.
 constexpr double block_axis = 0.528, block_face = 0.4533, block_corner = 0.3752;
 
-/// Corner of the block (on_sphere = false) or its radial projection onto the sphere; bits say which axes it leaves
-/// along.
+/// A corner of the block (on_sphere = false), or its radial projection onto the sphere. bits[i] is 1 if its coordinate
+/// i is not 0.
 Corner corner(const std::array<int, 3>& bits, bool on_sphere) {
   const int n_bits = bits[0] + bits[1] + bits[2];
   const double block[] = {0, block_axis, block_face, block_corner};
@@ -39,12 +39,13 @@ std::array<CoarseCell, 4> octant() {
       bits[axis] = 1;
       bits[(axis + 1) % 3] = v >> 1 & 1;
       bits[(axis + 2) % 3] = v >> 2 & 1;
-      cells[1 + axis][v] = corner(bits, v & 1);  // first local direction: outwards
+      cells[1 + axis][v] = corner(bits, v & 1);  // the first local direction is outwards
     }
   return cells;
 }
 
-/// A mirror image has its first local direction reversed, to stay right-handed.
+/// The mirror image of a cell. After an odd number of reflections the first local direction is reversed, so that the
+/// cell remains right-handed.
 CoarseCell image(const CoarseCell& cell, const std::array<bool, 3>& mirrored) {
   const bool odd = (mirrored[0] + mirrored[1] + mirrored[2]) % 2;
   CoarseCell result;
@@ -78,14 +79,14 @@ CoarseMesh sector_of_ball(const Sector& sector) {
   return mesh;
 }
 
-/// Equiangular point of the sphere: y in the faces of the cube |y|_∞ = 1 stands for angles of π/4 y.
+/// The point of the sphere with equiangular coordinates y, |y|_∞ = 1: the angles are π/4 y_d.
 dealii::Point<3> onto_sphere(const dealii::Point<3>& y) {
   dealii::Point<3> direction;
   for (unsigned int d = 0; d < 3; ++d) direction[d] = std::tan(std::numbers::pi / 4 * y[d]);
   return direction / direction.norm();
 }
 
-/// Vertices of the sphere have the distance 1 from the centre.
+/// True for vertices on the sphere, which have the distance 1 from the centre.
 bool is_on_sphere(const dealii::Point<3>& V) { return V.norm_square() > 0.999; }
 
 dealii::Point<3> transfinite(const std::array<dealii::Point<3>, 8>& vertices, const dealii::Point<3>& xi) {
@@ -109,8 +110,9 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// The small end of a local direction, from its edge at the first vertex: outwards it is on the sphere; from a plane
-/// x_c = 0 that contains the poles it is on that plane; along the axis of the poles there is none.
+/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. It is the vertex on the sphere for
+/// an outward direction, and the vertex on the plane for a direction from a plane x_c = 0 that contains the poles. The
+/// direction along the axis of the poles is not graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
@@ -119,7 +121,7 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of the grading to a size 0 < g < 1, by bisection: β/(exp β − 1) falls.
+/// β of the grading with 0 < g < 1, by bisection, because β/(exp β − 1) decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -129,13 +131,13 @@ double growth_of(double size) {
   return 0.5 * (least + most);
 }
 
-/// A mesh in one process does not need p4est, which requires MPI.
+/// An empty mesh. A mesh in one process does not use p4est, which requires MPI.
 std::unique_ptr<dealii::Triangulation<3>> empty_triangulation(MPI_Comm communicator) {
   if (n_ranks(communicator) > 1) return std::make_unique<dealii::parallel::distributed::Triangulation<3>>(communicator);
   return std::make_unique<dealii::Triangulation<3>>();
 }
 
-/// Faces of the coarse mesh in a symmetry plane x_i = 0 get the id i, the others `surface_id`.
+/// Boundary faces of the coarse mesh in a symmetry plane x_i = 0 get the id i, other boundary faces `surface_id`.
 void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
   for (const auto& cell : coarse.cell_iterators_on_level(0))
     for (const auto& face : cell->face_iterators()) {
@@ -150,8 +152,8 @@ void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
     }
 }
 
-/// Place of the coarse cell that a cell comes from, among those that the mesh was made of. (The number in its CellId is
-/// another one in p4est's meshes.)
+/// Number of the coarse cell that contains a cell, in the order in which the mesh was created. In meshes of p4est, the
+/// number in the CellId is a different one.
 int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
   while (cell->level() > 0) cell = cell->parent();
   return cell->index();
@@ -205,7 +207,7 @@ dealii::Point<3> BallMesh::position(const dealii::Triangulation<3>::cell_iterato
   if (!small_ends_.empty())
     for (unsigned int d = 0; d < 3; ++d) {
       double& x = coarse_xi[d];
-      if (x == 0 || x == 1) continue;  // ends stay exactly what they are
+      if (x == 0 || x == 1) continue;  // the ends remain exactly 0 and 1
       const int end = small_ends_[coarse_index(cell)][d];
       if (end == 0) x = std::expm1(growth_ * x) / std::expm1(growth_);
       if (end == 1) x = 1 - std::expm1(growth_ * (1 - x)) / std::expm1(growth_);

@@ -11,7 +11,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Index set of the 3 components of each node, among those of n_nodes.
+/// Index set of the 3 components of each of these nodes, for n_nodes nodes in total.
 dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
   dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)
@@ -20,7 +20,7 @@ dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nod
   return result;
 }
 
-/// Derivative along direction d of nodal values at node (i[0], i[1], i[2]) of a cell.
+/// Derivative with respect to ξ_d of nodal values, at node (i[0], i[1], i[2]) of a cell.
 template <class Value>
 double derivative(const ReferenceCell& ref, const Value& value, const std::array<int, 3>& i, int d) {
   double sum = 0;

@@ -4,10 +4,11 @@
 ///
 ///   m_n = Σ_cells ρ w_n det(∂X/∂ξ)(ξ_n),   ρ = 1 in internal units.
 ///
-/// On a symmetry plane x_i = 0 the component i of a node cannot move: its inverse mass is 0, and its value is constant.
+/// On a symmetry plane x_i = 0 the component i of a node is constant: its inverse mass is 0.
 ///
-/// Cells, nodes and multipliers are distributed over the ranks of the mesh: `n_cells`, `cell_nodes` and the local
-/// elements of vectors are this rank's own, followed by the ghost nodes that its cells have on other ranks.
+/// Cells, nodes and multipliers are distributed over the ranks of the mesh. `n_cells` and `cell_nodes` are for the
+/// cells of this rank. The local elements of vectors are the entries of this rank, followed by the ghost nodes of its
+/// cells.
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -25,7 +26,7 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `with_account`: the vectors get one further node without mass, for energies that are taken and given.
+  /// `with_account` adds a node without mass to the vectors, for dissipated and given energies (body/ball_body.h).
   BallSpace(BallMesh mesh, int degree, bool with_account = false);
 
   const BallMesh& mesh() const { return mesh_; }
@@ -37,18 +38,19 @@ class BallSpace {
   unsigned int nodes_per_cell() const { return static_cast<unsigned int>(reference_.n * reference_.n * reference_.n); }
   unsigned int n_nodes() const { return partitioner_->locally_owned_size() / 3 - (account_ ? 1 : 0); }
   std::size_t n_global_nodes() const { return dof_handler_->n_dofs(); }
-  /// Dimension of P_{k−1}, the multiplier's polynomials in one cell.
+  /// Dimension of P_{k−1}, the space of the multiplier in one cell.
   unsigned int n_pressure() const { return degree_ * (degree_ + 1) * (degree_ + 2) / 6; }
 
-  /// Nodes of a cell by their local numbers, first direction fastest; vector entries are 3·node + component.
+  /// Local numbers of the nodes of a cell, with the first direction as the fastest index. Vector entries are
+  /// 3·node + component.
   const std::vector<unsigned int>& cell_nodes(unsigned int cell) const { return cell_nodes_[cell]; }
   const std::vector<std::vector<unsigned int>>& cells() const { return cell_nodes_; }
-  const Vector& reference_positions() const { return X_; }      ///< with the ghost nodes
+  const Vector& reference_positions() const { return X_; }      ///< including the ghost nodes
   const Vector& mass() const { return mass_; }                  ///< m_n at every component
-  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 if a symmetry plane holds the component
+  const Vector& inverse_mass() const { return inverse_mass_; }  ///< 0 for a component that a symmetry plane fixes
   const dealii::DoFHandler<3>& dof_handler() const { return *dof_handler_; }
-  /// The local entry of the coordinate of the energy taken, on the process that owns it; that of the energy given is
-  /// the next. Their inverse masses are 1.
+  /// Local index of the coordinate of the dissipated energy, on the process that owns it. The next index is the
+  /// coordinate of the given energy. The inverse masses of both are 1.
   std::optional<unsigned int> account() const { return account_; }
   Vector make_vector() const { return Vector(partitioner_); }
   Vector make_multiplier() const { return Vector(multiplier_partitioner_); }

@@ -1,15 +1,17 @@
 #pragma once
 /// One-dimensional tables of the reference cell [0,1]: Gauss–Lobatto nodes (displacement, lumped mass), Gauss points
-/// (force, constraint), and the matrices that carry nodal values to points:
+/// (force, constraint), and the matrices that transform nodal values to values and derivatives at points:
 ///
-///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q)   (ℓ̂: Lagrange polynomials on the Gauss points)
+///   interpolate[q][i] = ℓ_i(ξ_q),   differentiate[q][p] = ℓ̂_p'(ξ_q),
+///
+/// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and ℓ̂_p on the Gauss points ξ_q.
 
 #include <array>
 #include <vector>
 
 namespace pseudorigid::continuum {
 
-/// Lagrange polynomial i on the nodes x, at y, and its derivative.
+/// The Lagrange polynomial i on the nodes x, evaluated at y, and its derivative.
 double lagrange(const std::vector<double>& x, std::size_t i, double y);
 double lagrange_derivative(const std::vector<double>& x, std::size_t i, double y);
 
@@ -17,8 +19,8 @@ struct ReferenceCell {
   explicit ReferenceCell(int degree);
 
   int n;                                       ///< nodes per direction = degree + 1 = Gauss points per direction
-  std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto
-  std::vector<double> points, point_weights;   ///< Gauss
+  std::vector<double> nodes, node_weights;     ///< Gauss–Lobatto rule
+  std::vector<double> points, point_weights;   ///< Gauss rule
   std::vector<double> interpolate;             ///< row-major [q][i]: nodes → points
   std::vector<double> differentiate;           ///< row-major [q][p]: values at points → derivative at points
   std::vector<double> differentiate_at_nodes;  ///< row-major [i][j]: values at nodes → derivative at nodes

@@ -1,6 +1,6 @@
 #pragma once
-/// The faces of the finite elements, their nodes, and the Gauss rule on them. A face is ξ_d = 0 or 1 of a cell; the
-/// local directions p = d + 1, q = d + 2 (mod 3) span it, so that ∂X/∂ξ_p × ∂X/∂ξ_q points to rising ξ_d.
+/// The faces of the finite elements, their nodes and the Gauss quadrature on them. A face is the part ξ_d = 0 or 1 of a
+/// cell. The local directions p = d + 1 and q = d + 2 (mod 3) span it, so ∂X/∂ξ_p × ∂X/∂ξ_q points to increasing ξ_d.
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,15 +10,15 @@
 namespace pseudorigid::continuum {
 
 struct CellFace {
-  unsigned int cell;  ///< of this rank
+  unsigned int cell;  ///< number on this rank
   int direction;      ///< d
-  int end;            ///< ξ_d
+  int end;            ///< ξ_d, 0 or 1
 
-  /// deal.II's number of the face.
+  /// Number of the face in deal.II.
   unsigned int number() const { return 2 * direction + end; }
 };
 
-/// Calls visit(face, iterator of its cell, whether it is on the free surface) for all faces of this rank's cells.
+/// Calls visit(face, iterator of its cell, is_on_free_surface) for all faces of the cells of this rank.
 template <class Visit>
 void visit_faces(const BallSpace& space, Visit&& visit) {
   unsigned int own = 0;
@@ -34,32 +34,33 @@ void visit_faces(const BallSpace& space, Visit&& visit) {
   }
 }
 
-/// The faces of this rank's cells on the free surface.
+/// The faces on the free surface that belong to cells of this rank.
 std::vector<CellFace> free_surface(const BallSpace& space);
 
-/// The nodes of a face by their numbers in the cell, of n in a direction: [j·n + i], i along p, j along q.
+/// The nodes of a face by their numbers in the cell, with n nodes per direction: [j·n + i], i along p, j along q.
 std::vector<int> nodes_of(const CellFace& face, int n);
 
-/// A Gauss point of a face.
+/// A Gauss point of a face, with the functions of its nodes.
 struct FacePoint {
-  /// A function is u = Σ value u_node there, with ∂u/∂ξ_p = Σ by_p u_node and ∂u/∂ξ_q likewise.
+  /// A nodal function has the value u = Σ value u_node at the point, and ∂u/∂ξ_p = Σ by_p u_node, ∂u/∂ξ_q = Σ by_q
+  /// u_node.
   struct Node {
     unsigned int node;
     double value, by_p, by_q;
   };
-  /// A function of the nodes, and its derivatives along the face.
+  /// The value of a nodal function and its derivatives along the face.
   struct Jet {
     Eigen::Vector3d u, by_p, by_q;
   };
   std::vector<Node> nodes;
-  double weight;  ///< on [0,1]²
+  double weight;  ///< quadrature weight on [0,1]²
 
-  /// For a vector with the ghost nodes of this rank's cells.
+  /// u must have the ghost nodes of the cells of this rank.
   Eigen::Vector3d value(const Vector& u) const;
   Jet jet(const Vector& u) const;
 };
 
-/// The Gauss rule with n_points in a direction.
+/// The Gauss rule with n_points points in each direction.
 std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points);
 
 }  // namespace pseudorigid::continuum

@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The part of one face in a component of a field: [p][q].
+/// The part of a component that belongs to one face: [p][q].
 auto on_face(std::vector<double>& component, std::size_t face, Eigen::Index n) {
   return Eigen::Map<MatrixXd>(component.data() + face * n * n, n, n);
 }
@@ -41,7 +41,8 @@ SurfaceInterpolation::SurfaceInterpolation(const BallSpace& space, int n_points)
   }
 }
 
-// The products are small: Eigen's algorithm for large products would need longer for its preparation.
+// Eigen's algorithm for large products needs more time for its preparation than these small products. `lazyProduct`
+// avoids this preparation.
 SurfaceInterpolation::Jets SurfaceInterpolation::jets(const Vector& u) const {
   const Eigen::Index n = values_.cols(), m = values_.rows();
   Jets jets{field_of(n_points()), field_of(n_points()), field_of(n_points())};

@@ -11,7 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The coordinate plane, 1 to 3, that holds these nodes of a cell which is on its positive side (each face but once).
+/// The coordinate plane, 1 to 3, that contains these nodes of a cell on its positive side. Cells on the negative side
+/// give no plane, so that each face is found once.
 std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector<int>& nodes) {
   constexpr double round_off = 1e-10;
   for (int d = 0; d < 3; ++d) {
@@ -21,7 +22,7 @@ std::optional<int> coordinate_plane(const Eigen::Matrix3Xd& X, const std::vector
   return std::nullopt;
 }
 
-/// Squares of all lattices on the whole ball: enough for round outlines, few enough for a page.
+/// Total number of squares of all lattices on the whole ball: enough for round outlines, and few enough for one page.
 constexpr double wanted_squares = 1700;
 constexpr int largest_m = 6;
 

@@ -1,11 +1,11 @@
 #pragma once
-/// Positions of material surfaces that a picture shows: the faces of the finite elements on the free surface and on the
+/// Positions of material surfaces for pictures: the faces of the finite elements on the free surface and on the
 /// coordinate planes of the undeformed body. On each face a lattice of points
 ///
 ///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m,
 ///
-/// with the nodes x_ij of the face. Only the computed sector is kept; the rest of the body follows by reflection. In
-/// internal units.
+/// with the nodes x_ij of the face, their Lagrange polynomials ℓ_i and m intervals per direction. The rows have
+/// internal units and cover the computed sector only; the rest of the body follows by reflection.
 
 #include <Eigen/Core>
 #include <array>
@@ -24,15 +24,15 @@ class MaterialFaces {
   static constexpr auto columns = mechanics::shape_columns;
   static constexpr std::size_t first_length = mechanics::first_length_of_shapes;
 
-  std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< of all ranks
-  /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on the others. Collective.
+  std::size_t n_points() const { return n_faces_ * (m_ + 1) * (m_ + 1); }  ///< number on all ranks
+  /// The rows of all points on rank 0, in an order that does not depend on the ranks; empty on other ranks. Collective.
   std::vector<std::vector<double>> rows(const Vector& position) const;
 
  private:
   struct Face {
     CellFace place;
     int plane;
-    std::size_t key;  ///< its place among the faces of all ranks
+    std::size_t key;  ///< number among the faces of all ranks
   };
   static constexpr std::size_t n_columns = columns.size();
   void find_faces();
@@ -41,8 +41,8 @@ class MaterialFaces {
   std::vector<double> own_rows(const Vector& position) const;
 
   const BallSpace& space_;
-  std::vector<Face> faces_;  ///< of this rank
-  std::size_t n_faces_ = 0;  ///< of all
+  std::vector<Face> faces_;  ///< faces of this rank
+  std::size_t n_faces_ = 0;  ///< number on all ranks
   int m_ = 1;
   std::vector<double> interpolate_;  ///< row-major [a][i]: ℓ_i(a/m)
 };

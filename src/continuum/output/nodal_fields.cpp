@@ -13,7 +13,7 @@ namespace {
 
 using BallState = mechanics::VectorState<Vector>;
 
-/// Signs of the coordinates in each reflection of the sector, the sector itself first.
+/// Signs of the coordinates in each image of the sector. The first image is the sector itself.
 std::vector<std::array<double, 3>> images(const Sector& sector) {
   std::vector<std::array<double, 3>> result;
   for (int bits = 0; bits < 8; ++bits) {
@@ -29,8 +29,8 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
   return result;
 }
 
-/// Repeats values of the sector, n_components per point, for all its images: entries of vectors and matrices change
-/// sign with the coordinates.
+/// Appends to the values of the sector, with n_components per point, the values of its images. Entries of vectors and
+/// matrices change sign with the coordinates.
 void reflect(std::vector<double>& values, int n_components, const Sector& sector) {
   const std::vector<double> of_sector = std::move(values);
   values.clear();
@@ -42,7 +42,7 @@ void reflect(std::vector<double>& values, int n_components, const Sector& sector
     }
 }
 
-/// φ at the nodes of all cells; empty without self-gravity. Collective.
+/// φ at the nodes of all cells, empty without self-gravity. Collective.
 std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& position) {
   if (!ball.gravity()) return {};
   std::vector<Eigen::Vector3d> points;
@@ -56,13 +56,13 @@ std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& posit
   return ball.gravity()->potential(position, points);
 }
 
-/// ρφ̄, ρφ̄V = (5/3)Ê: the multiplier is above the pressure by ρ(φ − φ̄). Collective.
+/// ρφ̄ with ρφ̄V = (5/3)Ê. With self-gravity, the multiplier exceeds the pressure by ρ(φ − φ̄). Collective.
 double mean_potential(const BallBody& ball, const Vector& position) {
   const int n_images = ball.space().mesh().sector().n_images();
   return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
-/// Appends the fields at the nodes of a cell; no multiplier counts as 0.
+/// Appends the fields at the nodes of a cell. If `multiplier` is null, λ_h is 0.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -84,7 +84,7 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   return {};
 }
 
-/// All fields at all points, from a state and a multiplier, if there is one.
+/// All fields at all points. `multiplier` is null for a ball without constraint.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                              const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};
@@ -104,20 +104,21 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   return {};
 }
 
-/// The points of a cell; those of a mirror image from the upper ones down, so that they are right-handed again.
+/// Appends the points of a cell. For a mirror image the order of the layers is reversed, so that the cell is
+/// right-handed.
 void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
   for (int k = 0; k < n; ++k)
     for (int ij = 0; ij < n * n; ++ij) points.push_back(first_point + (mirrored ? n - 1 - k : k) * n * n + ij);
 }
 
-/// A factor of the tensor product that carries values at the nodes of a cell to equidistant points: in the direction
-/// whose neighbours are `stride` points apart.
+/// Interpolates values at the nodes of a cell to equidistant points along one direction, as one factor of a tensor
+/// product. Neighbours in this direction are `stride` points apart.
 void interpolate_along(const std::vector<double>& to_equidistant, int n, std::size_t stride, int n_components,
                        std::span<double> cell) {
   std::vector<double> line(n);
   const std::size_t n_points = cell.size() / n_components;
   for (std::size_t point = 0; point < n_points; ++point) {
-    if (point / stride % n != 0) continue;  // a line begins where its index is 0
+    if (point / stride % n != 0) continue;  // a line starts at the index 0
     for (int c = 0; c < n_components; ++c) {
       const auto value = [&](int i) -> double& { return cell[n_components * (point + i * stride) + c]; };
       for (int q = 0; q < n; ++q) {

@@ -1,10 +1,12 @@
 #pragma once
-/// Fields of the whole ball for pictures. Every cell brings its own (k+1)³ Gauss–Lobatto nodes, since stresses jump
-/// between cells; the reflections of a sector follow, image by image.
+/// Fields of the whole ball for pictures. Every cell has its own (k+1)³ Gauss–Lobatto nodes, because stresses are
+/// discontinuous between cells. The mirror images of a sector follow, image by image.
 ///
-///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − λ_h F⁻ᵀ)Fᵀ / det F,   λ_h the multiplier of the motion, if there is one
+///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
-/// without the stress of a viscosity. All in internal units (lengths r, stresses ρc²).
+/// P is the stress of the law without volumetric stabilisation and viscosity, and λ_h is the multiplier of the motion
+/// (0 without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
+/// (gravity/surface_gravity.h). All fields have internal units (lengths r, stresses ρc²).
 
 #include <vector>
 
@@ -14,14 +16,14 @@
 
 namespace pseudorigid::continuum {
 
-/// A block for each cell, of its degree.
+/// A block for each cell and each mirror image, with the degree of the cell.
 mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 
-/// X at the points of the blocks, three a point.
+/// X at the points of the blocks, three numbers per point.
 std::vector<double> nodal_positions(const BallSpace& space);
 
-/// Fields at these points. `law` is that of the ball. Fails if the multiplier of the motion does, and if
-/// det F ≤ 0 at a node.
+/// Fields at these points. `law` must be the law of the ball. Fails if the multiplier of the motion cannot be computed,
+/// or if det F ≤ 0 at a node.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
@@ -29,7 +31,7 @@ mechanics::Status nodal_fields(const CompressibleBall& ball, const materials::An
                                const mechanics::State<CompressibleBall>& state, CompressibleBall::Workspace& workspace,
                                mechanics::BodyFields& fields);
 
-/// From the Gauss–Lobatto nodes of each cell to as many equidistant points, by the polynomials on the nodes.
+/// Interpolates values from the Gauss–Lobatto nodes of each cell to the same number of equidistant points.
 void make_equidistant(const BallSpace& space, std::vector<double>& values);
 void make_equidistant(const BallSpace& space, mechanics::BodyFields& fields);
 

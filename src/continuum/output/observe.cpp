@@ -40,8 +40,8 @@ Eigen::Matrix3d to_eigen(const CellIntegrals::Matrix& t) {
   return m;
 }
 
-/// (1/m̄)∫p dV. The integral of λ_h tests the constraint force with the dilation x, ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV. With
-/// self-gravity p = λ_h − ρ(φ − φ̄), ρφ̄V = (5/3)Ê (gravity/surface_gravity.h), of which ∫ρφ dV = 2Ê.
+/// (1/m̄)∫p dV. The constraint force of λ_h, tested with the dilation x, gives ∫λ_h F⁻ᵀ:∇x dV = 3∫λ_h dV. With
+/// self-gravity p = λ_h − ρ(φ − φ̄) with ρφ̄V = (5/3)Ê (gravity/surface_gravity.h) and ∫ρφ dV = 2Ê.
 double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& lambda) {
   Vector reaction = ball.make_vector();
   ball.add_reaction(x, lambda, reaction);
@@ -50,7 +50,7 @@ double mean_multiplier(const ElasticBall& ball, const Vector& x, const Vector& l
   return ball.space().mesh().sector().n_images() * ((reaction * x) / 3 - of_gravity) / m_bar;
 }
 
-/// All but the multiplier.
+/// All observables except the multiplier.
 mechanics::Status observe_motion(const BallBody& ball, const BallState& state,
                                  const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& o) {
   const int n_images = ball.space().mesh().sector().n_images();

@@ -21,7 +21,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
   const std::size_t nodes_per_cell = space.nodes_per_cell();
   std::vector<std::size_t> node_keys(space.n_nodes(), not_seen), cell_keys;
   std::vector<dealii::types::global_dof_index> nodes(nodes_per_cell);
-  // The first cell of an own node may be another rank's, so ghost cells are looked through as well.
+  // The first cell of an own node may belong to another rank, so the loop includes ghost cells.
   for (const auto& cell : dofs.active_cell_iterators()) {
     if (cell->is_artificial()) continue;
     const std::size_t number = space.mesh().global_number(cell);
@@ -33,7 +33,7 @@ RankOrder::RankOrder(const BallSpace& space) : communicator_(space.communicator(
         key = std::min(key, number * nodes_per_cell + i);
       }
   }
-  if (space.account()) node_keys.push_back(not_seen);  // its place is behind all nodes, there as here
+  if (space.account()) node_keys.push_back(not_seen);  // the account comes after all nodes, as in vectors
   fields_ = make_order(node_keys, 3);
   multipliers_ = make_order(cell_keys, space.n_pressure());
 }
@@ -42,7 +42,7 @@ RankOrder::Order RankOrder::make_order(const std::vector<std::size_t>& keys, std
   Order order;
   order.block = block;
   const auto keys_of_ranks = gather(communicator_, keys);
-  std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> sorted;  // key, rank, place there
+  std::vector<std::pair<std::size_t, std::pair<std::size_t, std::size_t>>> sorted;  // key, (rank, number on this rank)
   for (std::size_t rank = 0; rank < keys_of_ranks.size(); ++rank)
     for (std::size_t i = 0; i < keys_of_ranks[rank].size(); ++i) sorted.push_back({keys_of_ranks[rank][i], {rank, i}});
   std::sort(sorted.begin(), sorted.end());

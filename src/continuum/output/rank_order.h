@@ -1,7 +1,6 @@
 #pragma once
-/// An order of the entries of distributed vectors that does not depend on the ranks: nodes by the first cell that has
-/// them, cells by their place in the hierarchy of the mesh. Data saved in it can be read by any number of
-/// ranks.
+/// An order of the entries of distributed vectors that does not depend on the ranks. Nodes are ordered by the first of
+/// their cells, and cells by their place in the hierarchy of the mesh. Any number of ranks can read data in this order.
 
 #include <cstddef>
 #include <span>
@@ -14,13 +13,14 @@ namespace pseudorigid::continuum {
 
 class RankOrder {
  public:
-  /// Collective, as `collect` is.
+  /// Collective, as are `collect_field` and `collect_multiplier`.
   explicit RankOrder(const BallSpace& space);
 
-  /// The whole vector on rank 0 in this order, from every rank's own entries; empty on the others.
+  /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other
+  /// ranks.
   std::vector<double> collect_field(std::span<const double> own) const { return collect(own, fields_); }
   std::vector<double> collect_multiplier(std::span<const double> own) const { return collect(own, multipliers_); }
-  /// A rank's own entries out of the whole vector. std::invalid_argument if its size is another.
+  /// Copies the entries of this rank from the whole vector. Throws std::invalid_argument if the size is wrong.
   void take_field(std::span<const double> whole, std::span<double> own) const { take(whole, own, fields_); }
   void take_multiplier(std::span<const double> whole, std::span<double> own) const { take(whole, own, multipliers_); }
 
@@ -29,8 +29,8 @@ class RankOrder {
 
  private:
   struct Order {
-    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries that stay together
-    std::vector<std::size_t> own;                    ///< place of each of the rank's own blocks in the whole
+    std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries of a block
+    std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
     std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists of all ranks, on rank 0
   };
   Order make_order(const std::vector<std::size_t>& keys, std::size_t block) const;
@@ -41,7 +41,7 @@ class RankOrder {
   Order fields_, multipliers_;
 };
 
-/// Kinds of the parts of a method's memory, found by `visit_memory`: its numbers are the same on every rank, its
+/// The kinds of the parts of a method's memory, found by `visit_memory`. Numbers are the same on every rank, and
 /// vectors are distributed.
 class MemoryLayout {
  public:
@@ -51,7 +51,7 @@ class MemoryLayout {
   void operator()(Vector& x) {
     parts_.push_back({x.size() == order_->field_size() ? Kind::field : Kind::multiplier, x.locally_owned_size()});
   }
-  /// A number, or an empty part: the multiplier of a ball without constraint.
+  /// A number, or an empty part such as the multiplier of a ball without constraint.
   template <class Value>
   void operator()(Value& value) {
     if constexpr (std::is_arithmetic_v<Value>)
@@ -60,9 +60,9 @@ class MemoryLayout {
       parts_.push_back({Kind::numbers, mechanics::local_values(value).size()});
   }
 
-  /// The memory of all ranks as one list on rank 0, from every rank's own. Collective.
+  /// Collects the memory of all ranks as one list on rank 0, from the own part of each rank. Collective.
   std::vector<double> collect(std::span<const double> own) const;
-  /// Inverse of collect: this rank's part of the whole list. std::invalid_argument if the size does not fit.
+  /// Inverse of collect: the part of this rank in the whole list. Throws std::invalid_argument if the size is wrong.
   std::vector<double> take(std::span<const double> whole) const;
 
  private:

@@ -13,19 +13,19 @@ namespace {
 
 using Tangents = Eigen::Matrix<double, 3, 2>;
 
-/// The two columns of a gradient by ξ that lie in the faces with normal direction d.
+/// The two columns of ∂/∂ξ that are tangent to a face with the normal direction d.
 Tangents tangents(const Eigen::Matrix3d& gradient, int d) {
   Tangents t;
   t << gradient.col((d + 1) % 3), gradient.col((d + 2) % 3);
   return t;
 }
 
-/// λ₁²λ₂, from trace and determinant of C₀⁻¹c.
+/// λ₁²λ₂, computed from trace and determinant of C₀⁻¹c.
 double stretch_ratio(const Tangents& before, const Tangents& after) {
   const Eigen::Matrix2d A = (before.transpose() * before).inverse() * (after.transpose() * after);
   const double half_trace = A.trace() / 2, product = A.determinant();
   const double larger = half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - product));
-  return product / std::sqrt(larger);  // λ₁²λ₂² / λ₂
+  return product / std::sqrt(larger);  // product = λ₁²λ₂², √larger = λ₂
 }
 
 }  // namespace

@@ -1,23 +1,23 @@
 #pragma once
-/// How near the surface of an incompressible ball is to wrinkling. With λ₁ ≤ λ₂ the stretches within the surface, from
-/// the metrics of its tangents t_α = ∂X/∂ξ_α before and ∂x/∂ξ_α after the deformation,
+/// A measure of the distance of an incompressible ball from wrinkling of its surface. Let λ₁ ≤ λ₂ be the stretches
+/// within the surface. They follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the deformation,
 ///
 ///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx,
 ///
-/// and λ_n = 1/(λ₁λ₂) the stretch along the normal (volume is preserved, and a surface without shear traction has its
-/// normal as a principal direction), the ratio is
+/// The stretch along the normal is λ_n = 1/(λ₁λ₂), because the volume is constant, and the normal of a surface without
+/// shear traction is a principal direction. The ratio is
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///
-/// A half-space of a law loses its smooth shape if it falls to the law's surface limit (materials/law_limits.h):
-/// waves of every length then grow, the shorter the faster.
+/// A half-space becomes unstable if the ratio falls to the surface limit of its law (materials/law_limits.h). Waves of
+/// every length then grow, and the shortest grow fastest.
 
 #include "continuum/mesh/ball_space.h"
 #include "continuum/parallel/least_place.h"
 
 namespace pseudorigid::continuum {
 
-/// The least λ₁/λ_n over the nodes of the free surface, with X there. Collective.
+/// The least λ₁/λ_n over the nodes of the free surface, with its reference position X. Collective.
 LeastPlace least_surface_stretch(const BallSpace& space, const Vector& x);
 
 }  // namespace pseudorigid::continuum

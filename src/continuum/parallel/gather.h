@@ -1,6 +1,6 @@
 #pragma once
-/// Gathers vectors of every rank on the first one, and back. It uses MPI directly, because the packing of deal.II
-/// brings Boost's serialization and compression into every file that gathers.
+/// Functions that gather vectors of all ranks, or scatter them. They use MPI directly, because the functions of deal.II
+/// include Boost's serialization and compression in every file that uses them.
 
 #include <cstddef>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace pseudorigid::continuum {
 
-/// One T, so that counts are those of entries.
+/// An MPI type for one T, so that counts are numbers of entries.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class MpiType {
@@ -30,8 +30,9 @@ class MpiType {
   MPI_Datatype type_;
 };
 
-/// Counts of entries in the form of MPI, and the offsets of each rank; the last offset is the end of all. Throws
-/// std::length_error if a whole number of MPI, an int, does not hold them: on every rank alike, as all know all sizes.
+/// The numbers of entries of all ranks as MPI counts, and the offset of each rank; the last offset is the total number.
+/// Throws std::length_error if the total exceeds the type int of MPI. Every rank then throws, because all ranks have
+/// the same numbers.
 struct Counts {
   explicit Counts(const std::vector<long>& n_entries) {
     long end = 0;
@@ -46,7 +47,7 @@ struct Counts {
   std::vector<int> sizes, offsets{0};
 };
 
-/// Sizes of the vectors of all ranks. Collective.
+/// Numbers of entries of the vectors of all ranks. Collective.
 template <class T>
 Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
   const long n = static_cast<long>(values.size());
@@ -55,7 +56,8 @@ Counts counts_of_ranks(MPI_Comm communicator, const std::vector<T>& values) {
   return Counts(n_entries);
 }
 
-/// One vector of each rank, in their order. Collective; empty on the other ranks.
+/// Gathers the vectors of all ranks on rank 0, in the order of the ranks. The result is empty on other ranks.
+/// Collective.
 template <class T>
 std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return {values};
@@ -71,7 +73,7 @@ std::vector<std::vector<T>> gather(MPI_Comm communicator, const std::vector<T>& 
   return of_ranks;
 }
 
-/// The vectors of all ranks in their order, one after the other, on each of them. Collective.
+/// Concatenates the vectors of all ranks in the order of the ranks and returns the result on every rank. Collective.
 template <class T>
 std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return values;
@@ -83,20 +85,21 @@ std::vector<T> gather_on_all(MPI_Comm communicator, const std::vector<T>& values
   return all;
 }
 
-/// The vectors of all ranks except this one, in the same way. Collective.
+/// Concatenates the vectors of all other ranks in the order of the ranks and returns the result on every rank.
+/// Collective.
 template <class T>
 std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& values) {
   if (n_ranks(communicator) == 1) return {};
   const auto size = static_cast<std::ptrdiff_t>(values.size());
   long n_own = size, before = 0;
   MPI_Exscan(&n_own, &before, 1, MPI_LONG, MPI_SUM, communicator);
-  if (this_rank(communicator) == 0) before = 0;  // the result of MPI_Exscan there is undefined
+  if (this_rank(communicator) == 0) before = 0;  // MPI_Exscan leaves `before` undefined on rank 0
   std::vector<T> all = gather_on_all(communicator, values);
   all.erase(all.begin() + before, all.begin() + before + size);
   return all;
 }
 
-/// The reverse of gather: each rank gets its vector. Arguments on ranks other than the first are ignored. Collective.
+/// The inverse of gather: each rank gets its vector from rank 0. Arguments on other ranks are ignored. Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

@@ -1,12 +1,13 @@
 #pragma once
-/// Entries of distributed vectors that other ranks own. A single rank has none, and the functions return at once.
+/// Ghost entries of distributed vectors, which other ranks own. With one rank there are none, and the functions do
+/// nothing.
 
 #include "continuum/parallel/types.h"
 
 namespace pseudorigid::continuum {
 
-/// While this object lives, the ghost entries of x are those of their owners; afterwards x can be written again, if it
-/// could before.
+/// During the life of this object the ghost entries of x have the values of their owners. Its destructor makes x
+/// writable again, if x was writable before.
 class GhostValues {
  public:
   explicit GhostValues(const Vector& x)
@@ -26,7 +27,7 @@ class GhostValues {
   bool several_ranks_, clear_;
 };
 
-/// Adds the values of ghost entries to their owners' entries.
+/// Adds the values of ghost entries to the entries of their owners.
 inline void add_to_owners(Vector& f) {
   if (f.get_partitioner()->n_mpi_processes() > 1) f.compress(dealii::VectorOperation::add);
 }

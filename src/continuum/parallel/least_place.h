@@ -1,7 +1,7 @@
 #pragma once
-/// A least value with its place. If the values at several places agree to 1e-6, as at symmetric places up to round-off,
-/// the place with the greatest x counts, then y, then z. So the result does not depend on round-off or on the number of
-/// ranks.
+/// A least value with its place. If the values at several places agree to 1e-6, the place with the largest x counts,
+/// then y, then z. At symmetric places, such as mirror images, the result therefore does not depend on round-off or on
+/// the number of ranks.
 
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ struct LeastPlace {
   double value = std::numeric_limits<double>::infinity();
   std::array<double, 3> where{};
 
-  /// A NaN is less than all.
+  /// Replaces the value and the place if `other` is less. NaN counts as less than every number.
   void take(double other, const std::array<double, 3>& there) {
     if (std::isnan(value)) return;
     const double tie = 1e-6 * std::abs(other);

@@ -9,13 +9,14 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests by their bytes; 0 if they do not send to another process.
+/// Persistent requests with the size of their message in bytes. The size is negative if the message stays in this
+/// process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;
 }
 
-/// Bytes of a message; negative if it does not go to another process.
+/// Size of a message in bytes; negative if it does not go to another process.
 double bytes_to(int destination, int n, MPI_Datatype type, MPI_Comm communicator) {
   int own = 0, size = 0;
   PMPI_Comm_rank(communicator, &own);
@@ -47,7 +48,8 @@ MessageCounts message_counts() { return counts; }
 
 namespace counted = pseudorigid::continuum;
 
-// The parameters' names and types are those of mpi.h. A macro writes each function, because all have the same form.
+// The names and types of the parameters are those of mpi.h. A macro defines each function, because all have the same
+// form.
 extern "C" {
 
 #define PSEUDORIGID_COUNT_SEND(name)                                                                              \

@@ -1,10 +1,10 @@
 #pragma once
-/// PETSc and SLEPc, and with them MPI, are started when first needed: a run without them starts 0.3 s sooner.
+/// PETSc and SLEPc, which also start MPI. They start when first needed, because a run without them starts 0.3 s sooner.
 
 namespace pseudorigid::continuum {
 
-/// Starts them for the rest of the process, unless that has been done. PETSc takes the options of the environment
-/// variable PETSC_OPTIONS; signals remain the program's own.
+/// Starts PETSc and SLEPc for the rest of the process, unless they have started. PETSc reads options from the
+/// environment variable PETSC_OPTIONS. The program keeps its own handlers of signals.
 void start_petsc();
 
 }  // namespace pseudorigid::continuum

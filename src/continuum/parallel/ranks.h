@@ -1,5 +1,5 @@
 #pragma once
-/// Ranks of a communicator, and sums over them. In a process that has not started MPI there is one rank.
+/// The ranks of a communicator, and sums and minima over ranks. A process that has not started MPI has one rank.
 
 #include <deal.II/base/mpi.h>
 
@@ -42,7 +42,7 @@ std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Co
   return sum;
 }
 
-/// The least over the ranks, a NaN counting as −∞.
+/// The least value over the ranks. NaN counts as −∞.
 inline double least_over_ranks(double value, MPI_Comm communicator) {
   return dealii::Utilities::MPI::min(std::isnan(value) ? -std::numeric_limits<double>::infinity() : value,
                                      communicator);

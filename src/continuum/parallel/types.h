@@ -12,10 +12,11 @@
 
 namespace pseudorigid::continuum {
 
-/// Positions, velocities, forces: entry 3·node + component. Multipliers: entry n_pressure·cell + function.
+/// The vector type. Positions, velocities and forces have the entry 3·node + component. Multipliers have the entry
+/// n_pressure·cell + function.
 using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-/// Σ x_i y_i in eight sums, none of which waits for another.
+/// Σ x_i y_i, computed as eight independent sums, which the processor can add in parallel.
 inline double dot(const double* x, const double* y, std::size_t n) {
   constexpr std::size_t n_sums = 8;
   double sums[n_sums] = {};
@@ -28,8 +29,8 @@ inline double dot(const double* x, const double* y, std::size_t n) {
   return sum;
 }
 
-/// x_i ← d_i x_i for the entries that this rank owns. (A plain loop: the threads of deal.II take longer than a small
-/// vector.)
+/// x_i ← d_i x_i for the entries of this rank. This is a plain loop, because the threads of deal.II are slower for a
+/// small vector.
 inline void scale_by(const Vector& d, Vector& x) {
   const double* factors = d.begin();
   double* values = x.begin();
@@ -42,21 +43,21 @@ template <>
 struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   using Vector = pseudorigid::continuum::Vector;
   static constexpr bool dense = false;
-  /// Runs of the ball are short, so a compensated sum would cost more than it gains.
+  /// A compensated sum would cost more than it gains, because runs of the ball are short.
   static constexpr bool compensated = false;
   static void axpy(double a, const Vector& x, Vector& y) {
     const double* from = x.begin();
     double* to = y.begin();
     for (std::size_t i = 0, n = y.locally_owned_size(); i < n; ++i) to[i] += a * from[i];
   }
-  /// A scale of 0 clears any old content.
+  /// A scale of 0 sets x to 0, even if x contains NaN.
   static void scale(double a, Vector& x) {
     if (a == 0)
       x = 0.0;
     else
       for (double& value : x) value *= a;
   }
-  /// NaN counts as infinite (linfty_norm ignores it).
+  /// The largest |x_i|. NaN counts as infinite, whereas linfty_norm ignores it.
   static double max_norm(const Vector& x) {
     double norm = 0;
     for (const double value : x)
@@ -88,7 +89,8 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
   static std::span<double> local_values(Vector& x) { return {x.begin(), x.locally_owned_size()}; }
 
  private:
-  /// Calls use(first, n) for pieces so short that one stays in the nearest cache while those of many vectors pass.
+  /// Calls use(first, n) for short pieces of a vector. One piece remains in the first-level cache while pieces of many
+  /// other vectors are read.
   template <class Use>
   static void in_pieces(std::size_t size, const Use& use) {
     constexpr std::size_t piece = 1024;
