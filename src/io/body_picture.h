@@ -1,6 +1,6 @@
 #pragma once
-/// The picture of a body at one time, in the user's units and at its current position. Every model gives the same
-/// BodyFields; this file chooses the fields that are shown:
+/// The picture of a body at one time, at its current position and in the units of the user. Every model gives the same
+/// BodyFields. This file selects the fields of the picture:
 ///
 ///   displacement                  u = x − X
 ///   displacement_without_rotation x − x_c − R X, R the rotation nearest to the motion (the polar factor of
@@ -11,7 +11,7 @@
 ///   deformation_gradient          F, likewise;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
 ///   energy_density                W per reference volume;  gravity_potential φ per mass, where it is known
 ///
-/// and of the whole body TimeValue, center_of_mass x_c and rotation R.
+/// The picture has three constants of the whole body: TimeValue, center_of_mass x_c and rotation R.
 
 #include "entries/units.h"
 #include "io/vtu.h"
