@@ -150,7 +150,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If nothing moves, the resolution itself is the divisor.
+  // If nothing moves, the resolution replaces the divisor.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});

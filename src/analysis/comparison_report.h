@@ -25,7 +25,7 @@ void write_comparison(const std::filesystem::path& folder, const std::string& na
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
-/// The result of the comparison in one sentence, with a full stop.
+/// The result of the comparison as one sentence.
 std::string summary_sentence(const Comparison& comparison);
 
 /// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", for Q relative to

@@ -58,7 +58,7 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// " +- 0.003", or " (error in space not known)".
+/// Text after a number: " +- 0.003", or " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));

@@ -30,8 +30,8 @@ struct ModelSummary {
   std::optional<double> load{};  ///< angular frequency of the load that causes the dominant line, if any
   double departure = 0;          ///< max_t |Q − Q(0)|
   double strain_amplitude = 0;   ///< √2 rms_t |C − C̄|, C̄ the mean over time
-  bool turns = false;            ///< Q changes
-  bool deforms = false;          ///< C changes
+  bool turns = false;            ///< whether Q changes
+  bool deforms = false;          ///< whether C changes
   std::optional<double> energy_drift, angular_momentum_drift, circulation_drift;
   double energy_bound = 0;  ///< largest change of the energy without a warning, relative to the reference value
   std::optional<double> energy_beyond_since{};  ///< first time at which the energy has changed by more than this bound
@@ -70,7 +70,7 @@ std::string energy_clause(const ModelSummary& summary);
 
 /// A drift up to this value is reported as round-off. It is the error of some hundred operations in double precision.
 inline constexpr double round_off_drift = 1e-13;
-/// "3.2e-07" or "round-off".
+/// The text of a drift: "3.2e-07" or "round-off".
 std::string drift_in_words(double drift);
 
 /// Reference value for angular momenta or circulations: their largest norm. If this norm is round-off, the reference is
@@ -99,7 +99,7 @@ struct MotionSummary {
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K
 };
 
-/// Data of the scene of a run.
+/// Data of the scene that the summary of a run needs.
 struct SceneFacts {
   double resolution = 1e-10;               ///< relative accuracy of Q and C; smaller variations are not a motion
   double energy_unit = 0;                  ///< unit of energy of the scene

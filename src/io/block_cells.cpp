@@ -27,7 +27,7 @@ std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std
   return inside + (k - 1) * on_face + (j - 1) * on_edge + i - 1;
 }
 
-/// The points of the single cell of a block, in VTK's order.
+/// The points of the Lagrange cell of a block of degree p, in VTK's order.
 std::vector<std::size_t> lagrange_cell(std::size_t p) {
   std::vector<std::size_t> points((p + 1) * (p + 1) * (p + 1));
   for (std::size_t k = 0; k <= p; ++k)
@@ -36,7 +36,8 @@ std::vector<std::size_t> lagrange_cell(std::size_t p) {
   return points;
 }
 
-/// The points of the cells of a block, in VTK's order: the lower face counter-clockwise, then the upper face.
+/// The points of the linear cells of a block of degree p, in VTK's order. Each cell has the lower face
+/// counter-clockwise and then the upper face.
 std::vector<std::size_t> linear_cells(std::size_t p) {
   const std::size_t n = p + 1;
   const std::array<std::size_t, 8> corners{0, 1, n + 1, n, n * n, n * n + 1, n * n + n + 1, n * n + n};

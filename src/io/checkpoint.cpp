@@ -27,7 +27,7 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-enum class SectionType : std::uint8_t { doubles, integer, text };  // in the order of the variant's alternatives
+enum class SectionType : std::uint8_t { doubles, integer, text };  // same order as in Checkpoint::Value
 
 template <class T>
 std::string_view bytes_of(const T* values, std::size_t n = 1) {

@@ -14,7 +14,7 @@ namespace pseudorigid::io {
 struct WriteError : std::runtime_error {
   WriteError(std::filesystem::path file, int error_number);
   std::filesystem::path path;
-  int error_number;  ///< errno
+  int error_number;  ///< value of errno
 };
 
 /// Suffix of a file that is not complete. A complete file is renamed; a killed run may leave an incomplete one.

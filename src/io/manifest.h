@@ -26,7 +26,7 @@ struct BallRun {
 
 struct Manifest {
   struct Model {
-    std::map<std::string, double> counters{}, timers{};  ///< counts; seconds
+    std::map<std::string, double> counters{}, timers{};  ///< counts of events; times in seconds
     std::string method{};                                ///< of integration in time; empty without integration
     bool symplectic = false;                             ///< whether the method is symplectic
   };
@@ -42,7 +42,7 @@ struct Manifest {
   std::map<std::string, std::string> libraries;               ///< name → version
   std::string instructions;                                   ///< instruction set of the kernels; empty without kernels
   std::vector<BallRun> ball;                                  ///< runs of models of the ball, in their order
-  std::map<std::string, Model> models;                        ///< the models or the system of the run, by name
+  std::map<std::string, Model> models;                        ///< results of the models or of the system, by name
 };
 
 /// Keeps manifest.json up to date. The constructor writes the state "running" and `finish` the final state. Without a

@@ -21,7 +21,7 @@ class Progress {
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
-  void finish();  ///< clears the line
+  void finish();  ///< deletes the line from the terminal
 
   static bool stderr_is_terminal();
 

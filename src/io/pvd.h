@@ -14,7 +14,7 @@ class PvdCollection {
   struct Frame {
     double time;
     std::filesystem::path file;
-    long number() const;  ///< the number at the end of the file's name: 12 of "reduced-000012.vtu"
+    long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
   /// Reads the list of an earlier run, if one exists, and removes the pictures from the time `until` on. UserError

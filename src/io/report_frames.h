@@ -12,7 +12,7 @@
 namespace pseudorigid::io {
 
 struct PictureFace {
-  int plane;                                        ///< 0: the surface; 1, 2, 3: the coordinate plane with this normal
+  int plane;                                        ///< 0: surface; 1, 2 or 3: coordinate plane with this normal
   std::vector<std::pair<int, std::size_t>> points;  ///< index in `pieces` and number of each point, row by row
 };
 

@@ -105,7 +105,7 @@ Judgement judge(Identity holder) {
   if (number <= 0) return Judgement::unknown;
   if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
   const ProcessState found = state_of(holder[process]);
-  if (found.state == 0) return Judgement::at_work;  // the path exists, but this user may not read it
+  if (found.state == 0) return Judgement::at_work;  // unknown: this user may not read the data of the process
   const bool is_zombie = found.state == 'Z' || found.state == 'X';
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }

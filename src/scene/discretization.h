@@ -2,7 +2,7 @@
 /// Discretisations of the finite-element model, with degree k on the mesh after r refinements. If the scene does not
 /// set both numbers, a search tries discretisations in a fixed order.
 ///
-/// The error of Q falls with the resolution
+/// The error of Q decreases with the resolution
 ///
 ///   N = k · 1.6^r,
 ///
@@ -36,7 +36,7 @@ struct Discretization {
 double resolution(const Discretization& d);
 /// The cost c, in units of one trilinear element per cell.
 double cost(const Discretization& d);
-/// "degree 4, unrefined", "degree 5, refined once".
+/// The discretisation in words, such as "degree 4, unrefined" or "degree 5, refined once".
 std::string describe(const Discretization& d);
 
 /// The discretisation of a scene that sets both numbers; otherwise empty.
