@@ -64,7 +64,7 @@ struct Series {
 
 struct FrequencyRatio {
   double value = 0;  ///< ω_r / ω_c
-  ErrorBar error;    ///< error of the ratio for the largest errors of both frequencies
+  ErrorBar error;    ///< largest error of the ratio by the errors of both frequencies
 };
 
 struct Comparison {
@@ -72,8 +72,8 @@ struct Comparison {
   std::vector<Series> series;
   ModelSummary model, reference;
   bool has_state = false;
-  std::string signal;         ///< name of the component, "C33"
-  std::string signal_reason;  ///< reason for this component
+  std::string signal;         ///< component of C with the fitted frequency, "C33"
+  std::string signal_reason;  ///< reason for the choice of this component
   /// Bound of |δQ|/|Q|, the part of q_difference that the discretisations may cause, largest over the samples. `space`
   /// is the error of the reference. `time` is 3 e / min_t |Q_r|, with e the sum of the estimated time errors of both
   /// models. `quadrature` is the same with the errors of their quadrature rules.

@@ -29,7 +29,7 @@ nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons)
 std::string summary_sentence(const Comparison& comparison);
 
 /// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", for Q relative to
-/// |Q|. The text also says if the error is larger than the difference. Requires `has_state`.
+/// |Q|. A remark is added if the error is larger than the difference. Requires `has_state`.
 std::string model_difference(const Comparison& comparison);
 
 /// "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires that the comparison has

@@ -2,7 +2,7 @@
 /// The discretisation error of a series of runs, from the differences d of successive runs. The model of the error e of
 /// a run with resolution N is
 ///
-///   e(N) = C N⁻ᵖ.
+///   e(N) = C N⁻ᵖ,
 ///
 /// with a constant C and the rate p. The rate is algebraic in the degree and in the mesh size, because shear fronts
 /// leave the surface of the ball. Two runs with resolutions N and N' and an assumed rate give

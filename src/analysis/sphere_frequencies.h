@@ -41,7 +41,8 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   return T11 * T43 - T13 * T41;
 }
 
-/// The root number `overtone` of f above 0.5, counted from 0. Frequencies of the sphere have x > 0.5.
+/// The root of f above 0.5 with the number `overtone`; the lowest root has the number 0. Frequencies of the sphere have
+/// x > 0.5.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step

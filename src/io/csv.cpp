@@ -23,7 +23,7 @@ constexpr std::size_t pending_limit = 1 << 16;  // largest number of bytes that 
 
 std::string header_line(std::span<const std::string> columns) { return fmt::format("{}\n", fmt::join(columns, ",")); }
 
-/// Removes the next line from `text` and returns it without its newline. False if no complete line remains.
+/// Moves the next line of `text`, without its newline, into `line`. False if no complete line remains.
 bool next_line(std::string_view& text, std::string_view& line) {
   const std::size_t end = text.find('\n');
   if (end == text.npos) return false;

@@ -27,8 +27,8 @@ struct BallRun {
 struct Manifest {
   struct Model {
     std::map<std::string, double> counters{}, timers{};  ///< counts of events; times in seconds
-    std::string method{};                                ///< of integration in time; empty without integration
-    bool symplectic = false;                             ///< whether the method is symplectic
+    std::string method{};     ///< name of the method of integration; empty without integration in time
+    bool symplectic = false;  ///< whether the method is symplectic
   };
   BuildInfo build;                                            ///< result of build_info()
   std::vector<std::string> command;                           ///< arguments of the program (argv)

@@ -30,8 +30,8 @@ struct UnstructuredGrid {
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
 };
 
-/// Replaces the file atomically. WriteError if the disk refuses. std::logic_error if sizes of arrays do not match, a
-/// point number is out of range or a value is not finite.
+/// Replaces the file atomically. WriteError if the file cannot be written. std::logic_error if sizes of arrays do not
+/// match, a point number is out of range or a value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
 /// Writes the file of a parallel run, which lists the files of its pieces. The pieces have the fields of `piece` and

@@ -18,7 +18,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// A suggestion "; did you mean …" and the list of the parameters.
+/// A suggestion "; did you mean …" with the list of the parameters, or a note that there are no parameters.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);

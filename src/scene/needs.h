@@ -22,7 +22,7 @@ struct Needs {
   bool contact = false;           ///< contact with rigid planes and its columns
   bool surface_watch = false;     ///< check whether the surface of the finite-element model reaches Biot's limit
   bool graphics = false;          ///< files for ParaView
-  bool report = false;            ///< report.html, and shapes.csv of a discretized model
+  bool report = false;            ///< report.html, and shapes of the models with motions other than x = QX
   Quantities quantities;          ///< the observables to evaluate
   Sector sector;                  ///< sector of the models with motions other than x = QX
   std::vector<std::string> needed, skipped;  ///< lines for the user

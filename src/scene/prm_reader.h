@@ -9,8 +9,8 @@
 /// White space around names and values is removed, and tabs count as blanks. A test compares the reader with the
 /// installed ParameterHandler. There are deliberate differences:
 ///
-/// Several blanks inside a name count as one. The documentation of deal.II says so, but its parser does not do it. The
-/// file of `include` is searched in the folder of the including file, not in the working directory.
+/// Several blanks inside a name count as one, as documented for deal.II, whose parser does not do it. The file of
+/// `include` is searched in the folder of the including file, not in the working directory.
 ///
 /// These inputs are errors: a file that includes itself, a name that contains `/`, control characters (binary data), a
 /// file above 1 MiB, and more than 100 included files. The character `/` joins subsection and entry in messages and in

@@ -4,7 +4,7 @@
 ///
 ///   f = −(V′(r)/r) d,   and −f acts on the second point (action and reaction, Oliva 5.5.1, II).
 ///
-/// Spring: V = ½k(r − l)², V′/r = k(1 − l/r) with stiffness k and rest length l
+/// Spring:      V = ½k(r − l)²,   V′/r = k(1 − l/r)   with stiffness k and rest length l
 /// Attraction:  V = −k/r,         V′/r = k/r³
 
 #include <Eigen/Core>

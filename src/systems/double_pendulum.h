@@ -1,14 +1,14 @@
 #pragma once
-/// Planar double pendulum in multiplier form (Oliva 5.5.2) with q = (q₁, q₂) ∈ R⁴. The second axis (y) points
-/// downwards:
+/// Planar double pendulum in multiplier form (Oliva 5.5.2) with the positions q = (q₁, q₂) ∈ R⁴ and the reactions R_k.
+/// The second axis (y) points downwards:
 ///
 ///   m₁q̈₁ = m₁g e_y + R₁,   m₂q̈₂ = m₂g e_y + R₂                                                        (5.43)
 ///   g₁ = ½(|q₁|²/l₁² − 1) = 0,   g₂ = ½(|q₂ − q₁|²/l₂² − 1) = 0                                (5.33), (5.34)
 ///   R₂ = λ₂(q₂ − q₁)/l₂²,   R₁ + R₂ = λ₁q₁/l₁²
 ///   U = −m₁g y₁ − m₂g y₂
 ///
-/// with masses m_k, rods of length l_k and gravity g. The angles are those of the Lagrange form, q₁ = l₁(sin θ, cos θ),
-/// q₂ − q₁ = l₂(sin φ, cos φ).
+/// with masses m_k, rods of length l_k, gravity g, constraints g_k, multipliers λ_k and the potential U. The angles are
+/// those of the Lagrange form, q₁ = l₁(sin θ, cos θ), q₂ − q₁ = l₂(sin φ, cos φ).
 
 #include <Eigen/Dense>
 #include <cmath>

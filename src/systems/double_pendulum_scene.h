@@ -101,8 +101,9 @@ struct DoublePendulumScene {
     }
 
    private:
-    /// The reactions (R₁, R₂). Let φ(θ, φ) be the positions as functions of the angles. Then ∂φ/∂θ = (l₁e_θ, l₁e_θ),
-    /// ∂φ/∂φ = (0, l₂e_φ), and D²φ(q̇, q̇) = −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
+    /// The reactions (R₁, R₂). Let X = (q₁, q₂) be the positions as functions of the angles. Then ∂X/∂θ = (l₁e_θ,
+    /// l₁e_θ) and ∂X/∂φ = (0, l₂e_φ), with unit vectors e_θ, e_φ perpendicular to the rods. The second derivative along
+    /// the rates of the angles is −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
     Eigen::Vector4d reactions(const mechanics::State<DoublePendulum>& state, const Eigen::Vector2d& rates) const {
       const auto& p = pendulum.parameters();
       const Eigen::Vector2d upper = state.q.head<2>(), rod = state.q.tail<2>() - upper;

@@ -1,5 +1,6 @@
 #pragma once
-/// Mass, centre of mass and second moment of a body with the mass measure m on its points ξ ∈ S ⊂ K (Oliva 5.6):
+/// Mass, centre of mass and second moment of a body (Oliva 5.6). The body is a set S in its space K, with points ξ and
+/// the mass measure m:
 ///
 ///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
 ///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.

@@ -1,7 +1,7 @@
 #pragma once
-/// Mass points in parameter files (mass_points.h): n points with mutual attraction, springs, dashpots and external
-/// fields. The first point has the number 1. With the masses m_i, their mean position q̄ and the centre c, motions of
-/// any size are of order 1 in the scales
+/// Mass points in parameter files (mass_points.h, which defines the symbols). There are n points with mutual
+/// attraction, springs, dashpots and external fields. The first point has the number 1. With the mean position q̄ and
+/// the centre c, motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if forces come from c, and of the rest lengths of springs

@@ -1,15 +1,15 @@
 #pragma once
 /// Rigid body on k × SO(3) (Oliva 5.6.19), with k the Euclidean space. The body is constrained in the vector space of
 /// the matrices q = [R | x], and the body point ξ has the position x(ξ) = Rξ + x. The origin of the body is the fixed
-/// point, and the column x is then absent. Without a fixed point the origin is the centre of mass (5.101). With
-/// external forces df,
+/// point, and the column x is then absent. Without a fixed point the origin is the centre of mass (5.101). For the mass
+/// m, the inertia operator A and external forces df, the kinetic energy K and the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
 ///
 /// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c_i of R, in the order 11 22 33 23
-/// 13 12. Their six multipliers are therefore the entries of the symmetric matrix Λ. The matrix S = G(q₁)M⁻¹G(q₀)ᵀ is
-/// the map
+/// 13 12. Their six multipliers are therefore the entries of the symmetric matrix Λ. With the mass operator M and the
+/// derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
 ///
 ///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
 

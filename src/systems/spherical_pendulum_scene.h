@@ -1,12 +1,12 @@
 #pragma once
-/// A heavy point on a massless rod that can rotate about its upper end. The z axis points upwards, and the point has
-/// the mass m, the length l of the rod, gravity g and the drag coefficient c:
+/// A heavy point on a massless rod that can rotate about its upper end. The z axis points upwards. For the mass m, the
+/// length l of the rod, gravity g and the drag coefficient c, the motion satisfies
 ///
 ///   m q̈ = −m g e_z − c q̇ + λ q/l²,   ½(|q|²/l² − 1) = 0,   V = m g z,
 ///
-/// with the tension −λ/l of the rod, which is positive if the rod pulls. Without drag, the energy E and the angular
-/// momentum about the vertical, m (x ẏ − y ẋ), are constant. With drag, dE/dt = −c |q̇|². The equilibria are the
-/// hanging point (Morse index 0) and the standing point (Morse index 2).
+/// with the multiplier λ and the potential V. The tension −λ/l of the rod is positive if the rod pulls. Without drag,
+/// the energy E and the angular momentum about the vertical, m (x ẏ − y ẋ), are constant. With drag, dE/dt = −c |q̇|².
+/// The equilibria are the hanging point (Morse index 0) and the standing point (Morse index 2).
 
 #include <Eigen/Dense>
 #include <algorithm>
