@@ -18,7 +18,7 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The two tables, and the comparison to which series are added.
+/// The tables of both models, and the comparison to which functions add series.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -26,7 +26,7 @@ struct Workshop {
   const ComparisonOptions& options;
   Comparison out;
 
-  /// Whether both tables have the columns. If not, `what` joins the list of quantities that are not compared.
+  /// Whether both tables have the columns. If not, `what` is added to the quantities that are not compared.
   bool available(std::string_view what, const Columns& columns) {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
@@ -122,7 +122,7 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   out.ratio = ratio_of(out.model, out.reference);
 }
 
-/// The axial vectors of Q̇Qᵀ and QᵀQ̇ are J/m̄ and Z/m̄.
+/// Whether the body spins: J/m̄ and Z/m̄ are the axial vectors of Q̇Qᵀ and QᵀQ̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -150,7 +150,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If nothing moves, the resolution itself is the divisor.
+  // If nothing moves, the resolution replaces the divisor.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
@@ -188,7 +188,7 @@ void compare_dissipation(Workshop& w) {
     w.add("dissipated_difference", reference, each(std::minus{}, c, r));
 }
 
-/// Anywhere in the body; the pseudo-rigid body has the same everywhere.
+/// Compares the extreme principal stretches in the body. They are the same at every point of a pseudo-rigid body.
 void compare_stretches(Workshop& w) {
   for (const auto& [name, of_mean] : {std::pair{"max_stretch", "stretch1"}, std::pair{"min_stretch", "stretch3"}}) {
     const std::string of_model = w.r.has_column(name) ? name : of_mean;

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// The parts and their sum, null if one is not known.
+/// Adds the parts of an error and their sum. Unknown values are null.
 void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool is_fitted) {
   if (is_fitted) json[prefix + "fit_error"] = bar.fit;
   json[prefix + "time_error"] = to_json(bar.time);
@@ -45,7 +45,7 @@ Json frequency_of_model(const ModelSummary& m) {
   json["cycles"] = fit.cycles;
   json["residual_rms"] = fit.residual_rms;
   for (const Line& l : fit.lines) {
-    if (l.frequency <= 3 * l.uncertainty) continue;  // part of the fit, but a drift rather than an oscillation
+    if (l.frequency <= 3 * l.uncertainty) continue;  // a drift that the fit describes by a slow line
     json["lines"].push_back(
         {{"omega", l.frequency}, {"fit_error", l.uncertainty}, {"amplitude", l.amplitude}, {"phase", l.phase}});
   }
@@ -80,12 +80,12 @@ Json model_json(const ModelSummary& m, bool has_state) {
   return json;
 }
 
-/// A number of per cent to one digit, or to the whole number, rounded up.
+/// A percentage with one digit, or a whole number above 9 %, rounded up.
 std::string roughly(double percent) {
   return percent <= 9 ? printed_error(percent) : fmt::format("{:.0f}", std::ceil(percent));
 }
 
-/// "18.6" or, where the uncertainty shows in three digits, "18.6 +- 0.4".
+/// "18.6", or "18.6 +- 0.4" if the uncertainty affects the three printed digits.
 std::string percent(double value, double uncertainty) {
   const double p = 100 * value, u = 100 * uncertainty;
   return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
@@ -95,7 +95,8 @@ std::string unknown_frequency(const ModelSummary& m) {
   return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
-/// Two frequencies of which some error is not known: no bar, and the words "as far as" in its place.
+/// Text for two frequencies with an error that is not known. It has no error bar but the words "as far as the fits
+/// tell".
 std::string fitted_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1;
   const std::string apart =
@@ -110,7 +111,7 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  // The fit's part is a standard error, of which three are taken; the others are bounds.
+  // The error of the fit is a standard error and is multiplied by three. The other errors are bounds.
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
@@ -127,7 +128,7 @@ std::string compared_frequencies(const Comparison& c) {
   return text;
 }
 
-/// At least one of them moves with a load.
+/// Text for the case that at least one model moves with a load.
 std::string followed_load(const ModelSummary& r, const ModelSummary& e) {
   const std::string who = r.load && e.load ? "Both balls follow a load"
                                            : fmt::format("The {} ball follows a load", (r.load ? r : e).adjective);
@@ -213,7 +214,7 @@ void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
   drift("drift of the circulation", &ModelSummary::circulation_drift);
 }
 
-/// The series that the terminal shows, with their labels.
+/// Series in the table for the terminal, with their labels.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> shown{{
     {"q_difference", "Q, relative to |Q|"},
     {"strain_difference", "C, relative to its amplitude"},
@@ -272,7 +273,7 @@ void write_comparison(const std::filesystem::path& folder, const std::string& na
 std::string summary_sentence(const Comparison& c) {
   std::string sentence = motion_clause(c);
   if (c.has_state) sentence += "; " + difference_clause(c);
-  // If the ball does not move, a share of its kinetic energy is a quotient of round-off.
+  // If the ball does not move, a fraction of its kinetic energy is a ratio of round-off errors.
   const bool moves = !c.has_state || c.reference.deforms || c.reference.turns;
   if (moves && c.find("nonaffine_kinetic_fraction")) sentence += "; " + nonaffine_clause(c);
   for (const ModelSummary* m : {&c.model, &c.reference})

@@ -1,5 +1,5 @@
 #pragma once
-/// A comparison as files, as a table for the terminal, and as one sentence.
+/// Output of a comparison as files, as a table for the terminal, and as one sentence.
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,30 +11,32 @@
 
 namespace pseudorigid::analysis {
 
-/// comparison.csv: the time and every series.
+/// The table comparison.csv, with the time and every series.
 io::Table comparison_table(const Comparison& comparison);
 
-/// comparison.json: of each series maximum, its time, RMS and reference value; frequencies, drifts, missing data.
+/// The content of comparison.json: for each series its maximum, time of the maximum, RMS and reference value; also
+/// frequencies, drifts and missing data.
 nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
-/// Writes both into `folder`, as `<name>.csv` and `<name>.json`.
+/// Writes the table and the JSON into `folder`, as `<name>.csv` and `<name>.json`.
 void write_comparison(const std::filesystem::path& folder, const std::string& name, const Comparison& comparison);
 
-/// Comparisons with one reference, as one line each for the terminal, and as JSON.
+/// Comparisons with the same reference: as text for the terminal with one line each, and as JSON.
 std::string overview(const std::vector<Comparison>& comparisons);
 nlohmann::ordered_json overview_json(const std::vector<Comparison>& comparisons);
 
-/// The result of the comparison in one sentence, with a full stop.
+/// The result of the comparison as one sentence.
 std::string summary_sentence(const Comparison& comparison);
 
-/// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", of Q relative to
-/// |Q|, and whether the two overlap. Takes a comparison that has_state.
+/// "model difference 0.0123 +- 0.0004 (discretisation error, estimated: time 2e-06, space 0.0004)", for Q relative to
+/// |Q|. A remark is added if the error is larger than the difference. Requires `has_state`.
 std::string model_difference(const Comparison& comparison);
 
-/// "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Takes a comparison with one.
+/// "ratio of the frequencies 1.186319 +- 3e-05 (fit 2e-07, time 2e-05, space 1e-05)". Requires that the comparison has
+/// a ratio.
 std::string frequency_ratio(const Comparison& comparison);
 
-/// A table of at most 18 lines, the last one the sentence.
+/// A table of at most 18 lines. The last line is the summary sentence.
 std::string terminal_table(const Comparison& comparison);
 
 }  // namespace pseudorigid::analysis

@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a number that is read off a run, part by part. A part that is not known is absent: it is named, and no
-/// bar is printed in its place.
+/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part and has no
+/// error bar.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,17 +15,18 @@
 namespace pseudorigid::analysis {
 
 struct ErrorBar {
-  double fit = 0;  ///< how well the samples determine the number; 0: it is read off without a fit
-  std::optional<double> time{}, space{};  ///< by the discretisation in time, in space
-  std::optional<double> quadrature = 0;   ///< by the rule of a polynomial body; of others it is a part of space
+  double fit = 0;                         ///< error of a least-squares fit to the samples; 0 without a fit
+  std::optional<double> time{}, space{};  ///< error of the discretisation in time or space
+  std::optional<double> quadrature =
+      0;  ///< error of the quadrature of a polynomial body; for other bodies it is a part of `space`
 
-  /// The sum.
+  /// The sum of the parts; empty if a part is not known.
   std::optional<double> total() const {
     return time && space && quadrature ? std::optional(fit + *time + *space + *quadrature) : std::nullopt;
   }
 };
 
-/// An error to one digit, rounded up, so that the printed number is a bound as well. "0.003", "2e-06".
+/// An error with one digit, rounded up, so that the printed number is also a bound: "0.003", "2e-06".
 inline std::string printed_error(double error) {
   if (!(error > 0)) return "0";
   const double place = std::pow(10, std::floor(std::log10(error)));
@@ -33,7 +34,7 @@ inline std::string printed_error(double error) {
   return fmt::format("{:.1g}", std::ceil(error / place * (1 - round_off)) * place);
 }
 
-/// "error in space not known"; empty if every part is known.
+/// "error in space not known". Empty if every part is known.
 inline std::string unknown_parts(const ErrorBar& bar) {
   std::vector<std::string> names;
   if (!bar.time) names.emplace_back("time");
@@ -46,7 +47,7 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// "fit 3e-03, time 2e-06, space not known", and of polynomial bodies ", quadrature 4e-06".
+/// "fit 3e-03, time 2e-06, space not known", and for polynomial bodies also ", quadrature 4e-06".
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
@@ -57,16 +58,16 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// " +- 0.003", or " (error in space not known)".
+/// Text after a number: " +- 0.003", or " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
 }
 
-/// The estimated errors of a run's samples.
+/// Estimated errors of the samples of a run.
 struct RunErrors {
   std::optional<double> time{};          ///< largest entry of the error of Q
-  std::optional<double> space{};         ///< largest |δQ|/|Q|; 0: the model has no discretisation in space
+  std::optional<double> space{};         ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space
   std::optional<double> quadrature = 0;  ///< largest entry of the error of Q
   const OtherResolution* other = nullptr;
 };

@@ -16,8 +16,8 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Below six cycles the peak of a windowed periodogram is displaced by its mirror image and by the drift: try the
-/// neighbourhood and keep the frequency of least residual.
+/// Finds a frequency near a low peak. Below six cycles, the mirror image and the drift displace the peak of a windowed
+/// periodogram. The function therefore returns the frequency near the peak with the least residual.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -34,8 +34,8 @@ double scan_low_frequencies(LineModel model, double peak) {
 
 enum class Neighbours { admitted, excluded };
 
-/// Adds the line of a peak at Ω: tied to the first line, free, or by freeing the tied line that it contradicts.
-/// False if it lies too close to a free line.
+/// Adds the line of a peak at Ω. The line is free or constrained to a multiple of the first line. If the peak
+/// contradicts a constrained line, this line becomes free instead. Returns false if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi, well_separated = 2 * pi;
   double distance = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// The first line, or why there is none.
+/// Finds the first line. Returns the reason if none is found, otherwise an empty text.
 std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degree) {
   const std::vector<double> peaks = periodogram_peaks(model.residual());
   if (peaks.empty()) return "no line stands out of the noise";
@@ -69,16 +69,17 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend looks like a cycle or two: the line must beat the polynomial with as many parameters.
+  // A slow trend looks like one or two cycles. The line must therefore have a smaller residual than a polynomial with
+  // the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
   return {};
 }
 
-/// The information about a model that the residual has.
+/// Quality of a model, from its residual.
 struct Assessment {
-  std::vector<double> peaks;  ///< of the residual
-  double deviation;           ///< √variance of the frequencies = deviation · √(S⁻¹), see FrequencyFit
+  std::vector<double> peaks;  ///< peaks of the periodogram of the residual
+  double deviation;           ///< σ of FrequencyFit: the standard errors are deviation · √(S⁻¹)
   double first_error;         ///< standard error of the first frequency
 };
 
@@ -91,14 +92,15 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// A round of the search: how many peaks of the residual become lines, and whether lines may be close to others.
+/// A round of the search. It sets the largest number of peaks that become lines, and whether new lines may be close to
+/// other lines.
 struct Round {
   std::size_t n_peaks;
   Neighbours neighbours;
 };
 
-/// Takes the peaks of the residual as lines if this reduces the error of the first frequency; otherwise changes
-/// nothing.
+/// Adds lines at peaks of the residual if this reduces the error of the first frequency. Otherwise the model does not
+/// change.
 bool add_lines(LineModel& model, Assessment& state, const Round& round, double size, int max_lines) {
   LineModel trial = model;
   std::size_t n_added = 0;
@@ -112,7 +114,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // A modulated amplitude that neighbouring lines imitate leaves a residual at every order; two true lines do not.
+  // Close lines can imitate a modulated amplitude, but then the residual has peaks. Two true lines leave no peaks.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -121,7 +123,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off, has no further line, or does not improve the first frequency.
+/// Adds lines until the residual is round-off or no further line reduces the error of the first frequency.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);
@@ -133,7 +135,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
     const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
     gained = std::ranges::any_of(rounds, gains);
   }
-  // If lines merge, a smaller residual makes the frequency less certain: keep the frequency with the smaller error.
+  // If lines merge, a smaller residual can increase the error of the frequency. Keep the frequencies with the smaller
+  // error.
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);

@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Columns P_0 … P_degree at n equidistant points of [−1, 1].
+/// A matrix with the columns P_0 … P_degree at n equidistant points of [−1, 1].
 MatrixXd legendre(Index n, int degree) {
   const VectorXd s = VectorXd::LinSpaced(n, -1, 1);
   MatrixXd P(n, degree + 1);
@@ -19,8 +19,8 @@ MatrixXd legendre(Index n, int degree) {
   return P;
 }
 
-/// Columns cos(Ωs), sin(Ωs). Rotating by a fixed angle is much cheaper than a sine; a fresh start every 64 samples
-/// keeps the accumulated error at round-off.
+/// Computes the columns cos(Ωs), sin(Ωs). A rotation by a fixed angle is much faster than a sine. The rotation starts
+/// anew every 64 samples, so that the accumulated error remains at round-off.
 void fill_wave(double omega, Eigen::Ref<VectorXd> cosine, Eigen::Ref<VectorXd> sine) {
   constexpr Index restart = 64;
   const Index n = cosine.size();
@@ -53,7 +53,7 @@ void LineModel::project() {
   gram_.compute(gram.selfadjointView<Eigen::Lower>());
   coefficients_ = gram_.solve(A_.transpose() * y_);
   residual_ = y_ - A_ * coefficients_;
-  // The normal equations square the condition number; one refinement gives the digits back.
+  // The normal equations square the condition number. One step of iterative refinement restores the lost digits.
   coefficients_ += gram_.solve(A_.transpose() * residual_);
   residual_ = y_ - A_ * coefficients_;
 }

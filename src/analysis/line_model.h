@@ -1,11 +1,12 @@
 #pragma once
-/// The least-squares problem behind the frequency fit, for a given set of waves:
+/// The least-squares problem of the frequency fit for a given set of waves:
 ///
-///   minimise |y − A(Ω) c|² over c (projection, A's columns are P_k, cos Ωs, sin Ωs), then over Ω by Gauss–Newton:
+///   minimise |y − A(Ω) c|² over c (projection, A has the columns P_k, cos Ωs, sin Ωs), then over Ω by Gauss–Newton:
 ///   S δΩ = Dᵀr,  D = ∂(A c)/∂Ω,  S = DᵀD − DᵀA (AᵀA)⁻¹ AᵀD,  r = y − A c.
 ///
-/// A frequency is Ω = ωT/2, the phase per unit of s ∈ [−1, 1] over the record of length T: Ω/π is the number of cycles
-/// in the record, and two lines are one resolution width apart when their Ω differ by π.
+/// with the samples y, the coefficients c and Legendre polynomials P_k. A frequency is Ω = ωT/2, the phase per unit of
+/// s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. The distance of one resolution width 2π/T is π
+/// in Ω.
 
 #include <Eigen/Dense>
 #include <utility>
@@ -14,7 +15,7 @@
 namespace pseudorigid::analysis {
 
 struct Wave {
-  std::size_t base;  ///< which free frequency
+  std::size_t base;  ///< index of a free frequency in `bases`
   int multiple;      ///< Ω = multiple · bases[base]
 };
 
@@ -23,30 +24,32 @@ class LineModel {
   /// `y` must outlive the model.
   LineModel(const Eigen::VectorXd& y, int drift_degree);
 
-  std::vector<double> bases;  ///< the free frequencies; after a change of these or of the waves, project()
+  std::vector<double> bases;  ///< free frequencies; call project() after a change of `bases` or `waves`
   std::vector<Wave> waves;
 
-  /// c = argmin |y − A c| at the present frequencies.
+  /// Computes the coefficients c = argmin |y − A c| for the current frequencies.
   void project();
 
   enum class Accuracy { rough, full };
-  /// Gauss–Newton steps, halved until the residual falls. Rough: ends when a step reduces the residual by less than a
-  /// tenth, which is enough to find further lines.
+  /// Makes Gauss–Newton steps. Each step is halved until the residual decreases. Rough accuracy ends after a step that
+  /// reduces the squared residual by less than a tenth. This is sufficient to find further lines.
   void refine(Accuracy accuracy);
 
   double omega(const Wave& w) const { return w.multiple * bases[w.base]; }
   double rss() const { return residual_.squaredNorm(); }
   const Eigen::VectorXd& residual() const { return residual_; }
   Eigen::Index n_parameters() const { return A_.cols() + Eigen::Index(bases.size()); }
-  /// (a, b) of a cos Ωs + b sin Ωs.
+  /// The coefficients (a, b) of a cos Ωs + b sin Ωs.
   std::pair<double, double> amplitudes(std::size_t wave) const;
-  /// Diagonal of S⁻¹, one entry per base.
+  /// The diagonal of S⁻¹, with one entry per free frequency.
   Eigen::VectorXd inverse_curvature();
 
  private:
-  Eigen::Index cosine(std::size_t wave) const { return drift_.cols() + 2 * Eigen::Index(wave); }  ///< its column
+  Eigen::Index cosine(std::size_t wave) const {
+    return drift_.cols() + 2 * Eigen::Index(wave);
+  }  ///< column of cos Ωs in A
   bool negligible(const Eigen::VectorXd& step) const;
-  Eigen::MatrixXd projected_hessian();  ///< S; keeps D
+  Eigen::MatrixXd projected_hessian();  ///< computes D and returns S
 
   const Eigen::VectorXd& y_;
   Eigen::MatrixXd drift_, A_, jacobian_;

@@ -4,10 +4,11 @@
 
 namespace pseudorigid::analysis {
 
-/// The same motion on another discretisation in space, at the same samples: columns time and Q11 to Q33.
+/// Samples of the same motion on another discretisation in space, at the same times. The columns are time and Q11 to
+/// Q33.
 struct OtherResolution {
   io::Table samples;
-  double factor;  ///< error in space of a number over its difference there (space_error.h)
+  double factor;  ///< ratio of the error in space to the difference of the two discretisations (space_error.h)
 };
 
 }  // namespace pseudorigid::analysis

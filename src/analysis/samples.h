@@ -1,5 +1,5 @@
 #pragma once
-/// The samples of a run as objects of Eigen, and numbers of them.
+/// Functions that read the samples of a run as Eigen objects and compute numbers from them.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -17,7 +17,7 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Columns of a table, each sample an Eigen object of that many entries, row after row.
+/// Reads columns of a table. Each sample is an Eigen object whose entries are the columns, row by row.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -30,7 +30,7 @@ std::vector<Value> read(const io::Table& table, const Columns& names) {
   return samples;
 }
 
-/// f of each sample of one or more lists of the same length.
+/// Values of f for the samples of one or more lists of the same length.
 template <class F, class First, class... Rest>
 std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
   std::vector<double> values(first.size());
@@ -56,14 +56,14 @@ inline double largest(const std::vector<double>& values) {
 
 inline double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
 
-/// Σ w v / Σ w.
+/// The weighted mean Σ w v / Σ w of the values v.
 inline double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
   double total = 0, sum = 0;
   for (std::size_t n = 0; n < values.size(); ++n) total += weights[n], sum += values[n] * weights[n];
   return ratio_or_zero(sum, total);
 }
 
-/// Largest departure from the first value, over the reference.
+/// Largest difference from the first value, divided by the reference.
 inline double drift(const std::vector<double>& values, double reference) {
   return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
 }

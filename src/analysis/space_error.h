@@ -1,52 +1,54 @@
 #pragma once
-/// The discretisation error of a series of runs from the differences d of successive ones, where it falls with the
-/// resolution N of a run as
+/// The discretisation error of a series of runs, from the differences d of successive runs. The model of the error e of
+/// a run with resolution N is
 ///
-///   e(N) = C N⁻ᵖ.
+///   e(N) = C N⁻ᵖ,
 ///
-/// Shear fronts leave the surface of the ball, so that the rate is algebraic in the degree as well as in the mesh size.
-/// Two runs with a rate that is assumed give
+/// with a constant C and the rate p. The rate is algebraic in the degree and in the mesh size, because shear fronts
+/// leave the surface of the ball. Two runs with resolutions N and N' and an assumed rate give
 ///
 ///   e(N) = d N⁻ᵖ / |N'⁻ᵖ − N⁻ᵖ|,
 ///
-/// and three runs give the rate too, from
+/// and three runs with the differences d₁₂ and d₂₃ also give the rate, from
 ///
 ///   d₁₂ / d₂₃ = (N₁⁻ᵖ − N₂⁻ᵖ) / (N₂⁻ᵖ − N₃⁻ᵖ).
 ///
-/// The rate observed is kept between bounds: two runs may come close by chance, and a fast start need not go on. The
-/// errors of successive runs often differ in sign or reach their maxima at different times; then d is up to their sum,
-/// and the estimate on the safe side.
+/// The rate is kept between bounds: two runs may be close by chance, and a fast initial rate need not continue. Errors
+/// of successive runs often differ in sign or have their maxima at different times. The difference d is then up to
+/// their sum, and the estimate is an upper bound.
 
 #include <cstddef>
 #include <vector>
 
 namespace pseudorigid::analysis {
 
-/// The measured rates are between the bounds or above them (docs/benchmarks.md, "Error in space").
+/// Assumed rate and its bounds. The measured rates are between the bounds or larger (docs/benchmarks.md, "Error in
+/// space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
-/// The rate for polynomial bodies of degree N. Releases of incompressible balls have rates above 2; the error of a
-/// compressible one whose pressure front meets at the centre falls with 1.3.
+/// Lower bound of the rate p for polynomial bodies, with N their degree; also the rate assumed for a run and its
+/// companion. Releases of incompressible balls have rates above 2. A compressible ball whose pressure front meets at
+/// the centre has the rate 1.3, for which the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
-/// e of the run of resolution N, at the distance d from one of resolution N_other.
+/// The error e of a run with resolution N, if d is its difference from a run with resolution N_other.
 double space_error(double d, double N, double N_other, double rate = assumed_space_rate);
 
-/// Runs of rising resolution.
+/// The rate and the error of runs with increasing resolution.
 class SpaceErrorLadder {
  public:
   explicit SpaceErrorLadder(double least_rate = least_space_rate) : least_rate_(least_rate) {}
 
-  /// The next run, at the distance d from the one before (without meaning for the first).
+  /// Adds the next run. Its difference from the run before is d, which is ignored for the first run.
   void add(double N, double d) { runs_.push_back({N, d}); }
   std::size_t n_runs() const { return runs_.size(); }
   double resolution_of(std::size_t i) const { return runs_[i].N; }
   double difference_of(std::size_t i) const { return runs_[i].d; }
 
-  /// p.
+  /// The rate p.
   double rate() const;
-  /// Error e of the last run; infinite if there is only one run.
+  /// The error e of the last run. Infinite if there is only one run.
   double error() const;
-  /// e of a run of the resolution N.
+  /// The error e of a run with resolution N.
   double predicted_error(double N) const;
 
  private:

@@ -15,24 +15,24 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Names of the files of a control group. If there is no limit, version 1 writes a number beyond every machine, and
-/// version 2 a word.
+/// Names of the files of a control group. Without a limit, version 1 writes a number larger than any memory, and
+/// version 2 writes a word.
 struct Names {
   const char *limit, *used;
-  /// In memory.stat: of files, in the group and in those below it, which the kernel can drop.
+  /// Entries of memory.stat: bytes of files that the kernel can drop, in the group and in all groups below.
   const char *inactive, *active;
 };
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
 constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
 
-/// The number in a file; `otherwise` if the file does not exist or contains a word.
+/// The number in a file, or `otherwise` if the file does not exist or contains a word.
 double number_in(const fs::path& path, double otherwise) {
   std::ifstream file(path);
   double number;
   return file >> number ? number : otherwise;
 }
 
-/// The number behind a name; `otherwise` where the file has none.
+/// The number after a name, or `otherwise` if the file does not contain the name.
 double number_named(const fs::path& path, std::string_view wanted, double otherwise) {
   std::ifstream file(path);
   double number;
@@ -48,8 +48,8 @@ double left_in_group(const fs::path& group, const Names& names) {
   return std::max(0.0, limit - std::max(0.0, used - droppable));
 }
 
-/// The least limit of a group and of the groups above it. A container may see its own group as the uppermost, while the
-/// path contains the groups of the machine. A missing file means that there is no limit.
+/// The least free memory of a group and of the groups above it. In a container, the mounted folder may contain only the
+/// container's own group, but `path` names the groups of the machine. A missing file means that there is no limit.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {

@@ -8,22 +8,23 @@
 namespace pseudorigid::io {
 namespace {
 
-/// Half the edge of the cube: its corners are at 0.69 of the way to the surface.
+/// Half the edge of the cube. Its corners have the distance 0.69 from the centre of the unit ball.
 constexpr double half_edge = 0.4;
 
-/// Equal steps of the index are equal angles seen from the centre. Odd in the index, so that the points have the
-/// symmetry of the cube to the last bit.
+/// Coordinate of a point of the cube in units of half the edge. Equal steps of the index are equal angles seen from the
+/// centre. The function is odd, so that the points have exactly the symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }
 
-/// Numbers the points as they are asked for.
+/// Gives each point a number when it is first used.
 class Points {
  public:
   Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
       : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
 
-  /// A point of the cube [−n, n]³ in steps of 2, or above its surface on one of the layers.
+  /// Number of a point. `cube` is its place in [−n, n]³ in steps of 2; layers above 0 lie outside the surface of the
+  /// cube.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));
@@ -44,7 +45,7 @@ class Points {
   std::map<std::array<int, 4>, std::int64_t> numbers_;
 };
 
-/// Calls append(i, j, k) for the points of a block.
+/// Calls append(i, j, k) for each point of a block.
 template <class Append>
 void visit_block(int degree, Append&& append) {
   for (int k = 0; k <= degree; ++k)
@@ -67,7 +68,7 @@ BallBlocks ball_blocks(int degree, int n) {
         });
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {-1, 1}) {
-      // (u, v, outwards) is right-handed.
+      // The axes (u, v, outward normal) are right-handed.
       const int u = (axis + (side > 0 ? 1 : 2)) % 3, v = (axis + (side > 0 ? 2 : 1)) % 3;
       for (int b = 0; b < n; ++b)
         for (int a = 0; a < n; ++a)

@@ -1,6 +1,7 @@
 #pragma once
-/// Points that fill the unit ball, for pictures of models without elements: a cube in the middle and six shells around
-/// it, equiangular towards the surface.
+/// Points that fill the unit ball, for pictures of models without elements. They form blocks: a cube in the middle and
+/// six shells between its faces and the surface. The points on a face of the cube are at equal angles seen from the
+/// centre.
 
 #include <Eigen/Core>
 #include <vector>
@@ -10,11 +11,11 @@
 namespace pseudorigid::io {
 
 struct BallBlocks {
-  std::vector<Eigen::Vector3d> points;  ///< no two at one place
+  std::vector<Eigen::Vector3d> points;  ///< no two points have the same place
   mechanics::PointBlocks blocks;
 };
 
-/// Blocks of this degree: n³ in the cube and n² in each shell.
+/// Blocks of the given degree: n³ blocks in the cube and n² in each shell.
 BallBlocks ball_blocks(int degree, int n);
 
 }  // namespace pseudorigid::io

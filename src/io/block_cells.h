@@ -1,5 +1,5 @@
 #pragma once
-/// Cells for the blocks of points of a body.
+/// Conversion between blocks of points of a body and cells of VTK.
 
 #include <optional>
 
@@ -9,11 +9,12 @@
 
 namespace pseudorigid::io {
 
-/// linear: degree³ hexahedra a block. lagrange: one hexahedron of the block's degree, whose points VTK takes for
-/// equidistant; the fields of a block are then shown as polynomials.
+/// Makes the cells of the blocks. `linear` divides a block into degree³ hexahedra. `lagrange` makes one hexahedron of
+/// the degree of the block. Pictures then show the fields of a block as polynomials, and VTK treats its points as
+/// equidistant.
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
 
-/// The blocks whose cells `set_cells` has made. Empty if the cells are not hexahedra.
+/// The blocks from which `set_cells` made the cells. Empty if the cells are not hexahedra.
 std::optional<mechanics::PointBlocks> blocks_of(const UnstructuredGrid& grid);
 
 }  // namespace pseudorigid::io

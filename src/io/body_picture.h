@@ -1,6 +1,7 @@
 #pragma once
-/// The picture of a body at one time, in the user's units and at its current position. Every model gives the same
-/// BodyFields; this file chooses the fields that are shown:
+/// The picture of a body at one time, at its current position and in the units of the user. Every model gives the same
+/// BodyFields. This file selects the fields of the picture. A material point has the position x and the reference
+/// position X, and x_c is the centre of mass:
 ///
 ///   displacement                  u = x − X
 ///   displacement_without_rotation x − x_c − R X, R the rotation nearest to the motion (the polar factor of
@@ -8,10 +9,10 @@
 ///   reference_coordinates         X
 ///   velocity                      ẋ
 ///   cauchy_stress                 σ, nine entries row by row;  pressure −tr σ/3;  von_mises √(3/2) |dev σ|
-///   deformation_gradient          F, likewise;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
-///   energy_density                W per reference volume;  gravity_potential φ per mass, where it is known
+///   deformation_gradient          F, nine entries row by row;  jacobian det F;  principal_stretches σ₁ ≥ σ₂ ≥ σ₃ of F
+///   energy_density                W per reference volume;  gravity_potential φ per mass, if it is known
 ///
-/// and of the whole body TimeValue, center_of_mass x_c and rotation R.
+/// The picture has three constants of the whole body: TimeValue, center_of_mass x_c and rotation R.
 
 #include "entries/units.h"
 #include "io/vtu.h"

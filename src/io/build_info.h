@@ -1,6 +1,6 @@
 #pragma once
-/// Sources of this executable, fixed when it was built. A library of its own (CMake target build_info): it
-/// changes with every commit, and only the executables should be linked again for that.
+/// Version, compiler and flags of this executable, fixed when it was built. They are in a library of their own (CMake
+/// target build_info), because the commit changes often. A new commit then only links the executables again.
 
 #include <string_view>
 
@@ -8,7 +8,7 @@ namespace pseudorigid::io {
 
 struct BuildInfo {
   std::string_view version;
-  std::string_view git_hash;  ///< "unknown" outside a git checkout; ends in "-dirty" if the sources were changed
+  std::string_view git_hash;  ///< "unknown" without a git checkout; ends in "-dirty" if the sources were changed
   std::string_view compiler, flags, build_type;
 };
 BuildInfo build_info();

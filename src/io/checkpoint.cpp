@@ -27,21 +27,21 @@ struct Header {
 };
 static_assert(sizeof(Header) == 32);
 
-enum class SectionType : std::uint8_t { doubles, integer, text };  // in the order of the variant's alternatives
+enum class SectionType : std::uint8_t { doubles, integer, text };  // same order as in Checkpoint::Value
 
 template <class T>
 std::string_view bytes_of(const T* values, std::size_t n = 1) {
   return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
 
-/// FNV-1a, continued from the hash of the bytes before.
+/// Continues an FNV-1a hash with further bytes.
 std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
   return hash;
 }
 constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325u;
 
-/// Takes values from the front of a payload; checks that enough bytes remain before it trusts a stored count.
+/// Reads values from the front of a payload. Before each read it checks that enough bytes remain.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}
@@ -50,7 +50,7 @@ class Cursor {
   template <class T>
   void take(T* values, std::size_t n) {
     if (n > rest_.size() / sizeof(T)) throw std::out_of_range("a section is longer than the file");
-    // Not memcpy, which takes no null pointer even for n = 0.
+    // memcpy does not permit a null pointer, even for n = 0.
     std::copy_n(rest_.data(), n * sizeof(T), reinterpret_cast<char*>(values));
     rest_.remove_prefix(n * sizeof(T));
   }
@@ -81,7 +81,7 @@ UserError unusable(const std::filesystem::path& path, const std::string& reason)
   return UserError(fmt::format("the checkpoint '{}' cannot be used: {}", path.native(), reason));
 }
 
-/// The payload of a file whose header, size and checksum agree.
+/// The payload of a file. Throws UserError if header, size or checksum are wrong.
 std::string read_payload(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
@@ -139,9 +139,9 @@ const std::vector<double>& Checkpoint::get_doubles(const std::string& name, std:
 std::int64_t Checkpoint::get_integer(const std::string& name) const { return get<std::int64_t>(name, "an integer"); }
 const std::string& Checkpoint::get_string(const std::string& name) const { return get<std::string>(name, "a text"); }
 
-/// The values are written from where they are: a copy of a large state could be too much for the memory.
+/// Writes the values without a copy, because a copy of a large state may exceed the memory.
 void Checkpoint::save(const std::filesystem::path& path) const {
-  std::deque<std::string> heads;  // which stay where they are
+  std::deque<std::string> heads;  // a deque, because `parts` refers to its elements
   std::vector<std::string_view> parts(1);
   for (const auto& [name, value] : values_) {
     const auto [n, bytes] = std::visit(

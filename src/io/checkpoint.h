@@ -1,10 +1,11 @@
 #pragma once
-/// The state of a run in one binary file of named values, replaced atomically.
+/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically.
 ///
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
-/// Sizes and the checksum are verified before anything is used: a truncated, altered or foreign file is a UserError.
+/// `load` verifies the sizes and the checksum before it uses a value. A truncated, altered or foreign file is a
+/// UserError.
 
 #include <concepts>
 #include <cstdint>
@@ -18,7 +19,7 @@
 
 namespace pseudorigid::io {
 
-/// FNV-1a, 64 bit: every change of a single byte changes it.
+/// The FNV-1a hash with 64 bits. A change of one byte always changes the hash.
 std::uint64_t checksum(std::string_view bytes);
 
 class Checkpoint {
@@ -33,14 +34,15 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// A UserError names the file and the entry if it is missing or of another type or size.
+  /// These functions throw a UserError, with names of file and entry, if the entry is missing or has another type or
+  /// size.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }
   std::int64_t get_integer(const std::string& name) const;
   const std::string& get_string(const std::string& name) const;
 
-  void save(const std::filesystem::path& path) const;  ///< WriteError
+  void save(const std::filesystem::path& path) const;  ///< throws WriteError
   static Checkpoint load(const std::filesystem::path& path);
 
  private:

@@ -1,5 +1,5 @@
 #pragma once
-/// CSV files of columns with units, whose rows are handed over in the units in which the program computes.
+/// CSV files whose columns have units. Rows are appended in internal units and written in the units of the user.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@
 
 namespace pseudorigid::io {
 
-/// The names of columns, and the factors that bring a row to the user's units; factor(unit) is that of a unit.
+/// Names of columns, and factors that convert a row to the units of the user. `factor(unit)` returns the factor of a
+/// unit.
 struct ColumnUnits {
   template <class Factor>
   ColumnUnits(const std::vector<scene::Column>& columns, const Factor& factor) {
@@ -32,7 +33,7 @@ class ColumnTable {
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
 
-  /// False if the row is not finite in the user's units; it is not written then.
+  /// Returns false, and does not write the row, if a value is not finite in the units of the user.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });

@@ -58,9 +58,9 @@ bool is_file(int file_descriptor) {
   return ::fstat(file_descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The path at the end of a chain of links; it need not exist.
+/// The path at the end of a chain of links. This path need not exist.
 fs::path behind_links(fs::path path) {
-  constexpr int most = 40;  // as in the kernel
+  constexpr int most = 40;  // the limit of the kernel
   for (int n = 0; n < most; ++n) {
     std::error_code is_no_link;
     const fs::path target = fs::read_symlink(path, is_no_link);
@@ -70,7 +70,7 @@ fs::path behind_links(fs::path path) {
   throw WriteError(path, ELOOP);
 }
 
-/// The partial file; removed unless it reached its final name.
+/// The file `path`.partial. The destructor removes it unless `commit` has renamed it.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& target)
@@ -100,7 +100,7 @@ class PartialFile {
 
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
-  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // the call may wait from here on
+  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // later writes may wait
   for (const std::string_view part : parts) write_fully(file.value(), part, path);
   if (!file.close()) throw WriteError(path, errno);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Whole files, read at once and replaced atomically, and the error of a write that the machine refused.
+/// Functions that read a whole file at once or replace it atomically, and the exception for a failed write.
 
 #include <filesystem>
 #include <initializer_list>
@@ -10,53 +10,54 @@
 
 namespace pseudorigid::io {
 
-/// The disk is full, the device failed, the folder vanished: the computation cannot go on (exit code 3).
+/// A failed write, for example to a full disk or a removed folder. The computation cannot continue (exit code 3).
 struct WriteError : std::runtime_error {
   WriteError(std::filesystem::path file, int error_number);
   std::filesystem::path path;
-  int error_number;  ///< errno
+  int error_number;  ///< value of errno
 };
 
-/// Suffix of the file that is written first and then renamed; a killed run can leave one behind.
+/// Suffix of a file that is not complete. A complete file is renamed; a killed run may leave an incomplete one.
 inline constexpr std::string_view partial_suffix = ".partial";
 
-/// A file that is closed at the end of its scope.
+/// A file descriptor that is closed at the end of its scope.
 class Descriptor {
  public:
-  /// As open(2). The call does not wait for a pipe without a reader.
+  /// Opens the file as open(2) does, but does not wait if the file is a pipe without a reader.
   Descriptor(const std::filesystem::path& path, int flags);
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int value() const { return value_; }
   explicit operator bool() const { return value_ >= 0; }
-  /// False if close(2) fails: a network disk tells there that it is full.
+  /// Returns false if close(2) fails. A full network disk may report its error only at this call.
   bool close();
 
  private:
   int value_;
 };
 
-/// Whether the path exists; a link that leads nowhere exists.
+/// Whether the path exists. A link exists even if its target does not.
 bool is_there(const std::filesystem::path& path);
 
-/// "a named pipe", "a socket", "a device", "a directory"; empty for a file, for a link to a file, and if the path does
-/// not exist.
+/// Returns "a named pipe", "a socket", "a device" or "a directory". Empty for a file, for a link to a file, and for a
+/// path that does not exist.
 std::string kind_unless_file(const std::filesystem::path& path);
 
-/// Writes the concatenated parts to `path`.partial and renames it: a reader sees the old file or the new one, never a
-/// mixture, and after a WriteError the old one is still there. No fsync: this guards against a killed program and a
-/// full disk, not against a power cut. A link is kept, and its target is replaced. Pipes and devices are written
-/// into; a pipe without a reader is ENXIO.
+/// Writes the concatenated parts to `path`.partial and renames this file. A reader therefore sees either the old file
+/// or the new one. The old file remains after a WriteError. This protects from a killed program and a full disk, but
+/// not from a power failure, because there is no fsync. If `path` is a link, the target is replaced and the link
+/// remains. Pipes and devices are written directly. A pipe without a reader is a WriteError with ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));
 }
 
-/// The whole file; a UserError names the path and the reason. Pipes and devices are refused: some never end.
+/// The contents of a file. A UserError gives the path and the reason. Pipes and devices are UserErrors, because some
+/// never end.
 std::string read_file(const std::filesystem::path& path);
 
-/// write(2) until everything is on its way; throws WriteError naming `path`.
+/// Calls write(2) until all bytes are written. Throws a WriteError with `path`.
 void write_fully(int file_descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace pseudorigid::io

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 28;
 constexpr int hexahedron = 5;
 
-/// Number of nodes of Gmsh's elements without volume: point, line, quadrangle; empty for other elements.
+/// Number of nodes of Gmsh's elements without volume (point, line, quadrangle). Empty for other elements.
 std::optional<std::size_t> n_nodes_of_boundary(int type) {
   switch (type) {
     case 15:
@@ -39,7 +39,7 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// Text after "expected hexahedra": the elements found, and the way to make hexahedra in Gmsh.
+/// The part of a message after "expected hexahedra": the element that was found, and the way to make hexahedra in Gmsh.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -56,7 +56,7 @@ std::string other_element(int type) {
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // Reading a pipe could wait for ever, and is possible only once.
+  // A pipe may wait without end, and can be read only once.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;
@@ -71,7 +71,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
-/// Without the byte order mark that some programs write.
+/// Removes the byte order mark that some programs write.
 std::string_view without_mark(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw UserError(fmt::format("{}: expected plain text (ASCII or UTF-8), this file is in UTF-16", file));
@@ -114,7 +114,8 @@ class GmshReader {
     throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
   }
 
-  /// The next line without white space at its ends; false at the end of the file. It ends with LF, CR LF or CR.
+  /// Moves to the next line and removes white space at its ends. Lines end with LF, CR LF or CR. False at the end of
+  /// the file.
   bool next_line() {
     if (rest_.empty()) return false;
     const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -131,7 +132,7 @@ class GmshReader {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
-  /// Takes the next number of the line. Programs in Fortran write 1.0D+00.
+  /// Reads the next number of the line. Programs in Fortran write 1.0D+00.
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
@@ -157,7 +158,7 @@ class GmshReader {
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
   }
 
-  /// Comments may come before it.
+  /// Reads the section $MeshFormat. Comments may come before it.
   void read_format() {
     constexpr const char* convert = "\"gmsh FILE -format msh22 -save\" writes it";
     bool found = next_line();
@@ -232,7 +233,7 @@ class GmshReader {
     require("$EndElements");
   }
 
-  /// Gmsh goes around the lower face and then around the upper one.
+  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();
@@ -249,7 +250,7 @@ class GmshReader {
     while (line_ != end);
   }
 
-  /// Nodes of the boundary's elements alone, such as the centre of an arc, are left out.
+  /// Removes nodes that only elements on the boundary use, such as the centre of an arc.
   void drop_construction_nodes() {
     std::vector<bool> used(mesh_.vertices.size(), false);
     for (const auto& cell : mesh_.cells)

@@ -19,16 +19,16 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// Corners of the six faces; neighbours in the list are neighbours on the face.
+/// Corners of the six faces, in the order of a path around the face.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
 struct PointOfCell {
-  Point X;          ///< from the first corner of the cell, in units of its size
-  double jacobian;  ///< det ∂X/∂ξ in these units
+  Point X;          ///< relative to the first corner, in units of the size of the cell
+  double jacobian;  ///< det ∂X/∂ξ in the same units
 };
 
-/// The largest difference of coordinates from the first corner.
+/// Largest difference of a coordinate between a corner and the first corner.
 double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   double size = 0;
@@ -37,7 +37,8 @@ double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   return size;
 }
 
-/// Differences in units of the cell, so that neither the place of the body nor the unit of length costs digits.
+/// Map and Jacobian at ξ. Relative coordinates in units of the cell avoid round-off by a distant origin or an extreme
+/// unit of length.
 PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   const double unit = size_of_cell(mesh, cell);
@@ -64,9 +65,9 @@ PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   return {X, jacobian};
 }
 
-/// A lower bound of the Jacobian in the cube of this edge at ξ₀. The Jacobian is quadratic in each ξ_d, so its values
-/// at 3³ points give its Bernstein coefficients, b = f₀, 2f_½ − (f₀ + f₁)/2, f₁ in each direction, and is a mean of
-/// them.
+/// A lower bound of the Jacobian in the cube with corner ξ₀ and this edge. The Jacobian is quadratic in each ξ_d. Its
+/// values f at 3³ points therefore give its Bernstein coefficients, in each direction f₀, 2f_½ − (f₀ + f₁)/2 and f₁.
+/// The Jacobian at each point is a convex combination of these coefficients, so their least value is a bound.
 double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point& xi0, double edge) {
   std::array<double, 27> b;
   for (int i = 0; i < 27; ++i)
@@ -78,8 +79,8 @@ double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point&
   return *std::min_element(b.begin(), b.end());
 }
 
-/// The Jacobian is positive at every point of every cell: shown on the eighths of a cell, so that a cell is refused
-/// only if it is tangled or nearly so.
+/// Throws unless the Jacobian is positive at every point. The bound is computed on the eighths of each cell, so that it
+/// rejects only cells that are tangled or almost tangled.
 void require_untangled(const HexahedralMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (int part = 0; part < 8; ++part) {
@@ -110,7 +111,7 @@ Face face_of(const std::array<unsigned int, 8>& cell, int face) {
   return result;
 }
 
-/// Faces by their sorted vertices, with the cells that have them.
+/// All faces, identified by their sorted vertices, with the cells of each face.
 CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   CellsOfFaces cells_of;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -141,12 +142,12 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// How near to a point another one counts as the same: a part of the edges there, whatever the size of the body.
+/// Points closer than this fraction of the edges at them count as one point.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
 
-/// For each vertex, the shortest edge that ends there.
+/// For each vertex, the length of the shortest edge that ends there.
 std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   std::vector<double> shortest(mesh.vertices.size(), std::numeric_limits<double>::infinity());
   for (const auto& cell : mesh.cells)
@@ -158,7 +159,7 @@ std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   return shortest;
 }
 
-/// Vertices by boxes of which each holds about one.
+/// Vertices sorted into boxes, for the search of near points. A box contains about one vertex.
 class Places {
  public:
   explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
@@ -171,7 +172,7 @@ class Places {
 
   void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
 
-  /// A vertex added before that is as near to X as `is_same(vertex, distance)` has it, and not beyond `reach`.
+  /// Finds an earlier vertex within the distance `reach` of X for which `is_same(vertex, distance)` is true.
   template <class IsSame>
   std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
     const Box first = box_of(X, -reach), last = box_of(X, reach);
@@ -198,7 +199,7 @@ class Places {
   std::map<Box, std::vector<std::size_t>> boxes_;
 };
 
-/// No two vertices share a place.
+/// Throws if two vertices have the same position.
 Places require_own_places(const HexahedralMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);
   const double reach = same_place * *std::max_element(shortest.begin(), shortest.end());
@@ -215,8 +216,8 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// No vertex lies in the middle of a face or of an edge of the surface, as hanging nodes of a divided cell next to an
-/// undivided cell would.
+/// Throws if a vertex is at the middle of a face or of an edge of the surface. Such a hanging node occurs if a divided
+/// cell is next to an undivided cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {
@@ -272,7 +273,8 @@ MeshSize size_of(const HexahedralMesh& mesh) {
   const Point origin = mesh.vertices.front();
   double unit = 0;
   for (const Point& V : mesh.vertices) unit = std::max(unit, distance(V, origin));
-  const double gauss[] = {0.5 - std::sqrt(1.0 / 12), 0.5 + std::sqrt(1.0 / 12)};  // exact: X det is cubic in each ξ_d
+  const double gauss[] = {0.5 - std::sqrt(1.0 / 12),
+                          0.5 + std::sqrt(1.0 / 12)};  // exact, because X det ∂X/∂ξ is cubic in each ξ_d
   double volume = 0;
   Point moment{};
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {

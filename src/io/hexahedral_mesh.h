@@ -1,10 +1,11 @@
 #pragma once
-/// A body made of hexahedra with trilinear maps of the cube,
+/// A mesh of hexahedra, which are images of the cube under trilinear maps,
 ///
 ///   X(ξ) = Σ_i N_i(ξ) V_i,   ξ ∈ [0,1]³,   i = i₁ + 2 i₂ + 4 i₃ with ξ = (i₁, i₂, i₃) at V_i,
 ///
-/// and the conditions for one body: cells are right-handed everywhere, every vertex belongs to a cell, a face to two
-/// cells or to the surface, neighbouring cells share their vertices, and all cells are connected.
+/// with the vertices V_i and the trilinear shape functions N_i. The mesh is one body if it satisfies these conditions.
+/// All cells are right-handed at every point and connected. Every vertex belongs to a cell. A face belongs to two cells
+/// or to the surface, and neighbouring cells share their vertices.
 
 #include <array>
 #include <vector>
@@ -15,17 +16,17 @@ struct HexahedralMesh {
   using Point = std::array<double, 3>;
   std::vector<Point> vertices;
   std::vector<std::array<unsigned int, 8>> cells;
-  std::vector<long> vertex_names, cell_names;  ///< their numbers in the file, for messages
+  std::vector<long> vertex_names, cell_names;  ///< numbers in the file, for messages
 };
 
-/// Numbers the vertices of every cell the other way round if all cells are left-handed.
+/// Reverses the orientation of every cell if all cells are left-handed.
 void turn_right_handed(HexahedralMesh& mesh);
 
-/// Throws UserError, one sentence that names the cells or vertices concerned. Neither the unit of length nor the place
-/// of the body counts.
+/// Throws UserError if the mesh is not one body; one sentence names the cells or vertices. The conditions do not depend
+/// on the unit of length or the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 
-/// Volume, centre of mass for a constant density, and the largest distance of a vertex from it.
+/// Volume, centre of mass for a constant density, and the largest distance of a vertex from this centre.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;

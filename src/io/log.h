@@ -1,5 +1,6 @@
 #pragma once
-/// Messages of a run: to log.txt with timestamps (everything), and to stderr as --quiet and --verbose want it.
+/// Messages of a run. The file log.txt contains all of them with the time; --quiet and --verbose select those on
+/// stderr.
 
 #include <fmt/core.h>
 
@@ -14,11 +15,11 @@ class logger;
 
 namespace pseudorigid::io {
 
-/// Messages that reach the terminal; `silent` is for the other ranks of a parallel run.
+/// Selection of the messages on the terminal. `silent` is for the other ranks of a parallel run.
 enum class Verbosity { silent, quiet, normal, verbose };
 
-/// Messages with values in the places {…}. They are put together in log.cpp alone: a source that formats through spdlog
-/// compiles all of the formatting again.
+/// Writes messages. Values replace the places {…} of a message. Only log.cpp formats messages, because a source that
+/// formats through spdlog compiles all of its formatting again.
 class Logger {
  public:
   enum class Level { debug, info, warning, error };
@@ -53,8 +54,8 @@ class Logger {
   std::shared_ptr<spdlog::logger> logger_;
 };
 
-/// A logger that is the caller's own (no registry, no global). `log_file` empty: terminal only, as for `check`.
-/// `append` continues the file of a resumed run. WriteError if the file cannot be opened.
+/// Makes a new logger that is not registered globally. Without `log_file`, it writes to the terminal only, as for the
+/// command `check`. `append` continues the file of a resumed run. WriteError if the file cannot be opened.
 std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
                                     bool append = false);
 

@@ -27,7 +27,7 @@ std::string utc(SystemClock::time_point time) {
   return {text, std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts)};
 }
 
-/// Counts read better without ".0".
+/// A JSON number. Integers are written without ".0".
 Json number(double value) {
   const bool is_count = std::abs(value) < 9e15 && value == std::floor(value);
   return is_count ? Json(static_cast<std::int64_t>(value)) : Json(value);
@@ -39,7 +39,8 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-/// `factor`: the scene's own unit (lengths r, masses ρr³, times t), by which a value is divided to be a pure number.
+/// Adds a factor to each column if the scene has units. The factor is the column's unit in the scales of the scene
+/// (length r, mass ρr³, time). A value divided by the factor is dimensionless.
 Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
   for (const scene::Column& column : columns) {
@@ -101,7 +102,7 @@ std::string_view state_word(mechanics::Outcome outcome) {
   return "failed";
 }
 
-/// Needs no more room than the file has.
+/// Overwrites the state in place. This does not need more space on the disk.
 void replace_running_by_failed(const std::filesystem::path& path) noexcept try {
   constexpr std::string_view running = "\"state\": \"running\"", failed = "\"state\": \"failed\" ";
   static_assert(running.size() == failed.size());
@@ -137,7 +138,7 @@ std::vector<std::string> movers_in(const std::filesystem::path& manifest) {
   if (sound && json.contains("system")) movers.push_back(text(json, "system"));
   if (sound && json.contains("ball"))
     for (const Json& model : json["ball"]) movers.push_back(text(model, "name"));
-  // The names become names of files in the directory.
+  // The names become names of files in the directory, so a slash is not permitted.
   for (const std::string& name : movers) sound = sound && name.find('/') == name.npos;
   if (!sound) throw UserError(fmt::format("'{}' is not the manifest of a run of pseudorigid", manifest.native()));
   if (!json.contains("entries"))

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto look_interval = 20ms, draw_interval = 200ms;
-constexpr std::int64_t max_stride = 1024;  // a loop that slows down is still noticed soon
+constexpr std::int64_t max_stride = 1024;  // small enough to notice soon that the loop slows down
 
 std::string duration_text(double seconds) {
   if (seconds < 100) return fmt::format("{:.0f} s", seconds);
@@ -56,7 +56,7 @@ void Progress::draw(double fraction, Clock::time_point now) {
   const std::string line =
       fmt::format("\r{}  {}\033[K", label_,
                   progress_text(fraction, static_cast<double>(n_steps_ - 1) / seconds, seconds_left, unit_));
-  std::fputs(line.c_str(), stderr);  // fmt::print throws when the terminal is gone
+  std::fputs(line.c_str(), stderr);  // fmt::print would throw if the terminal is closed
   std::fflush(stderr);
   last_draw_ = now;
   drawn_ = true;

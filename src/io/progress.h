@@ -1,6 +1,6 @@
 #pragma once
-/// The progress line of a time loop: fraction done, steps per second, time left. Drawn on stderr when it is a terminal,
-/// otherwise nothing.
+/// The progress line of a time loop, with the completed fraction, steps per second and remaining time. It appears on
+/// stderr if stderr is a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -16,12 +16,12 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Called after every step. The clock is read only every so many calls, a number that adapts to the speed of the
-  /// loop, so a step of a microsecond pays one comparison.
+  /// Call this after every step. It reads the clock only once in a number of calls, which adapts to the speed of the
+  /// loop. A short step therefore costs only one more comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
-  void finish();  ///< clears the line
+  void finish();  ///< deletes the line from the terminal
 
   static bool stderr_is_terminal();
 
@@ -33,11 +33,11 @@ class Progress {
   std::string label_, unit_;
   std::int64_t n_steps_ = 0, next_look_ = 1, stride_ = 1;
   Clock::time_point start_, last_look_, last_draw_;
-  double start_fraction_ = -1;  ///< at the first step seen; a resumed run does not begin at 0
+  double start_fraction_ = -1;  ///< fraction at the first call of `step`; positive in a resumed run
   bool drawn_ = false;
 };
 
-/// "42%  1.3e+05 steps/s  3 min left": the words of the line, apart from the terminal so that they can be tested.
+/// The text of the line, " 42 %  1.3e+05 steps/s  3 min left", as a function for tests.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

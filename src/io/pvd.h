@@ -1,5 +1,6 @@
 #pragma once
-/// ParaView's list of the frames of a run: (time, file), rewritten atomically after each frame.
+/// ParaView's list of the pictures of a run, with the time and file of each. Each new picture replaces the list
+/// atomically.
 
 #include <filesystem>
 #include <string>
@@ -13,14 +14,14 @@ class PvdCollection {
   struct Frame {
     double time;
     std::filesystem::path file;
-    long number() const;  ///< the number at the end of the file's name: 12 of "reduced-000012.vtu"
+    long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// The list that an earlier run has left there, if it has, without its frames from that time on. UserError
+  /// Reads the list of an earlier run, if one exists, and removes the pictures from the time `until` on. UserError
   /// "path:line: …" for a line that `add` does not write.
   static PvdCollection resume(std::filesystem::path path, double until);
 
-  /// Files are listed relative to the collection, so that a run directory can be moved.
+  /// Adds a picture. The list has paths relative to its folder, so that the run directory can be moved.
   void add(double time, const std::filesystem::path& file);
   const std::vector<Frame>& frames() const { return frames_; }
 

@@ -1,10 +1,11 @@
 #pragma once
-/// report.html: one page that holds files of a run and draws them in the browser (src/io/report/). It loads nothing
-/// from elsewhere, and the files can be saved from it.
+/// The page report.html, which contains files of a run and draws them in the browser (src/io/report/). The page does
+/// not load other files. The browser can save the files from the page.
 ///
-/// The page has an element `<script type="…" data-file="NAME"></script>` for every file that it can show; in a report
-/// it holds the file's text, `&` and `<` as in HTML. Files that a run does not have are empty there. The elements
-/// frames-<mover>.csv are not files of the run: they hold faces of its pictures (report_frames.h).
+/// The page has an element `<script type="…" data-file="NAME"></script>` for every file that it can show. In a report
+/// the element contains the text of the file, with `&` and `<` escaped as in HTML. The element is empty if the run does
+/// not have the file. The elements frames-<mover>.csv are not files of the run. They contain faces of the pictures
+/// (report_frames.h).
 
 #include <span>
 #include <string>
@@ -14,15 +15,15 @@
 
 namespace pseudorigid::io {
 
-/// The page without files.
+/// The page before files are inserted.
 std::string_view report_page();
 
-/// The page filled with the files of the directory. `movers`: the names of the CSV files of trajectories, of a system
-/// or of models. UserError if a file with the name of a result cannot be read.
+/// The page with the files of the directory. `movers` are the names of the CSV files of trajectories: the system or the
+/// models of the ball. UserError if a file with the name of a result cannot be read.
 std::string report_of(const RunDirectory& directory, std::span<const std::string> movers,
                       std::string_view empty = report_page());
 
-/// Writes it as the directory's report.html.
+/// Writes the page to report.html in the directory.
 void write_report(const RunDirectory& directory, std::span<const std::string> movers);
 
 }  // namespace pseudorigid::io

@@ -22,14 +22,14 @@ namespace {
 
 constexpr const char *reference = "reference_coordinates", *stress = "von_mises";
 constexpr std::size_t most_times = 8;
-constexpr std::size_t most_rows = 60000;  ///< rows for each model; a row takes some 70 bytes of the page
+constexpr std::size_t most_rows = 60000;  ///< limit for each model; a row has about 70 bytes in the page
 
 const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view name) {
   const auto found = std::ranges::find(grid.fields, name, &UnstructuredGrid::Field::name);
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// A face of a block: the places of its points in the lattice of the block, row by row.
+/// Indices of the points of a face in the lattice of n³ points of a block, row by row.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];
@@ -41,7 +41,7 @@ std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_f
 
 struct Candidate {
   PictureFace face;
-  int n_elements = 0;  ///< that have it
+  int n_elements = 0;  ///< number of elements with this face
 };
 
 double largest(const std::vector<double>& values) {
@@ -50,7 +50,7 @@ double largest(const std::vector<double>& values) {
   return size;
 }
 
-/// The plane in which all points of a face lie, or 0.
+/// Number of the coordinate plane that contains all points of a face, or 0.
 int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   for (int d = 0; d < 3; ++d)
     if (std::ranges::all_of(face.points, [&](const auto& point) {
@@ -60,7 +60,8 @@ int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& piece
   return 0;
 }
 
-/// Faces of two elements are the same if their points have the same mean in the undeformed body.
+/// A key of a face: the rounded mean of its points in the undeformed body. Two elements share a face if the keys are
+/// equal.
 std::array<long, 3> key_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   std::array<double, 3> sum{};
   for (const auto& [piece, point] : face.points)
@@ -70,7 +71,7 @@ std::array<long, 3> key_of(const PictureFace& face, const std::vector<Unstructur
   return key;
 }
 
-/// The grids of a picture: the file itself, or those that a file of a parallel run names.
+/// The files of a picture. A file of a parallel run (.pvtu) lists several files; any other file is the only one.
 std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& path) {
   if (path.extension() != ".pvtu") return {path};
   std::vector<std::filesystem::path> files;
@@ -112,7 +113,7 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
   fmt::format_to(row, ",{:.5g}\n", (*field(grid, stress))[point]);
 }
 
-/// n of the frames, the first and the last among them, at even distances.
+/// n frames at equal distances in the list, with the first and the last frame.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;
@@ -184,7 +185,7 @@ std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine) tr
   if (rows.empty()) return {};
   return fmt::format("time,{},von_mises\n{}", fmt::join(mechanics::shape_columns, ","), rows);
 } catch (const UserError&) {
-  return {};  // a killed run, or files that were removed: the report does not use them
+  return {};  // a killed run or removed files: the report omits the picture
 }
 
 }  // namespace pseudorigid::io

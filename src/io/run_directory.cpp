@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every name that a run may give to a file of its directory. Checkpoints are missing, and also models and systems,
-/// whose names prepare_fresh receives.
+/// Names of results that do not depend on models or systems. The names of models and systems are arguments of
+/// prepare_fresh; `owns` also has the names of checkpoints.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
     "manifolds.csv", "connections.csv", "section.csv",    "report.html",    "trajectories.csv"};
 
-/// Begins the name of a lock that was being written when its run was killed.
+/// Prefix of a temporary file of RunLock, which remains if the run is killed.
 constexpr std::string_view abandoned_lock = "run.lock-";
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
@@ -40,7 +40,8 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
   return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
 }
 
-/// A run would wait for the other end of a pipe, and must not take a device away.
+/// Throws if a pipe or a device has the name of a result. A run would wait for the other end of a pipe, and must not
+/// remove a device.
 void require_no_pipes(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string kind = kind_unless_file(entry.path());
@@ -50,7 +51,7 @@ void require_no_pipes(const fs::path& directory, const auto& owned) {
   }
 }
 
-/// Unlinks the files and links (never folders) of `directory` whose names satisfy `owned`.
+/// Removes the files and links of `directory` whose names satisfy `owned`, but never a folder.
 void remove_files(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
@@ -68,7 +69,7 @@ bool owns(std::string_view name, std::span<const std::string> movers) {
          matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");
 }
 
-/// Likewise from its folder graphics.
+/// Whether a fresh run may remove a file of this name from the folder graphics.
 bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_frame_of = [&](const std::string& mover) {

@@ -1,9 +1,9 @@
 #pragma once
-/// The folder of one run's results, `<Output/Directory>/<scene name>/` or the argument of --output, and the names in
-/// it.
+/// The folder with the results of one run, and the names of its files. The folder is `<Output/Directory>/<scene name>/`
+/// or the argument of --output.
 ///
-/// Constructing one touches nothing (ranks other than 0 need only the names); prepare_fresh and prepare_resume do, and
-/// are called once the input is known to be valid.
+/// The constructor does not access the disk; ranks other than 0 need only the names. When the input is known to be
+/// valid, call prepare_fresh or prepare_resume.
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace pseudorigid::io {
 
-/// The scene's name: the file's name without `.prm`.
+/// The name of the scene: the name of its file without `.prm`.
 std::string scene_name(const std::filesystem::path& scene_file);
 
 class RunDirectory {
@@ -24,13 +24,14 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates the folder and removes the results of an earlier run: files that bear one of our names, those of the
-  /// `movers` included (names of models and systems: `<name>.csv`, pictures, `comparison-<name>.csv`,
-  /// `modes-<name>.csv` …), nothing else. UserError with path and reason if the folder cannot be created or written, if
-  /// a pipe or a device has such a name, or if another run is at work in it. It is the caller's as long as he keeps the
-  /// lock.
+  /// Creates and locks the folder, and removes the results of an earlier run. These are the files with names of
+  /// results, such as `<name>.csv`, pictures and `modes-<name>.csv` for each name of a model or system in `movers`.
+  /// Other files remain. UserError, with path and reason, if the folder cannot be created or written, or if a pipe or a
+  /// device has the name of a result. UserError also if another run uses the folder. The folder belongs to the caller
+  /// until the lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
-  /// The same. UserError also if the folder does not have a checkpoint.
+  /// Locks the folder for a resumed run and keeps its results. The UserErrors are those of prepare_fresh, and one for a
+  /// folder without a checkpoint.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -39,11 +40,11 @@ class RunDirectory {
   std::filesystem::path log() const { return path_ / "log.txt"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
   std::filesystem::path comparison_json() const { return path_ / "comparison.json"; }
-  /// `name`: a model, a system, comparison, modes, …
+  /// `name` is a model, a system, "comparison", "modes" or another result.
   std::filesystem::path csv(std::string_view name) const;
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;
-  /// `graphics/<model>-000012.vtu`; the folder graphics is created by prepare_graphics, only for runs that want it.
+  /// `graphics/<model>-000012.vtu`. Only a run with pictures calls prepare_graphics, which creates the folder graphics.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
 

@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// A process with all data that distinguish it: process numbers are reused, are counted in every container anew, and
-/// begin again with every start of the machine.
+/// Data that identify a process. The number of the process is not sufficient: it is used again, also in other
+/// containers and after a restart of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -48,8 +48,9 @@ struct ProcessState {
   std::string start;
 };
 
-/// From /proc/<process>/stat: the name of the program in parentheses, which may hold anything, then the state as the
-/// third and the start, in ticks since that of the machine, as the 22nd field.
+/// State and start of a process from /proc/<process>/stat. The name of the program is in parentheses and may contain
+/// any character. The state is the third field. The start is the 22nd field, in clock ticks since the start of the
+/// machine.
 ProcessState state_of(const std::string& process) {
   const std::string line = first_line("/proc/" + process + "/stat");
   const std::size_t name_end = line.rfind(')');
@@ -95,8 +96,8 @@ Judgement judge(Identity holder) {
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
   if (holder[boot] != own[boot]) {
-    // This machine has been restarted, or it is another machine with the same name, as containers and copies of a
-    // virtual machine often are.
+    // The boot identifiers differ if this machine was restarted. They also differ for another machine with the same
+    // name, such as a container or a copy of a virtual machine.
     const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
     return is_this_machine ? Judgement::ended : Judgement::unknown;
   }
@@ -104,7 +105,7 @@ Judgement judge(Identity holder) {
   if (number <= 0) return Judgement::unknown;
   if (::kill(static_cast<pid_t>(number), 0) != 0 && errno == ESRCH) return Judgement::ended;
   const ProcessState found = state_of(holder[process]);
-  if (found.state == 0) return Judgement::at_work;  // the path exists, but this user may not read it
+  if (found.state == 0) return Judgement::at_work;  // unknown: this user may not read the data of the process
   const bool is_zombie = found.state == 'Z' || found.state == 'X';
   return is_zombie || found.start != holder[process_start] ? Judgement::ended : Judgement::at_work;
 }
@@ -129,8 +130,8 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // A lock may disappear between its discovery and the check of its content, and another may appear before the next
-  // attempt.
+  // Another run may remove its lock after `create` has found it, and a third run may create a new one. Therefore the
+  // constructor tries again.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
     if (create()) return;
@@ -145,7 +146,7 @@ RunLock::RunLock(RunLock&& other) noexcept
 RunLock::~RunLock() {
   if (identity_.empty()) return;
   try {
-    // The user may have removed it, and another run have begun.
+    // The user may have removed the file, and another run may have created a new one.
     if (read_file(path_) == identity_) ::unlink(path_.c_str());
   } catch (const std::exception&) {
   }
@@ -153,8 +154,8 @@ RunLock::~RunLock() {
 
 void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
 
-/// False if there is a lock already. The file is written under another name and linked, so that it is whole when it
-/// appears, and on network disks as well there is one winner.
+/// Returns false if a lock already exists. The file is first written under another name and then linked. It is
+/// therefore complete when it appears, and only one process can succeed, also on a network disk.
 bool RunLock::create() const {
   const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
   struct Removal {
@@ -169,10 +170,10 @@ bool RunLock::create() const {
   if (::link(own.c_str(), path_.c_str()) == 0) return true;
   const int reason = errno;
   struct stat status;
-  // A network disk may have made the link, although its answer was lost.
+  // A network disk may have made the link although it reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
-  // A disk without links.
+  // The disk does not support links.
   const Descriptor file(path_, O_WRONLY | O_CREAT | O_EXCL);
   if (!file && errno == EEXIST) return false;
   if (!file) throw WriteError(path_, errno);
@@ -185,11 +186,11 @@ bool RunLock::create() const {
   return true;
 }
 
-/// UserError if it is not. If several processes find the same stale lock, one removes it: they take turns, and each
-/// first checks whether its open file still has the name.
+/// Removes the lock of an ended run, and throws UserError for any other lock. If several processes find the same stale
+/// lock, flock admits one at a time. Each process then checks that its open file still has the name of the lock.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
-  const Descriptor file(path_, O_RDWR);  // on network disks, locking requires a file that is open for writing
+  const Descriptor file(path_, O_RDWR);  // on network disks, flock requires a file that is open for writing
   if (!file && errno == ENOENT) return;
   if (!file || ::flock(file.value(), LOCK_EX) != 0) throw in_use(path_, {}, Judgement::unknown);
   struct stat opened, named;

@@ -1,10 +1,11 @@
 #pragma once
-/// A results directory belongs to one run at a time. The file `run.lock` in it names the owner: host, process and the
-/// start of the process. It exists while the run is at work and is removed at its end, however it ends. A killed run
-/// leaves it behind; the next run on that host sees that the process is gone, or that its number belongs to another
-/// process, and takes over the lock. So it does after a new start of the machine, which /etc/machine-id tells from
-/// another one of the same name. Processes on another host cannot be seen: the refusal names the file, and the user
-/// decides.
+/// The lock of a results directory, which belongs to one run at a time. The file `run.lock` names the owner by host,
+/// process and start of the process. It exists while the run is in progress and is removed when the run ends.
+///
+/// A killed run leaves the file behind. The next run on the same host takes over the lock if the process has ended or
+/// its number belongs to another process. It also takes over the lock after a restart of the machine; /etc/machine-id
+/// distinguishes machines with the same name. A run cannot check processes on another host. It then stops with a
+/// message that names the file, and the user decides whether to remove it.
 
 #include <filesystem>
 #include <string>
@@ -15,14 +16,14 @@ class RunLock {
  public:
   static constexpr const char* file_name = "run.lock";
 
-  /// UserError if another run has the directory; the directory is not changed then. WriteError if the lock cannot be
-  /// written.
+  /// UserError if another run has locked the directory; the directory is then unchanged. WriteError if the lock cannot
+  /// be written.
   explicit RunLock(const std::filesystem::path& directory);
   ~RunLock();
   RunLock(RunLock&& other) noexcept;
   RunLock& operator=(RunLock&&) = delete;
 
-  /// Called by a rank that aborts the run without holding the lock.
+  /// A rank that does not hold the lock calls this function if it aborts the run.
   static void remove(const std::filesystem::path& directory) noexcept;
 
  private:
@@ -30,7 +31,7 @@ class RunLock {
   void remove_if_stale() const;
 
   std::filesystem::path path_;
-  std::string identity_;  ///< contents of the file; empty after the lock has been given to another object
+  std::string identity_;  ///< contents of the file; empty after the lock has been moved to another object
 };
 
 }  // namespace pseudorigid::io

@@ -8,7 +8,7 @@ namespace pseudorigid::io {
 namespace {
 
 std::atomic<bool> requested = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // so that a signal handler may set it
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may only set such a flag
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 
@@ -25,8 +25,8 @@ void listen_to(int signal, unsigned int flags) {
 void install_signal_handlers() {
   // A second Ctrl-C terminates the process at once, by the default action.
   for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
-  // A second signal of these kinds is not a request to stop at once: the kernel and the shell both send them, or send
-  // them every second.
+  // A second SIGHUP or SIGXCPU must not end the run at once. The kernel and the shell may both send SIGHUP, and the
+  // kernel sends SIGXCPU every second.
   struct sigaction hangup = {};
   sigaction(SIGHUP, nullptr, &hangup);
   if (hangup.sa_handler != SIG_IGN) listen_to(SIGHUP, 0);

@@ -1,11 +1,13 @@
 #pragma once
-/// Requests to stop a run, as a flag that the time loop polls after each step: Ctrl-C and SIGTERM (a second one kills
-/// at once), a lost terminal or connection (SIGHUP), and a limit of processor time (SIGXCPU).
+/// A flag for requests to stop a run, which the time loop reads after each step. The signals of Ctrl-C (SIGINT) and
+/// SIGTERM set it; a second one ends the program at once. A lost terminal or connection (SIGHUP) and a limit of
+/// processor time (SIGXCPU) also set it.
 
 namespace pseudorigid::io {
 
-/// SIGHUP stays ignored if nohup has asked for it. Also ignores SIGXFSZ, so that a file-size limit becomes a
-/// WriteError like a full disk, and SIGPIPE: a run does not stop when the reader of its terminal output goes away.
+/// Installs the handlers. SIGHUP remains ignored if the program was started by nohup. SIGXFSZ is ignored, so that a
+/// limit on the size of a file becomes a WriteError. SIGPIPE is ignored, so that the run continues if the reader of its
+/// terminal output ends.
 void install_signal_handlers();
 
 bool interrupt_requested() noexcept;

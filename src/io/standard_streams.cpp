@@ -10,7 +10,7 @@
 namespace pseudorigid::io {
 
 void open_standard_descriptors() {
-  // open takes the lowest descriptor that is free, which is this one: those below it are open by now.
+  // open() takes the lowest free descriptor. This is `descriptor`, because all lower ones are open.
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(descriptor, F_GETFD) == -1 && errno == EBADF) ::open("/dev/null", O_RDWR);
 }

@@ -1,15 +1,16 @@
 #pragma once
-/// Standard input, output and error as a shell may leave them: closed, full, or a pipe whose reader is gone.
+/// Standard input, output and error, which a shell may close, direct to a full disk or connect to a pipe without a
+/// reader.
 
 #include <string_view>
 
 namespace pseudorigid::io {
 
-/// Opens those that are closed on /dev/null. Otherwise the next file that is opened takes the place of standard output,
-/// and output to the terminal is written into it. To be called before any file is opened.
+/// Opens /dev/null for each closed standard descriptor. Otherwise a file that is opened later would get the number of
+/// standard output, and terminal output would be written into it. Call this function before any file is opened.
 void open_standard_descriptors();
 
-/// To standard output, at once. WriteError if it cannot be written, unless it is a pipe that its reader has closed.
+/// Writes to standard output without a buffer. WriteError if this fails, except for a pipe that its reader has closed.
 void print(std::string_view text);
 
 }  // namespace pseudorigid::io

@@ -39,7 +39,8 @@ const Columns<ContinuumObservables>& body_columns() {
   return columns;
 }
 
-/// The suffix of the name of a column in the header, by the kind of its value.
+/// Suffixes of the names of a column in the header. They depend on the kind of its value: scalar, vector, matrix,
+/// antisymmetric matrix.
 template <class O>
 const std::vector<std::string>& suffixes(const BodyColumn<O>& column) {
   static const std::vector<std::string> of_kind[] = {

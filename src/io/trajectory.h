@@ -1,5 +1,5 @@
 #pragma once
-/// Headers, rows, units and documentation of the models' CSV files, from the columns that are declared in
+/// Headers, rows, units and documentation of the CSV files of the models. The columns are declared in
 /// observables/body_observables.h.
 
 #include <string>
@@ -13,23 +13,23 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model but `time`, which comes first, as people read of them: `Q11 ... Q33` in one line. Observables
-/// are mechanics::ReducedObservables or mechanics::ContinuumObservables.
+/// All columns of a model except `time`, for the documentation: `Q11 ... Q33` is one line. Observables is
+/// mechanics::ReducedObservables or mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 
-/// The columns that `quantities` asks for, and rows of them.
+/// The columns that `quantities` selects, and rows of these columns.
 template <class Observables>
 class Trajectory {
  public:
   explicit Trajectory(const scene::Quantities& quantities, const Units& units = {});
 
-  /// The header, `time` first.
+  /// Names of the columns. The first is `time`.
   const std::vector<std::string>& names() const { return names_; }
-  /// The observables that they need.
+  /// The observables that the columns need.
   const mechanics::ObservableRequest& request() const { return request_; }
-  /// The row of a sample; observables in internal units, the time in the user's (it is known exactly there). `row` is
-  /// overwritten and its memory reused.
+  /// Writes the row of a sample into `row`, whose memory is reused. The observables are in internal units. The time is
+  /// in the units of the user, in which it is exact.
   void row(double physical_time, const Observables& internal, std::vector<double>& row) const;
 
  private:

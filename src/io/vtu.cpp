@@ -36,11 +36,12 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// An array as VTK compresses it: number of blocks, size of a block, size of the last one if it is shorter or else 0,
-/// compressed size of each, and the blocks.
+/// A compressed array in VTK's format. The header has the number of blocks, the size of a block, the size of a shorter
+/// last block or 0, and the compressed size of each block. The blocks follow.
 std::string compressed(std::string_view bytes) {
-  constexpr std::size_t block_size = std::size_t{1} << 18;  // beyond the 32 KiB that zlib looks back, so little is lost
-  // Numbers of a motion have few digits to spare: higher levels take twice the time for a hundredth of the size.
+  constexpr std::size_t block_size =
+      std::size_t{1} << 18;  // much more than the 32 KiB window of zlib, so that blocks lose little compression
+  // Numbers of a motion compress badly. Higher levels need twice the time and reduce the size by only 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};
@@ -50,14 +51,14 @@ std::string compressed(std::string_view bytes) {
     uLongf size = block.size();
     if (compress2(reinterpret_cast<Bytef*>(block.data()), &size, reinterpret_cast<const Bytef*>(source.data()),
                   source.size(), level) != Z_OK)
-      throw std::bad_alloc();  // the one way to fail, given a buffer that is large enough
+      throw std::bad_alloc();  // the only possible error, because the buffer is large enough
     blocks.append(block, 0, size);
     header.push_back(size);
   }
   return bytes_of(header) + blocks;
 }
 
-/// The XML of a file and the arrays behind it, to which it refers by offsets.
+/// The XML of a file and its arrays. The XML refers to the arrays by offsets.
 class Document {
  public:
   void add(std::string_view xml) { parts_.push_back({.xml = std::string(xml)}); }
@@ -67,7 +68,7 @@ class Document {
                                          name, components(n_components)),
                       .array = std::as_bytes(values)});
   }
-  /// A value of the whole grid, written as readable text.
+  /// Adds a constant of the whole grid as text.
   void add_constant(const UnstructuredGrid::Field& constant) {
     add(fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
                     "\n",
@@ -92,7 +93,7 @@ class Document {
     std::string compressed{};
   };
 
-  /// Compression takes most of the time of a picture, so every processor of this process takes part.
+  /// Compresses the arrays with several threads, because compression takes most of the time of a picture.
   void compress() {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
@@ -100,18 +101,18 @@ class Document {
         if (const auto& array = parts_[i].array)
           parts_[i].compressed = compressed({reinterpret_cast<const char*>(array->data()), array->size()});
     };
-    constexpr unsigned most = 8;  // of some 15 arrays
+    constexpr unsigned most = 8;  // a picture has about 15 arrays
     std::vector<std::future<void>> helpers;
     try {
       for (unsigned n = 1; n < std::min(most, std::thread::hardware_concurrency()); ++n)
         helpers.push_back(std::async(std::launch::async, work));
-    } catch (const std::system_error&) {  // no more threads
+    } catch (const std::system_error&) {  // continue with the threads that exist
     }
     work();
     for (auto& helper : helpers) helper.get();
   }
 
-  /// Omitted for scalars, whose default is 1: meshio makes columns of them if 1 is written.
+  /// The attribute is omitted for scalars, whose default is 1. If 1 is written, meshio reads a matrix with one column.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
 
   std::vector<Part> parts_;

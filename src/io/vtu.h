@@ -1,6 +1,6 @@
 #pragma once
-/// VTK unstructured grids for ParaView: file version 1.0, one piece, Float64, appended arrays compressed by zlib,
-/// nothing that changes from run to run. Read alike by VTK and meshio (tests/support/check_vtu.py).
+/// Unstructured grids in VTK's format for ParaView: file version 1.0, one piece, Float64, appended arrays compressed by
+/// zlib. Equal grids give equal files. VTK and meshio read the same data from a file (tests/support/check_vtu.py).
 
 #include <cstdint>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace pseudorigid::io {
 
-/// VTK's numbers.
+/// Types of cells by VTK's numbers.
 enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, lagrange_hexahedron = 72 };
 
 /// A grid of cells of one type with values at its points.
@@ -24,18 +24,18 @@ struct UnstructuredGrid {
   int nodes_per_cell = 8;
   std::vector<std::int64_t> connectivity{};  ///< nodes_per_cell point numbers per cell, in VTK's order
   std::vector<Field> fields{};
-  std::vector<Field> constants{};  ///< constants of the whole grid, one value each; ParaView uses TimeValue as the time
+  std::vector<Field> constants{};  ///< constants of the whole grid, such as TimeValue, which ParaView uses as the time
 
   std::size_t n_points() const { return points.size() / 3; }
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
 };
 
-/// Replaces the file atomically. WriteError if the disk refuses; std::logic_error if the arrays do not fit together, a
-/// point number is out of range or a value is not finite.
+/// Replaces the file atomically. WriteError if the file cannot be written. std::logic_error if sizes of arrays do not
+/// match, a point number is out of range or a value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
-/// The file of a parallel run that lists its pieces. The pieces have the fields of `piece`, and are in the same folder.
-/// WriteError.
+/// Writes the file of a parallel run, which lists the files of its pieces. The pieces have the fields of `piece` and
+/// are in the same folder. Throws WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

@@ -18,7 +18,7 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The file in its two parts. Throws UserError if a part differs from the output of write_vtu.
+/// The two parts of a file: XML and appended arrays. Throws UserError if a part differs from the output of write_vtu.
 class VtuText {
  public:
   explicit VtuText(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {
@@ -33,7 +33,7 @@ class VtuText {
   }
 
   std::string_view xml() const { return xml_; }
-  /// The element that begins like this, up to its first '>'; empty if there is none.
+  /// The first element that starts with `begin`, up to its first '>'. Empty if there is none.
   std::string_view element(std::string_view begin) const {
     const std::size_t at = xml_.find(begin);
     return at == std::string_view::npos ? std::string_view() : xml_.substr(at, xml_.find('>', at) + 1 - at);
@@ -56,7 +56,7 @@ class VtuText {
     return value;
   }
 
-  /// The numbers behind an element of an appended array.
+  /// The n numbers of the appended array to which `element` refers.
   template <class T>
   std::vector<T> values(std::string_view element, std::size_t n) const {
     constexpr std::size_t largest_ratio_of_zlib = 1100;
@@ -71,9 +71,9 @@ class VtuText {
   }
 
  private:
-  /// The blocks that `compressed` in vtu.cpp makes.
+  /// Decompresses the blocks that `compressed` in vtu.cpp made.
   void decompress(std::size_t offset, std::span<std::byte> target) const {
-    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last one
+    std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block
     copy(offset, head.data(), sizeof head);
     const auto [n_blocks, size, last] = head;
     require(n_blocks <= data_.size());

@@ -1,5 +1,5 @@
 #pragma once
-/// Reads back the grids that write_vtu writes, for pictures of a run that is finished.
+/// Reader for the grids that write_vtu writes, used for pictures of a completed run.
 
 #include <filesystem>
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::io {
 
-/// The grid with those of the named fields that the file has, and with all constants of the grid.
-/// UserError if the file cannot be read, or if write_vtu did not write it on a machine of this byte order.
+/// Reads the grid, its constants, and the given fields as far as the file contains them. UserError if the file cannot
+/// be read, or if write_vtu did not write it on a machine with the same byte order.
 UnstructuredGrid read_vtu(const std::filesystem::path& path, std::span<const std::string> fields);
 
 }  // namespace pseudorigid::io

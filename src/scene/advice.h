@@ -1,6 +1,6 @@
 #pragma once
-/// Recommendations of a refusal. A recommendation is printed only after a trial has shown that the scene with it is
-/// accepted.
+/// Recommendations in error messages. The program prints a recommendation only after a trial has shown that validate
+/// accepts the scene with it.
 
 #include <functional>
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace pseudorigid::scene {
 
-/// Whether a scene is one that can run.
+/// A function that returns whether a scene is valid.
 using Accepts = std::function<bool(Scene)>;
 
-/// The scene with other values of these entries.
+/// The scene with the values of `settings` in their entries.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// "a sweep is offered for the models a, b; set Models = a, or set Method = rattle or explicit-8": the sentence of the
-/// refusal with its recommendations.
+/// The sentence of a refusal with its recommendations: "a sweep is offered for the models a, b; set Models = a, or set
+/// Method = rattle or explicit-8".
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

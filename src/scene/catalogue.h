@@ -1,6 +1,6 @@
 #pragma once
-/// Content of parameter files that other layers define: the names of the methods, the models of the ball, and the
-/// systems other than the ball with their entries and columns. The program hands the catalogue to read_scene
+/// The part of parameter files that other layers define: the names of the methods, the models of the ball, and the
+/// other systems with their entries and columns. The program passes the catalogue to read_scene
 /// (app/models/catalogue.h). The scene layer itself defines only the ball.
 
 #include <functional>
@@ -18,11 +18,11 @@
 
 namespace pseudorigid::scene {
 
-/// A kind of values (entry_kinds.h) without the type of its values: the scene keeps the text itself in its canonical
-/// form.
+/// A kind of values (entry_kinds.h) without the type of its values. The scene stores such a value as text in its
+/// canonical form.
 class AnyKind {
  public:
-  /// The kind, for members of type Value.
+  /// Makes an AnyKind from a kind whose values have the type Value.
   template <class Value, class Kind>
   static AnyKind of(const Kind& kind) {
     AnyKind any;
@@ -56,7 +56,7 @@ struct SystemEntry {
   std::string default_text;
 };
 
-/// A column of a system's CSV file; `time` comes first in every file and is not listed.
+/// A column of the CSV file of a system. The first column of every file is `time`, which is not listed.
 struct Column {
   std::string name;
   Unit unit;
@@ -65,81 +65,84 @@ struct Column {
 
 struct Scene;
 
-/// An entry and the text to give it.
+/// An entry and a text for its value.
 struct Setting {
   std::string path, value;
 };
 
-/// The reason why a scene cannot be run: the entry, a sentence about it, and possible changes. scene/advice.h completes
-/// the sentence by the changes with which the scene would be accepted.
+/// The reason why a scene is not valid: the entry, a sentence about it, and possible changes. The functions of
+/// scene/advice.h add the changes that make the scene valid to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< each would do
+  std::vector<std::vector<Setting>> remedies{};  ///< each of these changes is sufficient
   std::vector<std::string_view>
-      models{};  ///< models that accept the refused input: the sentence ends before "offered for"
+      models{};  ///< models that accept the input; the sentence then ends before "offered for"
 };
 
 struct SystemDescription {
   std::string_view name;           ///< the value of the entry System
-  std::string_view file;           ///< name of its CSV file, without ".csv"
-  std::string_view section;        ///< its subsection
-  std::string_view documentation;  ///< a sentence for people
+  std::string_view file;           ///< name of its CSV file without ".csv"
+  std::string_view section;        ///< its subsection in parameter files
+  std::string_view documentation;  ///< one sentence for the user
   std::vector<SystemEntry> entries;
-  std::vector<Column> columns;  ///< of a scene of defaults
-  /// The columns for a scene, if their number depends on its values.
+  std::vector<Column> columns;  ///< columns of a scene with default values
+  /// The columns for a scene. Their number may depend on its values.
   std::function<std::vector<Column>(const Scene&)> columns_of;
-  bool has_equilibria = false;  ///< Analysis = equilibrium, manifolds are offered
-  bool complete = false;        ///< every motion exists for all time: it may be run backwards
-  /// The error in a scene of this system, if there is one, in addition to each entry's own range.
+  bool has_equilibria = false;  ///< whether Analysis = equilibrium and manifolds are offered
+  bool complete = false;  ///< whether every motion exists for all time, so that runs backwards in time are possible
+  /// Returns the error in a scene of this system, if any. The ranges of single entries are checked before.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
-/// The table of relative equilibria that a model writes.
+/// The table of relative equilibria of a model.
 struct EquilibriaTable {
-  std::string_view file;  ///< without ".csv"
+  std::string_view file;  ///< name without ".csv"
   std::string_view introduction;
   std::vector<Column> columns;
 };
 
 /// One run of a model of the ball.
 struct ModelRun {
-  std::string name;           ///< of its files
-  std::string adjective;      ///< adjective of its ball in sentences: "polynomial N = 3"
-  bool finds_degree = false;  ///< the run finds its degree N, its counter `degree`, which belongs to the adjective
+  std::string name;       ///< name of its files
+  std::string adjective;  ///< adjective of its ball in sentences, "polynomial N = 3"
+  bool finds_degree =
+      false;  ///< whether the run chooses its degree N (counter `degree`), which the adjective then contains
 };
 
-/// A model of the ball, one word of the entry Models.
+/// A model of the ball. Its name is a value of the entry Models.
 struct ModelDescription {
-  std::string_view name;           ///< the word; its files are `<name>.csv`, `<name>.pvd`, `checkpoint-<name>.bin`
-  std::string_view adjective;      ///< adjective of its ball in sentences: "elastic"
-  std::string_view documentation;  ///< a sentence for people
-  bool by_default = false;         ///< chosen if the scene does not say
-  /// It has elements in space: section Continuum and meshes concern it, it has an error of its discretisation, several
-  /// processes may share it, and it runs in the executable that links deal.II.
+  std::string_view name;           ///< its files are `<name>.csv`, `<name>.pvd` and `checkpoint-<name>.bin`
+  std::string_view adjective;      ///< adjective of its ball in sentences, "elastic"
+  std::string_view documentation;  ///< one sentence for the user
+  bool by_default = false;         ///< whether a scene without the entry Models uses it
+  /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
+  /// discretisation. Several processes may share its computation, and it runs in the executable that links deal.II.
   Required<bool> discretized;
-  /// It moves in other ways than x = QX: sectors and the columns `nonaffine` concern it. A model that does not is the
-  /// pseudo-rigid body, whose exact results hold for it.
+  /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
+  /// models. A model without them is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
-  bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
-  EquilibriaTable equilibria{};                    ///< if they are offered
-  /// Columns of equilibria.csv for equilibria at rest, Equilibrium/Family = static, of a body with so many degrees of
-  /// freedom; null if the model does not find them.
+  bool has_modes = false, has_equilibria = false;  ///< whether Analysis = modes, equilibrium are offered
+  EquilibriaTable equilibria{};                    ///< used if has_equilibria
+  /// Columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with `n_modes`
+  /// degrees of freedom. Null if the model does not compute them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
-  std::vector<Column> columns;  ///< of all groups, as documented
-  /// Names of further runs of the model that a scene may request, with their own files, by rising number of motions.
+  std::vector<Column> columns;  ///< columns of all groups, for the documentation
+  /// Names of further runs of the model that a scene may request, by increasing number of degrees of freedom. Each run
+  /// has its own files.
   std::vector<std::string> rungs{};
-  /// The runs of the model that the scene requests, by rising number of motions; empty: one run with the model's name.
+  /// The runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a model
+  /// with one run of its name.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// The header of its CSV file.
+  /// The names of the columns of its CSV file.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// The discretisation of the run by which its error in space is estimated, in words; none of a scene that leaves the
-  /// discretisation to a search. Null for a model that has no such error.
+  /// Text about the discretisation of the companion run, which serves to estimate the error in space. The text is empty
+  /// if a search chooses the discretisation. The function is null for a model without this error.
   std::function<std::optional<std::string>(const Scene&)> companion{};
-  /// The line for people of a scene that runs it, and of one that does not.
+  /// The line about the model for the user, if the scene runs it or not.
   std::function<std::string(const Scene&)> needed, skipped;
-  /// Whether a method can integrate the model. Null if every method can.
+  /// Whether the model can use a method. Null if it can use every method.
   bool (*takes_method)(std::string_view name) = nullptr;
-  /// The error in a valid scene for this model, if there is one.
+  /// Returns the error in a valid scene for this model, if any.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -158,15 +161,15 @@ struct NamedMethod {
 
 struct Catalogue {
   std::vector<NamedMethod> methods;
-  /// By rising number of motions: the others are compared with the last model of a scene.
+  /// The models by increasing number of degrees of freedom. The last model of a scene is the reference of comparisons.
   std::vector<ModelDescription> models{};
   std::vector<SystemDescription> systems{};
-  /// Columns of connections.csv.
+  /// The columns of connections.csv.
   std::vector<Column> connections{};
-  /// Columns of equilibria.csv, for a system of one degree of freedom and without those of its coordinates.
+  /// The columns of equilibria.csv for a system of one degree of freedom, without the coordinates of the system.
   std::vector<Column> equilibria{};
 
-  /// Null for the ball.
+  /// The system of this name, or null for the ball.
   const SystemDescription* system(std::string_view name) const {
     for (const SystemDescription& system : systems)
       if (system.name == name) return &system;

@@ -1,5 +1,5 @@
 #pragma once
-/// The words that are values of entries, and their meanings.
+/// The words that entries accept as values.
 
 #include <algorithm>
 #include <cstddef>
@@ -32,7 +32,7 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
-/// The families that Analysis = equilibrium can write: all except `none`, and in addition the equilibria at rest.
+/// The families for Analysis = equilibrium: all families except `none`, and the equilibria at rest.
 inline constexpr auto family_kind = []() consteval {
   auto table = initial_family_kind.table;
   std::ranges::rotate(table, table.begin() + 1);
@@ -70,10 +70,10 @@ inline constexpr auto fields_kind = switches<Fields>({
     {"energy", &Fields::energy},
 });
 
-/// The text of Output/Quantities, from the groups' own.
+/// The text of Output/Quantities, composed of the texts of the groups.
 std::string_view documentation_of_quantities();
 
-/// The laws by name, and the text of Material/Law, from the laws' own.
+/// The text of Material/Law, composed of the texts of the laws.
 std::string_view documentation_of_laws();
 inline Word law_kind() {
   Word kind;
@@ -81,21 +81,21 @@ inline Word law_kind() {
   return kind;
 }
 
-/// The systems by name, the ball first.
+/// The names of the systems. The ball comes first.
 inline Word system_kind(const Catalogue& catalogue) {
   Word kind{{ball}};
   for (const SystemDescription& system : catalogue.systems) kind.allowed.push_back(system.name);
   return kind;
 }
 
-/// The models by name.
+/// The names of the models.
 inline Words models_kind(const Catalogue& catalogue) {
   Words kind;
   for (const ModelDescription& model : catalogue.models) kind.allowed.push_back(model.name);
   return kind;
 }
 
-/// `auto` and the methods by name.
+/// The word `auto` and the names of the methods.
 inline Word method_kind(const Catalogue& catalogue) {
   Word kind{{automatic}};
   for (const NamedMethod& method : catalogue.methods) kind.allowed.push_back(method.name);

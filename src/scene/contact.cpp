@@ -12,12 +12,12 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// A penetration at the start that is taken for round-off, relative to the size of the body.
+/// Initial penetrations below this fraction of the size of the body are round-off.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// How far the body is behind a plane at the start.
+/// The distance by which the initial body penetrates a plane, or 0.
 double depth(const Scene& scene, const loads::Plane& plane) {
   const Eigen::Vector3d axes = scene.body.radius * vector_of(scene.body.semi_axes);
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);

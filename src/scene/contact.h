@@ -1,6 +1,6 @@
 #pragma once
-/// Requirements of rigid planes (loads/rigid_planes.h): as many normals as points, normals with a direction, a body
-/// whose surface is known, and a start at which
+/// Checks of rigid planes (loads/rigid_planes.h). Each normal is not zero and has a point, and the surface of the body
+/// is known. The initial body with centre x_c and deformation Q₀ must be in front of each plane n·x = z₀:
 ///
 ///   n·x ≥ z₀ for all x of the body,   that is   n·x_c − |S Q₀ᵀn| r ≥ z₀,   S = diag(semi-axes).
 
@@ -10,7 +10,7 @@
 
 namespace pseudorigid::scene {
 
-/// Nothing without planes.
+/// Returns the violated requirement. The result is empty for a scene without planes.
 std::optional<Refusal> refuses_planes(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -1,14 +1,15 @@
 #pragma once
-/// Discretisations of the continuum: finite elements of degree k on the mesh refined r times, and the order in which
-/// they are tried if the scene leaves the choice open.
+/// Discretisations of the finite-element model, with degree k on the mesh after r refinements. If the scene does not
+/// set both numbers, a search tries discretisations in a fixed order.
 ///
-/// The error of Q falls with the resolution
+/// The error of Q decreases with the resolution
 ///
 ///   N = k · 1.6^r,
 ///
-/// not with k 2^r, the number of nodes along an edge: at equal k 2^r high degree is the more accurate (shear fronts
-/// leave the surface, so that the rate in N is algebraic, but of high degree they are resolved better; the base is
-/// fitted to measured errors of releases, tests/app/auto_degree_test.py). The cost at the stable step ~ 1/(k² 2^r) is
+/// and not with k 2^r, the number of nodes along an edge. At equal k 2^r, a high degree is more accurate. Shear fronts
+/// leave the surface, so that the rate in N is algebraic, but high degrees resolve the fronts better. The base 1.6 is
+/// fitted to measured errors of releases (tests/app/auto_degree_test.py). With the largest stable step, which is
+/// proportional to 1/(k² 2^r), the cost is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 
@@ -21,9 +22,9 @@
 namespace pseudorigid::scene {
 
 inline constexpr int largest_degree = 8;
-/// Largest degree of polynomial bodies.
+/// The largest degree of polynomial bodies.
 inline constexpr int largest_polynomial_degree = 13;
-/// Largest number of refinements in a search; a scene may set more.
+/// The largest number of refinements in a search. A scene may set more.
 inline constexpr int largest_refinements_of_search = 2;
 
 struct Discretization {
@@ -31,27 +32,27 @@ struct Discretization {
   bool operator==(const Discretization&) const = default;
 };
 
-/// N.
+/// The resolution N.
 double resolution(const Discretization& d);
-/// c, in units of one trilinear element a cell.
+/// The cost c, in units of one trilinear element per cell.
 double cost(const Discretization& d);
-/// "degree 4, unrefined", "degree 5, refined once".
+/// The discretisation in words, such as "degree 4, unrefined" or "degree 5, refined once".
 std::string describe(const Discretization& d);
 
-/// The discretisation of a scene without `auto`.
+/// The discretisation of a scene that sets both numbers; otherwise empty.
 std::optional<Discretization> fixed_discretization(const Scene& scene);
 
-/// The discretisations that a scene admits. Each costs more than the one before and has a resolution higher by at least
-/// a tenth; discretisations that cost more for the same resolution are left out.
+/// The discretisations that the scene admits, by increasing cost. Each has a resolution at least 10 % higher than the
+/// one before; others are omitted.
 std::vector<Discretization> ladder(const Scene& scene);
 
-/// The one that a run is compared with to estimate its error: of one degree less, at the least degree refined once
-/// less, and of the coarsest one the next finer.
+/// The discretisation of the companion run, by which a run estimates its error. It has one degree less. At the least
+/// degree, it has one refinement less, or one degree more if the mesh is unrefined.
 Discretization companion(const Discretization& d);
 
-/// The companion of a polynomial body of degree N. With the symmetry of an octant degrees rise by two. A higher degree
-/// gives the error itself, while a lower degree often gives many times the error. For N ≥ 9, where degrees are costly,
-/// the companion has two degrees less.
+/// The degree of the companion run of a polynomial body of degree N. The degrees differ by two, because bodies with the
+/// symmetry of an octant only use odd degrees. A higher degree gives the error itself, while a lower degree often gives
+/// many times the error. For N ≥ 9, high degrees are costly, and the companion has two degrees less.
 int companion_degree(int N);
 
 }  // namespace pseudorigid::scene

@@ -1,8 +1,8 @@
 #pragma once
-/// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation; the default is the
-/// member's own in scene/scene.h. The entries of a load are with the load, src/loads/. Reading, range checks, used.prm,
-/// the suggestions for misspelt names and all formats of `pseudorigid parameters` derive from here. A new entry is a
-/// member of Scene and one call below.
+/// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation. The default is the
+/// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. Reading, range
+/// checks, used.prm, suggestions for misspelt names and all formats of `pseudorigid parameters` use these functions. A
+/// new entry needs a member of Scene and a call below.
 
 #include <concepts>
 #include <type_traits>
@@ -18,7 +18,7 @@ inline const Catalogue& catalogue_of(const Scene& scene) {
   return scene.catalogue ? *scene.catalogue : empty_catalogue;
 }
 
-/// The scene of defaults, in which the entries of a catalogue are looked up.
+/// A scene with the default values and the given catalogue.
 inline Scene default_scene(const Catalogue& catalogue) {
   Scene scene;
   scene.catalogue = &catalogue;
@@ -363,7 +363,7 @@ void visit_sweep(S& scene, Visit& visit) {
               "row is that of a single run, bit by bit."});
 }
 
-/// The entries of the systems of the catalogue.
+/// Visits the entries of the systems of the catalogue.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)

@@ -18,7 +18,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// "; did you mean …", or the parameters that there are.
+/// A suggestion "; did you mean …" with the list of the parameters, or a note that there are no parameters.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);
@@ -26,7 +26,7 @@ std::string what_is_known(std::string_view name, const ParameterValues& paramete
   return did_you_mean(name, names) + fmt::format("; the parameters of the sweep are {}", fmt::join(names, ", "));
 }
 
-/// A parser that knows the constants alone. Made once: it takes longer than an expression does.
+/// A parser that has only the constants. It is made once, because its construction takes longer than an expression.
 mu::Parser& cleared_parser() {
   thread_local mu::Parser parser;
   parser.ClearVar();
@@ -62,7 +62,7 @@ double value_of(const std::string& expression, const ParameterValues& parameters
   return value;
 }
 
-/// The whole number that a few operations with rounding have missed, or the number itself.
+/// The text of a value. With Rounding::to_whole, an integer with round-off is printed as this integer.
 std::string printed(double value, Rounding rounding) {
   const double whole = std::round(value);
   const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);
@@ -70,7 +70,7 @@ std::string printed(double value, Rounding rounding) {
                                                                               : print_number(value);
 }
 
-/// Past the end of the text if the parenthesis opened before `from` is not closed.
+/// The position of the parenthesis that closes one opened before `from`, or the end of the text if there is none.
 std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   int depth = 1;
   for (; from < text.size(); ++from) {
@@ -80,7 +80,7 @@ std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// Calls use(expression) for each `$(…)` of the text; all else goes to keep(text).
+/// Calls use(expression) for each `$(…)` of the text and keep(text) for the text between.
 template <class Keep, class Use>
 void visit_expressions(std::string_view text, const Keep& keep, const Use& use) {
   for (std::size_t at = 0; at < text.size();) {

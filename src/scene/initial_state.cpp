@@ -16,7 +16,7 @@ constexpr double isochoric_tolerance = 1e-8;
 constexpr const char* deformation_path = "Initial state/Deformation";
 constexpr const char* velocity_path = "Initial state/Velocity";
 
-/// Q^-1 : Qdot^T = tr(Q^-1 Qdot), and how large it is by round-off alone.
+/// The trace Q^-1 : Qdot^T = tr(Q^-1 Qdot), and a bound of its round-off.
 struct Divergence {
   double value, round_off_bound;
 };
@@ -98,7 +98,7 @@ Matrix3 project_deformation(const Matrix3& deformation) {
 
 Matrix3 project_velocity(const Matrix3& deformation, const Matrix3& velocity) {
   Matrix3 projected = velocity;
-  // Twice, because after the removal of a large divergence its own round-off remains.
+  // Two passes, because the removal of a large divergence leaves round-off.
   for (int pass = 0; pass < 2; ++pass) {
     const Divergence trace = divergence(deformation, projected);
     if (std::abs(trace.value) <= trace.round_off_bound) break;

@@ -1,5 +1,5 @@
 #pragma once
-/// The models of a scene, chosen by the properties in their entries of the catalogue.
+/// Functions that select the models of a scene by their properties in the catalogue.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ inline bool names(const Scene& scene, const ModelDescription& model) {
   return std::ranges::find(scene.models, model.name) != scene.models.end();
 }
 
-/// Whether the model has the analysis.
+/// Whether the model offers the analysis.
 inline bool offers(const ModelDescription& model, Analysis analysis) {
   switch (analysis) {
     case Analysis::motion:
@@ -35,7 +35,7 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
   return false;
 }
 
-/// The models of the scene, by rising number of motions.
+/// The models of the scene, by increasing number of degrees of freedom.
 inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   std::vector<const ModelDescription*> models;
   for (const ModelDescription& model : catalogue_of(scene).models)
@@ -43,17 +43,17 @@ inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   return models;
 }
 
-/// Whether one of them has elements in space.
+/// Whether a model of the scene has finite elements.
 inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }
 
-/// Whether one of them may bend.
+/// Whether a model of the scene has motions other than x = QX, Q a matrix.
 inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }
 
-/// Names of the models of the catalogue that have a property.
+/// The names of the models of the catalogue for which `holds` is true.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;
@@ -62,7 +62,7 @@ std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds)
   return found;
 }
 
-/// "the reduced model", "the models a, b".
+/// "the reduced model" or "the models a, b".
 inline std::string the_models(const std::vector<std::string_view>& names) {
   return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
 }

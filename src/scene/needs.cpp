@@ -15,7 +15,7 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Writes a line for people: `needed` if the part is needed, else `skipped`.
+/// Adds the line `needed` if the part is wanted, otherwise the line `skipped`.
 void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped) {
   if (wanted)
     needs.needed.push_back(std::move(needed));
@@ -23,8 +23,8 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// The discretisation error of the reference model: known from a search, or estimated by a companion run if an output
-/// shows it.
+/// Describes the discretisation error of the reference model. A search estimates it, or a companion run if there is a
+/// comparison.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;
@@ -49,7 +49,7 @@ void describe_stabilization(const Scene& scene, Needs& needs) {
                : "volumetric stabilisation: neither self-gravity nor a confining tidal matrix");
 }
 
-/// Runs whose results are compared: those of every model.
+/// The number of runs of all models.
 std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   std::size_t n = 0;
   for (const ModelDescription* model : needs.models) n += runs_of(*model, scene).size();
@@ -123,7 +123,7 @@ void describe_output(const Scene& scene, Needs& needs) {
            "graphics: Output/Graphics is none; no folder is made");
 }
 
-/// Warnings about the law.
+/// The warning of the law, if any.
 std::optional<std::string> warning_of_law(const Scene& scene) {
   const materials::NamedLaw& law = materials::find_law(scene.material.law);
   const std::string_view warning = scene.body.incompressible ? law.warning_incompressible : law.warning_compressible;

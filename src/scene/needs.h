@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of the program that a scene needs, and the parts that are skipped: never built, computed or written.
+/// The parts of the program that a scene needs. The other parts are skipped: they are not built, computed or written.
 
 #include <string>
 #include <vector>
@@ -12,31 +12,32 @@ namespace pseudorigid::scene {
 
 struct Needs {
   const SystemDescription* system = nullptr;    ///< null for the ball
-  std::vector<const ModelDescription*> models;  ///< models of the ball, in the order of their runs
-  bool discretized = false;                     ///< one of them: deal.II, MPI, PETSc, a mesh
-  bool constraint = false;                      ///< det = 1 and its multiplier
-  bool pressure_space = false;                  ///< pressure space of the models that are not affine
-  bool comparison = false;                      ///< comparison of the other models with the last model
-  bool companion = false;                       ///< the reference has a run on another discretisation, for its error
-  bool quadrature_error = false;                ///< estimate of the error of Q by the quadrature of a polynomial body
-  bool contact = false;                         ///< contact with rigid planes, and its columns
-  bool surface_watch = false;  ///< check of the finite-element model: whether its surface reaches Biot's limit
-  bool graphics = false;       ///< files for ParaView
-  bool report = false;         ///< report.html, and shapes.csv of a discretized model
-  Quantities quantities;       ///< the observables to evaluate
-  Sector sector;               ///< sector of the models that are not affine
-  std::vector<std::string> needed, skipped;  ///< one line each, for people
-  std::vector<std::string> expected;         ///< a line each: errors that can be told beforehand
-  std::vector<std::string> warnings;         ///< a sentence each: valid input that is seldom intended
+  std::vector<const ModelDescription*> models;  ///< models of the ball in the order of their runs
+  bool discretized = false;                     ///< whether a model needs a mesh, deal.II, MPI and PETSc
+  bool constraint = false;                      ///< the constraint det = 1 and its multiplier
+  bool pressure_space = false;    ///< pressure space of the incompressible models with motions other than x = QX
+  bool comparison = false;        ///< comparison of the other models with the last model
+  bool companion = false;         ///< a companion run on another discretisation, for the error of the reference
+  bool quadrature_error = false;  ///< estimate of the error of Q by the quadrature of a polynomial body
+  bool contact = false;           ///< contact with rigid planes and its columns
+  bool surface_watch = false;     ///< check whether the surface of the finite-element model reaches Biot's limit
+  bool graphics = false;          ///< files for ParaView
+  bool report = false;            ///< report.html, and shapes of the models with motions other than x = QX
+  Quantities quantities;          ///< the observables to evaluate
+  Sector sector;                  ///< sector of the models with motions other than x = QX
+  std::vector<std::string> needed, skipped;  ///< lines for the user
+  std::vector<std::string> expected;         ///< lines about errors that are known before the run
+  std::vector<std::string> warnings;         ///< sentences about valid input that is seldom intended
 };
 
-/// Takes a scene that scene::validate returned.
+/// The needs of a scene that scene::validate has returned.
 Needs needs(const Scene& scene);
 
-/// The scene in one line without a line break: analysis, and body or system.
+/// The scene as one line of text, with the analysis and the body or system.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text of `pseudorigid check`, also written to the log: needed parts, and skipped parts with the reason.
+/// The text of `pseudorigid check`, also written to the log. It lists the needed parts, and the skipped parts with
+/// reasons.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene

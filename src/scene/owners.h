@@ -1,5 +1,5 @@
 #pragma once
-/// Which system an entry belongs to.
+/// The system to which an entry belongs.
 
 #include <string_view>
 
@@ -9,7 +9,7 @@
 
 namespace pseudorigid::scene {
 
-/// The system that an entry belongs to: "ball", the name of another one, or "" for an entry of every scene.
+/// Returns "ball" or the name of another system, or "" for an entry of every scene.
 inline std::string_view owner_of(const Catalogue& catalogue, std::string_view path) {
   const std::string_view section = path.substr(0, path.find('/'));
   for (const SystemDescription& system : catalogue.systems)
@@ -23,7 +23,7 @@ inline std::string_view owner_of(const Catalogue& catalogue, std::string_view pa
   return "";
 }
 
-/// Whether the entry concerns the system of the scene.
+/// Whether the entry has an effect for the system of the scene.
 inline bool concerns(const Scene& scene, std::string_view path) {
   const std::string_view owner = owner_of(catalogue_of(scene), path);
   return owner.empty() || owner == scene.system;

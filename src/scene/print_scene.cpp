@@ -23,7 +23,7 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines, and opens and closes subsections as the section of the entries changes. Muted entries are
+/// Writes `set` lines, and opens and closes subsections if the section of the entries changes. Muted entries are
 /// written as comments.
 class PrmWriter {
  public:
@@ -42,7 +42,7 @@ class PrmWriter {
   void set(const About& about, const std::string& value, std::string_view remark = {}) {
     std::string line = fmt::format("{}{}set {} = {}", muted_ ? "# " : "", indent(), split(about.path).entry, value);
     if (value.empty()) line.pop_back();
-    // A comment also keeps a backslash that ends the value from continuing the line.
+    // A comment also prevents a backslash at the end of the value from joining the next line.
     if (!remark.empty() || value.ends_with('\\')) line += fmt::format("  # {}", remark);
     text_ += line + "\n";
   }
@@ -64,12 +64,12 @@ class PrmWriter {
   bool muted_ = false;
 };
 
-/// Breaks a text at blanks into lines of readable length.
+/// Breaks a text at blanks into lines of at most `comment_width` characters.
 std::vector<std::string> wrapped(std::string_view text) {
   std::vector<std::string> lines;
   while (text.size() > comment_width) {
     auto blank = text.rfind(' ', comment_width);
-    if (blank == text.npos) blank = text.find(' ');  // breaks a line after a word that exceeds it
+    if (blank == text.npos) blank = text.find(' ');  // the first word is longer than a line
     if (blank == text.npos) break;
     lines.emplace_back(text.substr(0, blank));
     text.remove_prefix(blank + 1);
@@ -93,7 +93,7 @@ std::string as_prm(const Scene& scene) {
   return writer.finish();
 }
 
-/// `|` would end a cell of the table.
+/// The text with `|` escaped, because `|` would end a cell of the table.
 std::string cell(std::string_view text) {
   std::string escaped;
   for (const char c : text) escaped.append(c == '|' ? "\\" : "").push_back(c);

@@ -1,5 +1,5 @@
 #pragma once
-/// From a Scene to text: used.prm, and the list of all entries in three formats.
+/// Printers of a scene as text: used.prm, and the list of all entries in three formats.
 
 #include <string>
 #include <vector>
@@ -9,22 +9,23 @@
 
 namespace pseudorigid::scene {
 
-/// All entries that concern the scene with their values, as a parameter file that reads back to the same scene, bit for
-/// bit. Entries that came from the command line are marked by a comment.
+/// A parameter file with all entries that concern the scene. It reads back to exactly the same scene. A comment marks
+/// the entries from the command line.
 std::string to_prm(const Scene& scene, const Origins& origins = {});
 
-/// The value that an entry had in a run, in its canonical form.
+/// An entry and its value in a run, in canonical form.
 struct UsedValue {
   std::string path, value;
 };
 
-/// All entries that concern the scene, with default values included. A value that varies in a sweep is printed as its
-/// expression.
+/// All entries that concern the scene, including those with default values. If a value varies in a sweep, the result
+/// contains its expression.
 std::vector<UsedValue> used_values(const Scene& scene);
 
 enum class Format { prm, markdown, json };
 
-/// Every entry with default, range, unit and documentation. The prm format is a parameter file of the defaults.
+/// A list of all entries with default, range, unit and documentation. The format prm is a parameter file with the
+/// default values.
 std::string parameters(Format format, const Catalogue& catalogue);
 
 }  // namespace pseudorigid::scene

@@ -23,7 +23,8 @@ bool is_binary(char c) {
   return std::iscntrl(byte) && !std::isspace(byte);
 }
 
-/// `; did you mean "…"?` with the scene in the same folder whose name is nearest to a missing file, or an empty text.
+/// Returns `; did you mean "…"?` with the .prm file in the folder whose name is most similar to the missing file, or an
+/// empty text.
 std::string scene_meant(const fs::path& file) {
   std::error_code ignored;
   const fs::path folder = file.parent_path();
@@ -34,7 +35,7 @@ std::string scene_meant(const fs::path& file) {
   return fs::exists(file, ignored) ? "" : did_you_mean(file.string(), {found.begin(), found.end()});
 }
 
-/// Everything in the file; `blame` begins the message if it cannot be had.
+/// The text of a file. Error messages begin with `blame`.
 std::string text_of(const fs::path& file, const std::string& blame) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
@@ -53,14 +54,14 @@ std::string text_of(const fs::path& file, const std::string& blame) {
   return text;
 }
 
-/// If `line` begins with one of the keywords (deal.II knows two spellings), removes it and returns true.
+/// If `line` begins with one of the two spellings of a keyword, removes the keyword and returns true.
 bool take_keyword(std::string_view& line, std::string_view small, std::string_view capital) {
   if (!line.starts_with(small) && !line.starts_with(capital)) return false;
   line.remove_prefix(small.size());
   return true;
 }
 
-/// Whether a line by itself would be a statement.
+/// Whether a line alone would be a statement.
 bool is_statement(std::string_view line) {
   std::string text(trimmed(line.substr(0, line.find('#'))));
   std::replace(text.begin(), text.end(), '\t', ' ');
@@ -74,7 +75,7 @@ class PrmReader {
  public:
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
 
-  /// Joins continued lines and scans each; the subsections must be the same at the end as at the beginning.
+  /// Joins continued lines and scans each line. The same subsections must be open at the end and at the beginning.
   void read_text(std::string_view text, const fs::path& file) {
     std::error_code ignored;
     files_.push_back({file, fs::weakly_canonical(file, ignored), 0});
@@ -202,7 +203,7 @@ class PrmReader {
   }
 
   const StatementHandler& handle_;
-  std::vector<OpenFile> files_;  ///< the file being read, preceded by those that include it
+  std::vector<OpenFile> files_;  ///< the open files; each one includes the next, and the last one is being read
   std::vector<Subsection> subsections_;
   int n_includes_ = 0;
 };

@@ -1,21 +1,22 @@
 #pragma once
-/// Reader of the .prm syntax of deal.II's ParameterHandler, without deal.II:
+/// A reader for the .prm syntax of deal.II's ParameterHandler that does not need deal.II:
 ///
 ///     set Name = value          # a comment; the value may be empty
-///     subsection Name … end     (SET, SUBSECTION, END, INCLUDE in capitals are as good)
+///     subsection Name … end     (SET, SUBSECTION, END, INCLUDE may be in capitals)
 ///     include FILE
-///     a backslash at the end of a line continues it with the next one, whose leading blanks are dropped
+///     a backslash at the end of a line joins the next line to it, without the leading blanks
 ///
-/// White space around names and values is dropped; tabs count as blanks. A test compares the reader with the installed
-/// ParameterHandler. Deliberate differences:
-/// - several blanks inside a name count as one (deal.II documents this, but its parser looks the name up as written);
-/// - the file of `include` is sought beside the including file, not in the working directory, and a file that includes
-///   itself is refused (deal.II would not return);
-/// - a name that contains `/` is refused, as `/` joins subsection and entry in messages and in `--set`;
-/// - a UTF-8 byte order mark at the start of a file is skipped; control characters (binary data) are refused;
-/// - a file over 1 MiB, or more than 100 included files, are refused: they are a mistake;
-/// - a statement on a line that a backslash joins to the one before is refused: it would be lost, unseen;
-/// - `include` takes files alone: a pipe could not be read a second time.
+/// White space around names and values is removed, and tabs count as blanks. A test compares the reader with the
+/// installed ParameterHandler. There are deliberate differences:
+///
+/// Several blanks inside a name count as one, as documented for deal.II, whose parser does not do it. The file of
+/// `include` is searched in the folder of the including file, not in the working directory.
+///
+/// These inputs are errors: a file that includes itself, a name that contains `/`, control characters (binary data), a
+/// file above 1 MiB, and more than 100 included files. The character `/` joins subsection and entry in messages and in
+/// `--set`. A statement on a line that a backslash joins to the line before is an error, because it would not have an
+/// effect. `include` accepts regular files only, because a pipe cannot be read twice. A UTF-8 byte order mark at the
+/// start of a file is skipped.
 
 #include <filesystem>
 #include <functional>
@@ -25,28 +26,28 @@
 
 namespace pseudorigid::scene {
 
-/// One `set` or one `subsection` line.
+/// A `set` or `subsection` line.
 struct Statement {
   std::string path;                  ///< "Section/Entry", or "Section" if a subsection begins
   std::optional<std::string> value;  ///< empty if a subsection begins
   std::string file;
-  int line = 0;  ///< 0: not from a file, `file` then says where from
+  int line = 0;  ///< 0 if the statement is not from a file; `file` is then its origin
 
-  /// "scene.prm:12".
+  /// The origin of the statement, "scene.prm:12".
   std::string where() const;
 };
 
 using StatementHandler = std::function<void(const Statement&)>;
 
-/// Everything in the file. Throws UserError for one that cannot be read.
+/// The text of a file. Throws UserError if the file cannot be read.
 std::string text_of_prm(const std::filesystem::path& file);
 
-/// Calls `handle` for each statement of the text and of the files that it includes, in order. A handler that throws
-/// ends the reading. `name` stands for the text in messages and is the base of `include`. Throws UserError
-/// ("file:line: …") for a file that cannot be read and for errors of syntax.
+/// Calls `handle` for each statement of the text and of the included files, in order. An exception of `handle` ends the
+/// reading. Messages use `name` as the name of the text, and `include` uses the folder of `name`. Throws UserError
+/// "file:line: …" for a file that cannot be read and for errors of syntax.
 void read_prm_text(std::string_view text, const std::filesystem::path& name, const StatementHandler& handle);
 
-/// A name as it is compared: trimmed, tabs as blanks, several blanks as one.
+/// A name in the form for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.
 std::string normalised_name(std::string_view name);
 
 }  // namespace pseudorigid::scene

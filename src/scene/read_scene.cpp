@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view override_origin = "--set";
 
-/// The paths of all entries, or (sections = true) of the subsections.
+/// The paths of all entries, or of all subsections if `sections` is true.
 std::vector<std::string_view> known_paths(const Scene& scene, bool sections) {
   std::vector<std::string_view> paths;
   visit_entries(scene, [&](const auto&, const auto&, const About& about) {
@@ -37,18 +37,20 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                                 did_you_mean(statement.path, sections)));
 }
 
-/// A file is sought in the folder of the parameter file that names it; a file of an override in the working directory.
+/// The path of a mesh file. A name in a parameter file is relative to the folder of this file, a name in an override to
+/// the working directory.
 std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
   const bool in_file = statement.line > 0;
   std::string path =
       kind.located(name, in_file ? std::filesystem::path(statement.file).parent_path() : std::filesystem::path());
-  if (path.find('#') != std::string::npos)  // used.prm records it
+  if (path.find('#') != std::string::npos)  // used.prm contains the path, and # begins a comment
     throw UserError(fmt::format("{}: {}: expected a file whose path has no \"#\", {}", statement.where(),
                                 statement.path, got(path)));
   return path;
 }
 
-/// A file may override the entries of an included file, but setting an entry twice in one file is probably a mistake.
+/// Warns if an entry is set twice in one file, which is probably a mistake. A file may override the entries of an
+/// included file.
 void warn_of_repetition(const Statement& statement, ReadScene& read) {
   const auto found = read.origins.all().find(statement.path);
   if (statement.line == 0 || found == read.origins.all().end()) return;
@@ -66,7 +68,8 @@ void set_entry(const Statement& statement, ReadScene& read) {
     read.scene.expressions.erase(statement.path);
     const bool may_have_expression =
         kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
-    if (may_have_expression && has_expression(*statement.value)) {  // waits for the parameters of the sweep
+    if (may_have_expression &&
+        has_expression(*statement.value)) {  // evaluated when the parameters of the sweep are known
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
       return;
@@ -82,7 +85,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
                                 did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
-/// A value must fit on one line of a parameter file, as used.prm records it.
+/// Throws unless the value fits on one line of a parameter file, because used.prm contains it.
 void check_fits_file(const Statement& statement) {
   const bool control = std::any_of(statement.value->begin(), statement.value->end(),
                                    [](unsigned char c) { return std::iscntrl(c) != 0; });

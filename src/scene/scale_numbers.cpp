@@ -15,11 +15,11 @@ namespace {
 
 struct ScaleNumbers {
   bool is_fluid = false, moves = false;
-  double c = 1, time = 1;                               ///< √(μ/ρ), of a fluid 0; r/c, or the unit of time
-  double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< all in these units: Time/End, γ, ω²r²/c², v/c
+  double c = 1, time = 1;  ///< √(μ/ρ), and r/c; for a fluid r/t and t with its unit of time t
+  double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End, γ, ω²r²/c², v/c
 };
 
-/// For a fluid γ is infinite and left at 0, and c is the radius per unit of time.
+/// The numbers of a scene. For a fluid γ is infinite and stays 0 here.
 ScaleNumbers scale_numbers(const Scene& scene) {
   const auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   ScaleNumbers n{.is_fluid = is_fluid(scene), .moves = scene.analysis == Analysis::motion};

@@ -1,10 +1,11 @@
 #pragma once
-/// The unit of time that suits a scene of the ball: internal numbers are then of order 1.
+/// The unit of time t for a scene of the ball, with which internal numbers are of order 1:
 ///
 ///   1/t² = μ/(ρr²) + πGρ
 ///
-/// that is r/c with c = √(μ/ρ) without self-gravity, and the free-fall time of a fluid. Without stiffness and gravity
-/// the unit is that of the loads, of the motion, or of the length of the run.
+/// This is r/c with c = √(μ/ρ) if there is no self-gravity, and the free-fall time for a fluid. If a fluid or a body
+/// with self-gravity has loads with a larger rate than 1/t, the rate of the loads determines the unit. A fluid without
+/// gravity and loads has the unit of its velocity, or else the length of the run.
 
 #include <fmt/format.h>
 
@@ -19,17 +20,17 @@
 
 namespace pseudorigid::scene {
 
-/// The law of the scene, in the user's units.
+/// The law of the scene, in the units of the user.
 inline materials::AnyLaw law_of(const Scene& scene) {
   return materials::make_law(scene.material.law, scene.material, scene.body.incompressible);
 }
 
 inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(scene)); }
 
-/// Whether elasticity and pressure are the only forces on the ball.
+/// Whether the ball has no loads, so that elasticity and pressure are the only forces.
 inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }
 
-/// The largest rate at which a load by itself moves the body, apart from self-gravity.
+/// The largest rate of motion that a load other than self-gravity causes by itself.
 inline double rate_of_loads(const Scene& scene) {
   const double inertia = scene.body.density * scene.body.radius * scene.body.radius;
   double rate = 0;
@@ -55,7 +56,7 @@ inline double time_scale(const Scene& scene) {
   return motion > 0 ? 1 / motion : scene.time.end;
 }
 
-/// Refuses a motion that is so long that the round-off of its time exceeds a unit of time.
+/// Refuses a motion that is so long that the round-off of the time exceeds a unit of time.
 inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
   const double longest = 1e15 * time_unit;
   if (end <= longest) return {};

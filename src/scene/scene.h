@@ -1,6 +1,6 @@
 #pragma once
-/// The content of a parameter file, as plain values with their defaults. The entries themselves (names, ranges, units,
-/// documentation) are defined in one place, scene/entries.h.
+/// The content of a parameter file, as values with their defaults. Names, ranges, units and documentation of the
+/// entries are defined in scene/entries.h.
 
 #include <map>
 #include <optional>
@@ -17,10 +17,10 @@
 namespace pseudorigid::scene {
 
 enum class Analysis { motion, modes, equilibrium, manifolds, section };
-/// Which crossings of a section count: with a column that rises, that falls, or both.
+/// The direction of the crossings of a section that count: the column increases, decreases, or both.
 enum class Crossings { up, down, both };
-/// Families of relative equilibria (reduced/equilibrium_families.h), and `static`, the equilibria at rest,
-/// which are not members of a family.
+/// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` means the equilibria at rest,
+/// which do not belong to a family.
 enum class Family {
   none,
   maclaurin,
@@ -35,24 +35,24 @@ enum class Family {
   at_rest
 };
 enum class Graphics { none, vtu };
-/// Cells that join the points of a picture: io/block_cells.h.
+/// The cells of a picture (io/block_cells.h).
 enum class Cells { linear, lagrange };
-/// How the continuum's discretisation error becomes known.
+/// The way in which the discretisation error of the finite-element model is estimated.
 enum class ErrorEstimate { none, automatic };
 
-/// Which coordinate planes are symmetry planes of the computed sector; `automatic` lets the scene decide.
-/// x, y, z name the normals of the planes: xyz is one octant, none the full ball.
+/// The symmetry planes of the computed sector. The value `automatic` derives them from the scene. The letters x, y, z
+/// are the normals of the planes; `octant` has all three planes, and `none` is the full ball.
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
-/// Groups of columns of the CSV files; `time` is always written.
+/// Groups of columns of the CSV files. The column `time` is always written.
 using mechanics::Quantities;
 
 /// Groups of fields of a picture (io/body_picture.h).
 struct Fields {
-  bool displacement = true;  ///< with and without the rotation, reference coordinates
+  bool displacement = true;  ///< displacement with and without the rotation, and reference coordinates
   bool velocity = true;
   bool stress = true;       ///< Cauchy stress, pressure, von Mises
-  bool deformation = true;  ///< deformation gradient, Jacobian, principal stretches
+  bool deformation = true;  ///< deformation gradient, its determinant, principal stretches
   bool energy = true;       ///< energy density, potential of self-gravity
 };
 
@@ -60,29 +60,29 @@ struct Catalogue;
 
 inline constexpr int largest_number_of_samples = 10'000'000;
 
-/// The values of the entries `System` and `Time/Method` that stand for none of the catalogue.
+/// The values of the entries System and Time/Method that are not names in the catalogue.
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 
 struct Scene {
   const Catalogue* catalogue = nullptr;  ///< null until read_scene sets it
   std::string title;
-  std::vector<std::string> models;  ///< models of the catalogue, in its order
-  std::string system{ball};         ///< or the name of a system of the catalogue
+  std::vector<std::string> models;  ///< names of models of the catalogue, in its order
+  std::string system{ball};         ///< "ball" or the name of a system of the catalogue
   Analysis analysis = Analysis::motion;
 
   struct Body {
     double radius = 1, density = 1;
     bool incompressible = true;
     std::vector<double> semi_axes{1, 1, 1};  ///< semi-axes of the reference body, in radii
-    std::optional<Matrix3> inertia;          ///< E₀; empty: that of the ellipsoid
+    std::optional<Matrix3> inertia;          ///< E₀; empty: matrix of the ellipsoid
   } body;
   struct Material : materials::LawParameters {
     std::string law{materials::law_table[0].name};
   } material;
-  loads::Loads loads;  ///< src/loads/, where their entries are
+  loads::Loads loads;  ///< the entries of the loads are in src/loads/
   struct InitialState {
     Matrix3 deformation = identity3;  ///< Q₀
-    Matrix3 velocity{};               ///< Q̇₀, per time
+    Matrix3 velocity{};               ///< Q̇₀
     Family equilibrium = Family::none;
     double equilibrium_parameter = 0.5;
     std::vector<double> center{0, 0, 0}, center_velocity{0, 0, 0};
@@ -91,7 +91,7 @@ struct Scene {
     Family family = Family::maclaurin;
     double first = 0.1, last = 0.99;
     int number = 90;
-    double ratio = 0.5;  ///< a₃/a₁ of the Riemann families
+    double ratio = 0.5;  ///< a₃/a₁ of Riemann's families
   } equilibria;
   struct Modes {
     int number = 8;
@@ -102,18 +102,18 @@ struct Scene {
   struct Section {
     std::string column;
     double value = 0;
-    double period = 0;  ///< of the column; 0: none
+    double period = 0;  ///< period of the column; 0: none
     Crossings crossings = Crossings::up;
   } section;
   struct Time {
-    double end = 10;                ///< < 0: backwards
+    double end = 10;                ///< < 0: backwards in time
     std::optional<double> step;     ///< empty: auto
-    std::string method{automatic};  ///< or the name of a method of the catalogue
+    std::string method{automatic};  ///< "auto" or the name of a method of the catalogue
     double tolerance = 1e-6;
     std::optional<double> constraint_tolerance{};  ///< empty: auto (app/run/model_stepping.h)
   } time;
   struct Polynomial {
-    std::vector<int> degrees{5};  ///< rising; empty: auto
+    std::vector<int> degrees{5};  ///< increasing; empty: auto
     double tolerance = 1e-3;
     std::optional<int> gravity_points;     ///< empty: auto (polynomial/body_gravity.h)
     std::optional<int> quadrature_points;  ///< empty: auto (app/polynomial/run_quadrature.h)
@@ -125,10 +125,10 @@ struct Scene {
     ErrorEstimate error_estimate = ErrorEstimate::automatic;
     std::optional<int> gravity_points;           ///< empty: auto (continuum/body/surface_gravity_forces.h)
     std::optional<double> volumetric_stiffness;  ///< empty: auto (scene/stabilization.h)
-    std::string mesh{builtin_mesh};              ///< or an absolute path
+    std::string mesh{builtin_mesh};              ///< "builtin" or an absolute path
     Symmetry symmetry = Symmetry::automatic;
     std::optional<int> contact_points;  ///< empty: auto (continuum/body/contact_forces.h)
-    double grading = 1;                 ///< of the builtin mesh towards the poles (continuum/mesh/ball_mesh.h)
+    double grading = 1;                 ///< grading of the builtin mesh towards the poles (continuum/mesh/ball_mesh.h)
   } continuum;
   struct Output {
     std::string directory = "output";
@@ -141,17 +141,17 @@ struct Scene {
     bool report = false;
   } output;
   Sweep sweep;                       ///< empty: one run
-  SweepPart sweep_part;              ///< the runs to make
-  std::optional<int> sweep_threads;  ///< empty: as many as the machine has cores
-  bool sweep_lanes = true;           ///< similar runs are integrated together
-  bool sweep_trajectories = false;   ///< samples of all runs are kept (app/commands/kept_trajectories.h)
-  /// Values written with expressions, path → text; the members hold the values of the first run.
+  SweepPart sweep_part;              ///< the part of the runs to make
+  std::optional<int> sweep_threads;  ///< empty: number of cores
+  bool sweep_lanes = true;           ///< whether similar runs are integrated together in SIMD lanes
+  bool sweep_trajectories = false;   ///< whether the samples of all runs are kept (app/commands/kept_trajectories.h)
+  /// Values written with expressions, path → text. The members contain the values of the first run.
   std::map<std::string, std::string, std::less<>> expressions;
-  /// Entries of the systems of the catalogue, path → canonical text; those not listed have their defaults.
+  /// Entries of the systems of the catalogue, path → canonical text. Other entries have their defaults.
   std::map<std::string, std::string, std::less<>> system_values;
 };
 
-/// The critical points of the potential energy in place of a family.
+/// Whether the scene computes the equilibria at rest instead of a family of relative equilibria.
 inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }

@@ -21,13 +21,13 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
-/// Whether a load has its own say about planes of symmetry, in place of that of its entries.
+/// Whether a load has a function `breaks_plane`, which replaces the check of its entries.
 template <class Load>
 inline constexpr bool judges_planes = requires(const Load& load) {
   load.breaks_plane(0);
 };
 
-/// The values of an entry type of the loads, by path, of those whose entries say which planes they admit.
+/// The paths and values of the entries of type Value of all loads without a function `breaks_plane`.
 template <class Value>
 std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& scene) {
   std::vector<std::pair<std::string_view, const Value*>> found;
@@ -40,7 +40,7 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// As breaks_plane, for the inputs that move Q; the centre of mass is treated separately.
+/// The same as breaks_plane for the inputs that affect Q. The centre of mass is checked separately.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

@@ -1,15 +1,15 @@
 #pragma once
-/// A sweep: parameters that run over values, one run of the scene for every combination of them. Other entries use the
+/// A sweep, which runs the scene once for every combination of values of its parameters. Other entries use the
 /// parameters in expressions (scene/expressions.h).
 ///
 ///     set Parameters = l: 1.1 .. 2 in 100; w: 0, 0.5, 1; g: 0.1 .. 100 in 4 logarithmic
 ///
-/// `first .. last in n` are n values at equal distances, both ends among them; with `logarithmic` their logarithms have
-/// equal distances. The last parameter varies fastest.
+/// The text `first .. last in n` means n values at equal distances from `first` to `last`. With `logarithmic`, their
+/// logarithms have equal distances. The last parameter varies fastest.
 ///
-/// With `latin S` the n values belong to n runs of a Latin hypercube. All parameters of that kind vary together. Each
-/// has one value in every n-th part of its range; S decides the order and the places within the parts. Combinations of
-/// other parameters are run with each of these n.
+/// With `latin S` the n values belong to n runs of a Latin hypercube. All parameters with `latin` vary together. Each
+/// parameter has one value in each of n equal parts of its range. The seed S determines the order of the parts and the
+/// positions within them. Each combination of the other parameters is run with each of these n runs.
 
 #include <cstdint>
 #include <map>
@@ -23,10 +23,10 @@ namespace pseudorigid::scene {
 
 struct SweepParameter {
   std::string name;
-  std::vector<double> values;           ///< values of a list; ends of a range
-  std::optional<int> n_values{};        ///< of a range
-  bool logarithmic = false;             ///< of a range
-  std::optional<std::uint32_t> seed{};  ///< of a parameter of a Latin hypercube
+  std::vector<double> values;           ///< values of a list, or ends of a range
+  std::optional<int> n_values{};        ///< number of values of a range
+  bool logarithmic = false;             ///< whether a range is logarithmic
+  std::optional<std::uint32_t> seed{};  ///< seed of a parameter of a Latin hypercube
 
   int size() const { return n_values ? *n_values : static_cast<int>(values.size()); }
   double operator[](int i) const;
@@ -37,18 +37,18 @@ using ParameterValues = std::map<std::string, double>;
 
 inline constexpr int largest_number_of_runs = 10'000'000;
 
-/// The runs of one of several equal parts, which may run at the same time in directories of their own.
+/// One of several parts of the runs of a sweep. Parts may run at the same time in directories of their own.
 struct SweepPart {
   int part = 1, n_parts = 1;
 };
-/// The first run of a part, and the one after its last.
+/// The first run of a part, and the run after its last.
 std::pair<int, int> runs_of_part(const SweepPart& part, int n_runs);
 
-/// The number of runs of the Latin hypercube; 1 without one.
+/// The number of runs of the Latin hypercube, or 1 without a Latin hypercube.
 int n_latin(const Sweep& sweep);
-/// 0 without parameters.
+/// The number of runs, or 0 without parameters.
 int n_runs(const Sweep& sweep);
-/// The values of run k = 0 … n_runs − 1.
+/// The values of the parameters in run k = 0 … n_runs − 1.
 ParameterValues values_of_run(const Sweep& sweep, int k);
 
 /// The kind of the entry Sweep/Parameters (entry_kinds.h).

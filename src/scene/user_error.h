@@ -1,5 +1,5 @@
 #pragma once
-/// An error that the user can mend: one sentence, exit code 2.
+/// An error that the user can correct. Its text is one sentence, and the program exits with code 2.
 
 #include <stdexcept>
 

@@ -26,17 +26,17 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// E₀ goes with the squares of the semi-axes.
+/// Limit of a semi-axis in radii. The inertia E₀ is proportional to the squares of the semi-axes.
 constexpr double largest_axis = 1e6;
 
-/// Products of several such numbers are still finite.
+/// Limit of inertia, stiffness and time scale. Products of three such numbers are still finite.
 constexpr double largest_unit = 1e100;
 
-/// The fastest systems take a tenth of a microsecond a step, so that this is a day. Times are told apart up to 2⁵²
-/// steps.
+/// Largest number of steps. The fastest systems need 0.1 µs per step, so that these steps take a day. A double can
+/// distinguish the times of up to 2⁵² steps.
 constexpr double most_steps = 1e12;
 
-/// The recommendation tries whether a change helps, and must not recommend again.
+/// The purpose of a check. During a trial of a recommendation, the check must not make further recommendations.
 enum class Purpose { judge, try_advice };
 
 class Validator {
@@ -81,7 +81,7 @@ class Validator {
     refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
   }
 
-  /// The systems that offer an analysis; manifolds need critical points.
+  /// The systems that offer an analysis. Manifolds need systems with critical points.
   std::vector<std::string_view> systems_for(Analysis analysis) const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -89,7 +89,7 @@ class Validator {
     return names;
   }
 
-  /// An entry of another system would not have an effect, and is probably a mistake.
+  /// Refuses entries of other systems. They would not have an effect, and are probably a mistake.
   void check_ownership() const {
     for (const auto& [path, where] : origins_.all())
       if (!concerns(scene_, path))
@@ -131,7 +131,7 @@ class Validator {
                                            joined(names), scene_.section.column));
   }
 
-  /// The error message for an end before the start.
+  /// The error message for an end before time 0.
   std::string needs_complete_system() const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -166,7 +166,8 @@ class Validator {
             names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
-  /// Energies of the body scale with these; r^5 occurs in its moment of inertia.
+  /// Checks the units by the numbers to which energies of the body are proportional. Its moment of inertia contains
+  /// r^5.
   void check_units() const {
     const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
     const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);
@@ -184,7 +185,7 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Checks the parameters that the law uses.
+  /// Checks the parameters of the law.
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -202,7 +203,7 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports the errors that the models themselves find in a valid scene.
+  /// Reports errors that the models find in a valid scene.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);
@@ -257,7 +258,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      const bool acts = loads::present(load);  // a tide that is absent may have any default frequency
+      const bool acts = loads::present(load);  // an absent tide may have any default frequency
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })
           if (kind.symmetric) require_symmetric(std::string(about.path).c_str(), member);

@@ -1,6 +1,6 @@
 #pragma once
-/// The model of any system (system_scene.h) behind one type: its law of motion in one of three forms, its start, and
-/// the properties of its states.
+/// The model of any system (system_scene.h) as one type. It contains the equations of motion in one of three forms, the
+/// initial state, and the properties of the states.
 
 #include <memory>
 #include <stdexcept>
@@ -40,13 +40,15 @@ class AnyModel {
     return held_->row(state, workspace, row);
   }
   double rate(const State& state) const { return held_->rate(state); }
-  /// The landscape of systems with equilibria; it keeps a reference to this model.
+  /// The landscape of a system with equilibria. It keeps a reference to this model.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
-  /// The same system at rest in a point of the landscape; start().q is that point in the coordinates of the motion.
+  /// The same system at rest at the point q of the landscape. `start().q` is this point in the coordinates of the
+  /// motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
-  /// Reverses time from now on, for a model whose form is a field: states are (−t, q, −q̇), rows as before.
+  /// Reverses the direction of time. The form of the model must be a field. Its states are then (−t, q, −q̇), and rows
+  /// do not change.
   void reverse() {
     form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
     start_.v *= -1;

@@ -1,5 +1,6 @@
 #pragma once
-/// The scene of any system (system_scene.h) behind one type: the rest of the program knows systems by it alone.
+/// The scene of any system (system_scene.h) as one type. Other parts of the program access systems only through this
+/// type.
 
 #include <optional>
 #include <utility>
@@ -11,9 +12,9 @@
 namespace pseudorigid::systems {
 
 struct AnySystemScene {
-  /// The system as parameter files show it; it refuses scenes that no method can run.
+  /// The description of the system for parameter files. Its member `refuses` finds the errors of a scene.
   scene::SystemDescription description;
-  /// The units of a read scene, and its model in these units.
+  /// Functions that return the units of a scene, and the model of the scene in these units.
   Scales (*scales)(const scene::Scene& scene);
   AnyModel (*model)(const scene::Scene& scene);
 };

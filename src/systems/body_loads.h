@@ -1,10 +1,11 @@
 #pragma once
-/// External forces on a rigid body as a vector measure on its points (Oliva 5.89, 5.92): weight, m g at the centre of
-/// mass G, and springs from body points ξ to fixed points c of space,
+/// External forces on a rigid body as a vector measure df on its points (Oliva 5.89, 5.92). The weight mg acts at the
+/// centre of mass G. Springs with stiffness k and rest length l connect body points ξ with fixed points c of space. The
+/// potential of these forces is
 ///
-///   V = −m⟨g, x(G)⟩ + Σ ½k(|x(ξ) − c| − l)²,   x(ξ) the place of the body point ξ.
+///   V = −m⟨g, x(G)⟩ + Σ ½k(|x(ξ) − c| − l)²,   x(ξ) the position of the body point ξ.
 ///
-/// The constrained body and Euler's equation use the same loads: the one as ∫df ξᵀ, the other as ∫ξ × R⁻¹df.
+/// The constrained body uses these loads as ∫df ξᵀ, and Euler's equation as the torque ∫ξ × R⁻¹df with the rotation R.
 
 #include <Eigen/Core>
 #include <vector>
@@ -25,7 +26,7 @@ struct BodyLoads {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
   std::vector<BodySpring> springs{};
 
-  /// Calls act(ξ, f) for every force; place(ξ) is x(ξ).
+  /// Calls act(ξ, f) for every force f. The function place(ξ) returns x(ξ).
   template <class Place, class Act>
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));

@@ -1,11 +1,11 @@
 #pragma once
-/// The one-parameter groups that leave a loaded rigid body's energies unchanged (Noether):
+/// One-parameter groups that do not change the energies of a loaded rigid body (Noether's theorem):
 ///
-///   translations of space    no spring, across the weight
-///   turns of space           about an axis that fixes the weight and every anchor
+///   translations of space    perpendicular to the weight, if there are no springs
+///   rotations of space       about an axis that is parallel to the weight and to every anchor of a spring
 ///
-/// Turns of the body, R ↦ RO, are not among them: they map the rotations, g = 0, to rotations, but change the functions
-/// g.
+/// Rotations of the body, R ↦ RO with a rotation O, are not included. They map the constraint set g = 0 to itself, but
+/// change the values of the constraints g elsewhere.
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"

@@ -1,10 +1,10 @@
 #pragma once
-/// Central forces: the potential energy V(r) depends on the distance r = |d| of two points, and the force on the one at
-/// separation d from the other is
+/// Central forces. The potential energy V(r) depends on the distance r = |d| of two points. If d is the vector from the
+/// second point to the first, the force on the first point is
 ///
-///   f = −(V′(r)/r) d,   −f on the other (action and reaction, Oliva 5.5.1, II).
+///   f = −(V′(r)/r) d,   and −f acts on the second point (action and reaction, Oliva 5.5.1, II).
 ///
-/// Spring:      V = ½k(r − l)²,   V′/r = k(1 − l/r)
+/// Spring:      V = ½k(r − l)²,   V′/r = k(1 − l/r)   with stiffness k and rest length l
 /// Attraction:  V = −k/r,         V′/r = k/r³
 
 #include <Eigen/Core>
@@ -32,8 +32,8 @@ struct AttractionLaw {
   }
 };
 
-/// Adds −(V′(r)/r) d over any scalar. The value is 1 if the force has a direction and a finite size, otherwise a NaN.
-/// A product of such values keeps the NaN; std::min may drop it.
+/// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if the force has a direction and a finite size, otherwise
+/// NaN. A product of such values preserves a NaN, but std::min may lose it.
 template <class Law, class T>
 T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matrix<T, 3, 1>& f) {
   using std::sqrt;
@@ -42,13 +42,13 @@ T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matr
   return T(1.0) + T(0.0) * slope_over_distance;
 }
 
-/// The status that belongs to this value.
+/// The status for a value that add_central_force returned.
 inline mechanics::Status status_of_force(double reserve) {
   if (reserve > 0) return {};
   return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");
 }
 
-/// f = −(V′(r)/r) d; fails if the force has no direction or no finite size.
+/// Computes f = −(V′(r)/r) d. Fails if the force does not have a direction or a finite size.
 template <class Law>
 mechanics::Status central_force(const Law& law, const Eigen::Vector3d& d, Eigen::Vector3d& f) {
   f.setZero();

@@ -1,12 +1,14 @@
 #pragma once
-/// Planar double pendulum in multiplier form (Oliva 5.5.2), q = (q₁, q₂) ∈ R⁴, the second axis (y) pointing down:
+/// Planar double pendulum in multiplier form (Oliva 5.5.2) with the positions q = (q₁, q₂) ∈ R⁴ and the reactions R_k.
+/// The second axis (y) points downwards:
 ///
 ///   m₁q̈₁ = m₁g e_y + R₁,   m₂q̈₂ = m₂g e_y + R₂                                                        (5.43)
 ///   g₁ = ½(|q₁|²/l₁² − 1) = 0,   g₂ = ½(|q₂ − q₁|²/l₂² − 1) = 0                                (5.33), (5.34)
 ///   R₂ = λ₂(q₂ − q₁)/l₂²,   R₁ + R₂ = λ₁q₁/l₁²
 ///   U = −m₁g y₁ − m₂g y₂
 ///
-/// The angles are those of the Lagrange form, q₁ = l₁(sin θ, cos θ), q₂ − q₁ = l₂(sin φ, cos φ).
+/// with masses m_k, rods of length l_k, gravity g, constraints g_k, multipliers λ_k and the potential U. The angles are
+/// those of the Lagrange form, q₁ = l₁(sin θ, cos θ), q₂ − q₁ = l₂(sin φ, cos φ).
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -33,7 +35,7 @@ class DoublePendulum {
     f << 0, p_.m1 * p_.g, 0, p_.m2 * p_.g;
     return {};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  /// Solves for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     return solve_stages_in_lanes_of(PendulumOfStages{p_.m1, p_.m2, p_.l1, p_.l2, p_.g}, stages);
   }
@@ -54,7 +56,7 @@ class DoublePendulum {
     f.head<2>() += lambda(0) / square(p_.l1) * q.head<2>() - along_second;
     f.tail<2>() += along_second;
   }
-  /// The constraints are quadratic: the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
@@ -78,14 +80,14 @@ class DoublePendulum {
   }
   double potential_energy(const Vector& q) const { return -p_.g * (p_.m1 * q(1) + p_.m2 * q(3)); }
 
-  /// Rotations of the plane about the suspension, without gravity.
+  /// Without gravity, rotations of the plane about the suspension point are symmetries.
   int n_symmetries() const { return p_.g == 0 ? 1 : 0; }
   void symmetry(int, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     dq << -q(1), q(0), -q(3), q(2);
     dv << -v(1), v(0), -v(3), v(2);
   }
 
-  /// Positions and velocities of given angles (θ, φ) and their rates.
+  /// Computes positions and velocities from the angles (θ, φ) and their rates.
   void from_angles(const Eigen::Vector2d& angles, const Eigen::Vector2d& rates, Vector& q, Vector& v) const {
     const Eigen::Array2d sine = angles.array().sin(), cosine = angles.array().cos();
     q << p_.l1 * sine(0), p_.l1 * cosine(0), p_.l2 * sine(1), p_.l2 * cosine(1);
@@ -93,7 +95,7 @@ class DoublePendulum {
     q.tail<2>() += q.head<2>();
     v.tail<2>() += v.head<2>();
   }
-  /// Angles in (−π, π] and their rates.
+  /// Computes the angles in (−π, π] and their rates.
   void to_angles(const Vector& q, const Vector& v, Eigen::Vector2d& angles, Eigen::Vector2d& rates) const {
     const Eigen::Vector2d d = rod(q), d_rate = rod(v);
     angles << std::atan2(q(0), q(1)), std::atan2(d(0), d(1));

@@ -1,12 +1,12 @@
 #pragma once
-/// The planar double pendulum in Lagrange form (Oliva, Geometric Mechanics, 5.5): angles q = (θ, φ) from the downward
-/// vertical, y downwards,
+/// The planar double pendulum in Lagrange form (Oliva, Geometric Mechanics, 5.5). The coordinates are the angles q =
+/// (θ, φ) from the downward vertical, and the y axis points downwards:
 ///
 ///   (x₁, y₁) = l₁ (sin θ, cos θ),   (x₂, y₂) = (x₁, y₁) + l₂ (sin φ, cos φ)
 ///   g = [ (m₁+m₂) l₁²             m₂l₁l₂ cos(θ−φ) ]      U = −(m₁+m₂) g l₁ cos θ − m₂ g l₂ cos φ
 ///       [ m₂l₁l₂ cos(θ−φ)         m₂ l₂²          ]
 ///
-/// whose motions (5.20) are those of
+/// with the metric g of the kinetic energy and the potential U. The motions (5.20) satisfy
 ///   (m₁+m₂) l₁² θ̈ + m₂l₁l₂ [φ̈ cos(θ−φ) + φ̇² sin(θ−φ)] + (m₁+m₂) g l₁ sin θ = 0                  (5.44), corrected
 ///   m₂ l₂² φ̈ + m₂l₁l₂ [θ̈ cos(θ−φ) − θ̇² sin(θ−φ)] + m₂ g l₂ sin φ = 0                             (5.45)
 
@@ -36,7 +36,7 @@ struct DoublePendulumChart {
     using std::cos;
     return -(m1 + m2) * gravity * l1 * cos(q[0]) - m2 * gravity * l2 * cos(q[1]);
   }
-  /// (x₁, y₁, x₂, y₂).
+  /// The positions (x₁, y₁, x₂, y₂) of both points.
   template <class T>
   Eigen::Matrix<T, 4, 1> embedding(const mechanics::Coordinates<T, 2>& q) const {
     using std::cos, std::sin;

@@ -1,8 +1,8 @@
 #pragma once
-/// The planar double pendulum in parameter files, in multiplier form (double_pendulum.h) or in Lagrange form
-/// (double_pendulum_chart.h): the same motion, computed in two ways. The reactions of the rods are, with λ_k the
-/// multipliers, the tensions  T_k = −λ_k / l_k; there are also R₁ and R₂ of (5.43) by the second fundamental form,
-/// without multipliers.
+/// The planar double pendulum in parameter files. The multiplier form (double_pendulum.h) and the Lagrange form
+/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions of the rods T_k = −λ_k / l_k, with
+/// the multipliers λ_k. They also contain R₁ and R₂ of (5.43), computed from the second fundamental form without
+/// multipliers.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -50,7 +50,7 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is that of gravity on the shorter rod or that of the motion, whichever is less.
+  /// The unit of time is the smaller of the time of gravity on the shorter rod and the time of the initial motion.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};
@@ -81,7 +81,7 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// The values of the columns, from positions in multiplier form.
+  /// Computes the values of the columns from positions in multiplier form.
   struct Observer {
     DoublePendulum pendulum;
 
@@ -101,8 +101,9 @@ struct DoublePendulumScene {
     }
 
    private:
-    /// (R₁, R₂) with φ the positions as functions of the angles: ∂φ/∂θ = (l₁e_θ, l₁e_θ), ∂φ/∂φ = (0, l₂e_φ), and
-    /// D²φ(q̇, q̇) = −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
+    /// The reactions (R₁, R₂). Let X = (q₁, q₂) be the positions as functions of the angles. Then ∂X/∂θ = (l₁e_θ,
+    /// l₁e_θ) and ∂X/∂φ = (0, l₂e_φ), with unit vectors e_θ, e_φ perpendicular to the rods. The second derivative along
+    /// the rates of the angles is −(θ̇²q₁, θ̇²q₁ + φ̇²(q₂ − q₁)).
     Eigen::Vector4d reactions(const mechanics::State<DoublePendulum>& state, const Eigen::Vector2d& rates) const {
       const auto& p = pendulum.parameters();
       const Eigen::Vector2d upper = state.q.head<2>(), rod = state.q.tail<2>() - upper;

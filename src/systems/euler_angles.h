@@ -1,10 +1,11 @@
 #pragma once
-/// Euler angles (Oliva 5.6.20, with θ̇ in place of the printed ψ̇ in the first component), R = R_z(φ) R_x(θ) R_z(ψ):
+/// Euler angles (Oliva 5.6.20, with θ̇ instead of the printed ψ̇ in the first component). The rotation is R = R_z(φ)
+/// R_x(θ) R_z(ψ), with the angular velocities Ω in the body and ω in space:
 ///
 ///   Ω = (φ̇ sinθ sinψ + θ̇ cosψ,  φ̇ sinθ cosψ − θ̇ sinψ,  φ̇ cosθ + ψ̇)
 ///   ω = (θ̇ cosφ + ψ̇ sinφ sinθ,  θ̇ sinφ − ψ̇ cosφ sinθ,  φ̇ + ψ̇ cosθ)
 ///
-/// They serve for output only: the chart is singular at sin θ = 0, where φ and ψ are not defined one by one.
+/// The angles are used for output only. The chart is singular at sin θ = 0, where only φ + ψ or φ − ψ is defined.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -27,18 +28,18 @@ inline Eigen::Vector3d body_angular_velocity(const EulerAngles& a, const EulerAn
           rate.phi * std::sin(a.theta) * std::cos(a.psi) - rate.theta * std::sin(a.psi),
           rate.phi * std::cos(a.theta) + rate.psi};
 }
-/// Rates of the angles from Ω, where sin θ ≠ 0.
+/// The rates of the angles for the angular velocity Ω in the body. Requires sin θ ≠ 0.
 inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) {
   const double phi_rate = (Omega.x() * std::sin(a.psi) + Omega.y() * std::cos(a.psi)) / std::sin(a.theta);
   return {phi_rate, Omega.x() * std::cos(a.psi) - Omega.y() * std::sin(a.psi),
           Omega.z() - phi_rate * std::cos(a.theta)};
 }
 
-/// The angles of R: θ ∈ [0, π], φ and ψ ∈ (−π, π]. At sin θ = 0, where only φ + ψ or φ − ψ is defined, ψ = 0 and φ has
-/// all of the turn.
+/// The angles of R with θ ∈ [0, π] and φ, ψ ∈ (−π, π]. At sin θ = 0 only φ + ψ or φ − ψ is defined. In this case ψ = 0,
+/// and φ is the whole angle.
 inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
   const double sin_theta = std::hypot(R(2, 0), R(2, 1));
-  // φ and ψ have the round-off ε/sin θ; below this bound less than three digits of them are left.
+  // φ and ψ have the round-off ε/sin θ. Below this bound they have less than three correct digits.
   constexpr double smallest_sine = 2e-13;
   if (!(sin_theta > smallest_sine)) return {std::atan2(R(1, 0), R(0, 0)), R(2, 2) > 0 ? 0 : std::numbers::pi, 0};
   return {std::atan2(R(0, 2), -R(1, 2)), std::atan2(sin_theta, R(2, 2)), std::atan2(R(2, 0), R(2, 1))};

@@ -1,12 +1,13 @@
 #pragma once
-/// Rigid body with a fixed point (or about its centre of mass) by Euler's equation (Oliva 5.6.16–5.6.17) on unit
-/// quaternions q, with x(ξ) = R(q)ξ = q ξ q̄:
+/// Rigid body with a fixed point (or its rotation about the centre of mass) by Euler's equation (Oliva 5.6.16–5.6.17).
+/// The configuration is a unit quaternion q with the rotation R(q)ξ = q ξ q̄. The angular velocity in the body Ω, the
+/// inertia operator A and the torque N satisfy
 ///
 ///   q̇ = ½qΩ,   AΩ̇ = AΩ × Ω + N,   N = ∫ξ × R⁻¹df,
 ///   q̈ = ½(q̇Ω + qΩ̇)
 ///
-/// as a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are included
-/// as long as A is invertible. q is stored as (x, y, z, w), Eigen's order.
+/// This is a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are
+/// permitted if A is invertible. The order of the entries of q is (x, y, z, w), as in Eigen.
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -21,7 +22,7 @@
 
 namespace pseudorigid::systems {
 
-/// N in the body, as a function of time, rotation and Ω.
+/// A function that computes the torque N in the body from time, rotation and Ω.
 template <class T>
 concept BodyTorque = requires(const T torque, double t, const Eigen::Matrix3d R, const Eigen::Vector3d Omega,
                               Eigen::Vector3d N) {
@@ -35,7 +36,7 @@ struct NoTorque {
   }
 };
 
-/// The torque of weight and springs.
+/// Torque of weight and springs.
 struct LoadTorque {
   BodyLoads loads;
   mechanics::Status operator()(double, const Eigen::Matrix3d& R, const Eigen::Vector3d&, Eigen::Vector3d& N) const {
@@ -67,7 +68,7 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
   bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;
@@ -92,12 +93,12 @@ class EulerTop {
   static Eigen::Matrix3d rotation(const Vector& q) {
     return Eigen::Quaterniond(Vector(q.normalized())).toRotationMatrix();
   }
-  /// Ω = 2 q⁻¹q̇
+  /// The angular velocity Ω = 2 q⁻¹q̇ in the body.
   static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
     const Eigen::Vector3d a = q.head<3>(), b = v.head<3>();
     return 2 / q.squaredNorm() * (q(3) * b - v(3) * a - a.cross(b));
   }
-  /// A state from the rotation R and Ω.
+  /// The state with the rotation R and the angular velocity Ω.
   static mechanics::State<EulerTop> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
     const Vector q = Eigen::Quaterniond(R).normalized().coeffs();
     return {0, q, 0.5 * product(q, Omega)};
@@ -106,14 +107,14 @@ class EulerTop {
     const Eigen::Vector3d Omega = body_angular_velocity(q, v);
     return 0.5 * Omega.dot(p_.A * Omega);
   }
-  /// p = R AΩ
+  /// The angular momentum p = R AΩ in space.
   Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v) const {
     return rotation(q) * (p_.A * body_angular_velocity(q, v));
   }
   const Parameters& parameters() const { return p_; }
 
  private:
-  /// The quaternion q times the pure quaternion (w, 0).
+  /// The product of the quaternion q and the pure quaternion (w, 0).
   static Vector product(const Vector& q, const Eigen::Vector3d& w) {
     Vector r;
     r << q(3) * w + Eigen::Vector3d(q.head<3>()).cross(w), -q.head<3>().dot(w);

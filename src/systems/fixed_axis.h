@@ -1,19 +1,22 @@
 #pragma once
-/// A rigid body that turns about a fixed axis (Oliva, Geometric Mechanics, 5.6.10) with the unit vector e, through the
-/// origin of the body, under its weight and the friction torque −cθ̇:
+/// A rigid body that rotates about a fixed axis (Oliva, Geometric Mechanics, 5.6.10). The axis has the unit vector e
+/// and passes through the origin of the body. The weight and the friction torque −cθ̇ act on the body, which has mass
+/// m, centre of mass G and inertia operator A:
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
 ///
-/// The axis is held by bearings at a e and b e. In the body, with ω = θ̇e, ω̇ = θ̈e, force and torque of both are
+/// Bearings at a e and b e hold the axis. In the axes of the body, with ω = θ̇e, ω̇ = θ̈e, their total force and torque
+/// are
 ///
 ///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g,
 ///
-/// and with  f_a + f_b = F,  ae × f_a + be × f_b = N − ⟨N, e⟩e  across the axis
+/// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. Their components
+/// perpendicular to the axis (⊥) are
 ///
 ///   f_b^⊥ = −(e × N + aF^⊥)/(b − a),   f_a^⊥ = F^⊥ − f_b^⊥.
 ///
-/// Along the axis only the sum is determined; the first bearing carries it. If e is a principal axis through the
-/// centre of mass, the bearings feel the weight alone, at any speed.
+/// Only the sum of the components along the axis is determined, and the first bearing carries this sum. If e is a
+/// principal axis through the centre of mass, the bearings carry only the weight at any speed.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -25,7 +28,7 @@
 
 namespace pseudorigid::systems {
 
-/// On the circle of angles.
+/// The chart of the system on the circle of angles.
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;
@@ -55,7 +58,7 @@ struct FixedAxis {
   Eigen::Matrix3d rotation(double angle) const { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
 };
 
-/// Forces of the bearings on the body, in the body.
+/// Forces of the bearings on the body, in the axes of the body.
 struct BearingForces {
   Eigen::Vector3d first, second;
 };

@@ -1,8 +1,9 @@
 #pragma once
-/// The body with a fixed axis (fixed_axis.h) in parameter files: with weights, mass points that are fixed to it, and
-/// the forces of its two bearings. The scales are the mass, the length √(tr E₀/m) and the time 1/ω,
+/// The body with a fixed axis (fixed_axis.h) in parameter files. It may have weights, which are mass points fixed to
+/// the body. The columns contain the forces of the two bearings. The scales are the mass m, the length √(tr E₀/m) and
+/// the time 1/ω with
 ///
-///   ω² = the largest of θ̇² and m|g||G|/I_e;  1 if both are zero.
+///   ω² = the largest of θ̇² and m|g||G|/I_e, or 1 if both are zero.
 
 #include <fmt/format.h>
 
@@ -109,7 +110,7 @@ struct FixedAxisScene {
     using System = mechanics::ChartField<FixedAxis>;
     System system;
     mechanics::State<System> initial;
-    double first, second;  ///< bearings
+    double first, second;  ///< positions of the bearings along the axis
 
     mechanics::Status row(const mechanics::State<System>& state, System::Workspace& workspace,
                           std::vector<double>& row) const {
@@ -144,7 +145,7 @@ struct FixedAxisScene {
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
   }
-  /// The body and its weights.
+  /// The body together with its weights.
   FixedAxis system() const {
     MassDistribution body{mass, mass * vector(center), second_moment(matrix(inertia))};
     for (std::size_t k = 0; k < weights.size(); k += n_weight_columns) {

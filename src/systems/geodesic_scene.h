@@ -1,13 +1,14 @@
 #pragma once
-/// Geodesics of surfaces (surfaces.h; Oliva, Geometric Mechanics, 5.3 with F = 0) in parameter files:
+/// Geodesics of surfaces (surfaces.h; Oliva, Geometric Mechanics, 5.3 with F = 0) in parameter files. With the velocity
+/// q̇,
 ///
 ///   Dq̇/dt = 0,   |q̇| = const,   ⟨q̇, X⟩ = const for each field X of symmetries of the metric
 ///
-/// (Clairaut: X = ∂/∂φ on a surface of revolution gives ρ² φ̇). X is the rotation about the surface's axis, on the
-/// hyperbolic half-plane the translation ∂/∂x.
+/// For example, X = ∂/∂φ on a surface of revolution gives Clairaut's constant ρ² φ̇ with the distance ρ from the axis.
+/// X is the rotation about the axis of the surface, or the translation ∂/∂x on the hyperbolic half-plane.
 ///
-/// Sphere and ellipsoid are charted by angles, whose metric is singular at the poles, and the half-plane ends at y = 0:
-/// a geodesic that comes there ends in a report.
+/// The coordinates of sphere and ellipsoid are angles, in which the metric is singular at the poles. The half-plane
+/// ends at y = 0. A geodesic that reaches such a point ends with a message.
 
 #include <algorithm>
 #include <cmath>
@@ -64,13 +65,13 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The time is that in which a coordinate changes by 1; a point at rest has none.
+  /// The unit of time is the time in which a coordinate changes by 1. If the point is at rest, the unit is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};
   }
 
-  /// Coordinates that are lengths; `velocity` has already been divided by the unit of 1/time.
+  /// Scales coordinates that are lengths. The entry `velocity` has already been divided by the unit 1/time.
   void rescale(const Scales& scales) {
     for (auto* coordinates : {&point, &velocity})
       for (double& x : *coordinates) x /= coordinate_unit(scales.length);
@@ -107,7 +108,7 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow within the chart.
+  /// The geodesic flow. It fails outside the chart.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
    public:
@@ -126,7 +127,7 @@ struct GeodesicScene {
     using System = Field<Chart>;
     System system;
     mechanics::State<System> initial;
-    double origin = 0;  ///< of the first coordinate
+    double origin = 0;  ///< value w₀ that is added to the first coordinate of the chart
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
@@ -195,7 +196,7 @@ struct GeodesicScene {
     return {};
   }
 
-  /// X at the point q.
+  /// The symmetry field X at the point q.
   template <class Chart>
   static Eigen::Vector2d symmetry(const Chart&, const Eigen::Vector2d& q) {
     if constexpr (std::is_same_v<Chart, Paraboloid>) return {-q[1], q[0]};

@@ -1,6 +1,6 @@
 #pragma once
-/// Symmetries that forces leave (Noether): the axes a whose rotations leave given vectors u unchanged, a × u = 0, and
-/// the translations e that leave a linear potential −⟨u, x⟩ unchanged, ⟨u, e⟩ = 0.
+/// Symmetries of systems under external forces (Noether's theorem). A rotation about the axis a does not change a
+/// vector u if a × u = 0. A translation along e does not change the linear potential −⟨u, x⟩ if ⟨u, e⟩ = 0.
 
 #include <Eigen/Geometry>
 #include <limits>
@@ -14,7 +14,8 @@ inline Directions all_directions() {
   return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
 }
 
-/// All three axes if every vector is zero, one if they are parallel, none otherwise.
+/// Axes whose rotations do not change the vectors: three if every vector is zero, one if all are parallel, otherwise
+/// none.
 inline Directions turns_that_fix(const Directions& vectors) {
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -26,7 +27,7 @@ inline Directions turns_that_fix(const Directions& vectors) {
   return {axis};
 }
 
-/// Three directions if u = 0, else two that are orthogonal to it.
+/// Directions perpendicular to u: three if u = 0, otherwise two.
 inline Directions translations_across(const Eigen::Vector3d& u) {
   if (u.isZero(0)) return all_directions();
   const Eigen::Vector3d e = u.unitOrthogonal();

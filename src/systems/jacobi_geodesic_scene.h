@@ -1,13 +1,16 @@
 #pragma once
-/// Geodesics of the Jacobi metric (mechanics/core/jacobi_metric.h; Oliva, Geometric Mechanics, 5.2) in parameter files,
+/// Geodesics of the Jacobi metric (mechanics/core/jacobi_metric.h; Oliva, Geometric Mechanics, 5.2) in parameter files.
+/// For the energy h, the potential U and the metric g of the kinetic energy, the Jacobi metric is
 ///
 ///   g_h = 2(h − U) g,
 ///
-/// of a particle of unit mass in the plane, U = ½k|q|² or −μ/|q|, of a heavy particle of unit mass on an upright torus,
-/// and of the double pendulum with the first mass 1, by their arc s̃, which takes the place of time in the scene, so
-/// Time/End and the column `time` are arcs, of the unit length²/time. By 5.2.1 they are the motions of energy h with ds̃
-/// = 2(h − U)dt: the motion from the same initial data is computed next to the geodesic, and with it ∫2(h − U)dt, which
-/// must be s̃ again.
+/// There are four systems. Two are a particle of unit mass in the plane with U = ½k|q|² or −μ/|q|. The others are a
+/// heavy particle of unit mass on an upright torus and a double pendulum whose first mass is 1. The arc length s̃ of
+/// the geodesic replaces the time of the scene. Time/End and the column `time` are therefore arc lengths with the unit
+/// length²/time.
+///
+/// By 5.2.1 the geodesics are the motions of energy h with ds̃ = 2(h − U)dt. As a check, the motion from the same
+/// initial data is also computed, and with it the integral ∫2(h − U)dt, which must equal s̃.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -26,7 +29,7 @@
 
 namespace pseudorigid::systems {
 
-/// The Euclidean plane, charted by x and y.
+/// The Euclidean plane with the coordinates x and y.
 struct EuclideanPlane {
   static constexpr int dimension = 2;
   template <class T>
@@ -36,7 +39,7 @@ struct EuclideanPlane {
     return g;
   }
 };
-/// U = ½k|q|²
+/// The potential U = ½k|q|² in the plane.
 struct PlaneOscillator : EuclideanPlane {
   double k = 1;
   template <class T>
@@ -44,7 +47,7 @@ struct PlaneOscillator : EuclideanPlane {
     return 0.5 * k * (q[0] * q[0] + q[1] * q[1]);
   }
 };
-/// U = −μ/|q|
+/// The potential U = −μ/|q| in the plane.
 struct PlaneKepler : EuclideanPlane {
   double mu = 1;
   template <class T>
@@ -54,9 +57,9 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// The motion from given initial data at any later time. Its steps do not depend on the requested times, so a resumed
-/// run repeats the motion. The last steps are kept, because a section looks back for its crossings; earlier steps are
-/// computed again.
+/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times, so
+/// that a resumed run repeats the same motion. The last steps are stored, because a section requests earlier times for
+/// its crossings. Steps before them are computed again.
 template <class Field>
 class MotionFollower {
  public:
@@ -78,7 +81,7 @@ class MotionFollower {
   }
 
  private:
-  /// Tolerance of local errors. Their sum over some orbits is below any tolerance of a scene.
+  /// Tolerance of local errors. Their sum over some orbits is less than the tolerance of any scene.
   static constexpr double tolerance = 1e-14, longest_step = 10;
   static constexpr std::size_t n_kept = 64;
 
@@ -100,8 +103,8 @@ class MotionFollower {
 
   Field field_;
   State start_;
-  Step ahead_;              ///< from which the next step begins
-  std::deque<Step> steps_;  ///< the last ones
+  Step ahead_;              ///< state and workspace before the next step
+  std::deque<Step> steps_;  ///< the last steps
 };
 
 struct JacobiGeodesicScene {
@@ -160,13 +163,13 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// Angles are not lengths.
+  /// Undoes the scaling of angles, because angles are not lengths.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;
   }
 
-  /// The time of the scene is an arc length, so the unit of time is length²/time.
+  /// The time of the scene is an arc length. The unit of time is therefore length²/time.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -217,7 +220,7 @@ struct JacobiGeodesicScene {
     Chart chart;
     double h;
     MotionFollower<Motion> motion;
-    std::vector<double> units;  ///< units of the columns, with the arc in place of time
+    std::vector<double> units;  ///< units of the columns in the scales of the model, which has its own unit of time
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) {
@@ -237,7 +240,7 @@ struct JacobiGeodesicScene {
     }
   };
 
-  /// The model has its own unit of time, in which the motion is of order 1.
+  /// Calls run(model). The model has its own unit of time, in which the motion is of order 1.
   template <class Run>
   auto with_model(Run&& run) const {
     const Scales own{1, 1, length() / speed()};
@@ -283,7 +286,7 @@ struct JacobiGeodesicScene {
     using Motion = mechanics::JacobiLengthField<Chart>;
     const mechanics::JacobiGeodesicField<Chart> field(chart, energy);
     mechanics::State<mechanics::JacobiGeodesicField<Chart>> geodesic{0, field.make_vector(), field.make_vector()};
-    (void)field.start(q, v, geodesic.q, geodesic.v);  // h > U there: the scene refuses other values
+    (void)field.start(q, v, geodesic.q, geodesic.v);  // h > U at the start, because the scene refuses other values
     const Motion motion(chart);
     mechanics::State<Motion> start{0, motion.make_vector(), motion.make_vector()};
     motion.start(q, v, start.q, start.v);
@@ -296,9 +299,10 @@ struct JacobiGeodesicScene {
     if (potential == Potential::kepler) return -attraction / radius();
     return with_chart([&](const auto& chart) -> double { return chart.potential(Eigen::Vector2d(position.data())); });
   }
-  /// √(2(h − U)), of a particle of unit mass its speed.
+  /// The number √(2(h − U)), which is the speed of a particle of unit mass.
   double speed() const { return std::sqrt(2 * (energy - potential_energy())); }
-  /// The distance from the centre; of a start in the centre, the amplitude; of angles, the length that they refer to.
+  /// The unit of length: the initial distance from the centre, or the amplitude for a start at the centre. For angles
+  /// it is the length of the tube radius or of the first rod.
   double length() const {
     if (!in_plane()) return potential == Potential::torus ? r : R;
     return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness);

@@ -1,12 +1,13 @@
 #pragma once
-/// Rigid body with a fixed point (or about its centre of mass) by Lagrange's equations in Euler angles h = (φ, θ, ψ)
-/// (Oliva, Geometric Mechanics, 5.110–5.115), R = R_z(φ) R_x(θ) R_z(ψ): a chart of SO(3) with the metric of the kinetic
-/// energy and the potential of the loads,
+/// Rigid body with a fixed point (or its rotation about the centre of mass) by Lagrange's equations (Oliva, Geometric
+/// Mechanics, 5.110–5.115). The coordinates are the Euler angles h = (φ, θ, ψ) with R = R_z(φ) R_x(θ) R_z(ψ). They are
+/// a chart of SO(3) with the metric of the kinetic energy K and the potential U of the loads. With the angular velocity
+/// Ω in the body, the inertia operator A and the forces df,
 ///
 ///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
 ///
-/// with ω_i of ∂R/∂h_i R⁻¹ = ω_i×: e_z, the nodal line, e₃. The chart is singular at sin θ = 0, where e_z and e₃ are
-/// parallel.
+/// with the axes ω_i of ∂R/∂h_i R⁻¹ = ω_i×, which are e_z, the nodal line, and the third axis e₃ of the body. The chart
+/// is singular at sin θ = 0, where e_z and e₃ are parallel.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -20,7 +21,7 @@
 
 namespace pseudorigid::systems {
 
-/// The rows of B(h).
+/// The matrix B(h).
 template <class T>
 Eigen::Matrix<T, 3, 3> angular_velocity_of_rates(const mechanics::Coordinates<T, 3>& h) {
   using std::cos, std::sin;
@@ -30,7 +31,7 @@ Eigen::Matrix<T, 3, 3> angular_velocity_of_rates(const mechanics::Coordinates<T,
   return B;
 }
 
-/// R(h) over any scalar.
+/// The rotation R(h) for any scalar type.
 template <class T>
 Eigen::Matrix<T, 3, 3> rotation_of_angles(const mechanics::Coordinates<T, 3>& h) {
   using std::cos, std::sin;
@@ -80,7 +81,7 @@ struct EulerAngleChart {
     }
     return U;
   }
-  /// Positive if the chart has the rotation. Rates of φ and ψ grow like 1/sin θ, and with them the loss of accuracy.
+  /// Positive inside the chart. The rates of φ and ψ, and with them the errors, increase as 1/sin θ.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;
@@ -90,7 +91,7 @@ struct EulerAngleChart {
   static constexpr double smallest_sine = 1e-4;
 };
 
-/// The field of the chart, with a sentence if the chart ends.
+/// The field of the chart, which fails with a message outside the chart.
 class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;
@@ -102,7 +103,7 @@ class LagrangeTop {
     if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
-  /// As of mechanics/core/stage_by_stage.h.
+  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
   double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }
@@ -113,9 +114,9 @@ class LagrangeTop {
   static Eigen::Vector3d body_angular_velocity(const Vector& h, const Vector& rates) {
     return angular_velocity_of_rates<double>(h) * rates;
   }
-  /// Whether the chart has this rotation.
+  /// Whether the chart contains this rotation.
   static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > EulerAngleChart::smallest_sine; }
-  /// A state from a rotation that the chart has and Ω.
+  /// The state with the rotation R, which the chart must contain, and the angular velocity Ω in the body.
   static mechanics::VectorState<Vector> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
     const EulerAngles h = euler_angles_of(R), rates = rates_of(h, Omega);
     return {0, {h.phi, h.theta, h.psi}, {rates.phi, rates.theta, rates.psi}};

@@ -1,11 +1,12 @@
 #pragma once
-/// Mass, centre of mass and second moment of a body S ⊂ K with the mass measure m (Oliva 5.6):
+/// Mass, centre of mass and second moment of a body (Oliva 5.6). The body is a set S in its space K, with points ξ and
+/// the mass measure m:
 ///
 ///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
 ///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.
 ///
-/// The moment of inertia about the axis through c with unit direction e is ∫|e × (ξ − c)|² dm (5.6.10), and the second
-/// moment about another point c is E₀ − m(Gcᵀ + cGᵀ) + m ccᵀ, which is Steiner's theorem (5.6.11).
+/// The moment of inertia about the axis through c with unit direction e is ∫|e × (ξ − c)|² dm (5.6.10). The second
+/// moment about another point c is E₀ − m(Gcᵀ + cGᵀ) + m ccᵀ with m = m(S) (Steiner's theorem, 5.6.11).
 
 #include <Eigen/Dense>
 #include <span>
@@ -20,7 +21,7 @@ struct WeightedPoint {
 struct MassDistribution {
   double mass = 0;
   Eigen::Vector3d center = Eigen::Vector3d::Zero();  // G
-  Eigen::Matrix3d E0 = Eigen::Matrix3d::Zero();      // about the origin of K
+  Eigen::Matrix3d E0 = Eigen::Matrix3d::Zero();      // second moment about the origin of K
 
   static MassDistribution of_points(std::span<const WeightedPoint> points) {
     MassDistribution d;
@@ -32,7 +33,7 @@ struct MassDistribution {
     d.center /= d.mass;
     return d;
   }
-  /// The same body with the point c as the origin of K.
+  /// The same body if the point c is the origin of K.
   MassDistribution about(const Eigen::Vector3d& c) const {
     const Eigen::Matrix3d mixed = mass * center * c.transpose();
     return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};

@@ -1,5 +1,6 @@
 #pragma once
-/// n mass points (Oliva 5.5.1): m_i q̈_i = f_i^ext + Σ_j f_ij with f_ij = −f_ji along q_i − q_j.
+/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). It satisfies m_i q̈_i =
+/// f_i^ext + Σ_j f_ij with f_ij = −f_ji along q_i − q_j. The internal and external forces, or their potentials V, are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
@@ -7,7 +8,7 @@
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///
-/// The power that dashpots and drag take away is P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|², so dE/dt = −P.
+/// Dashpots and drag dissipate the power P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|², so dE/dt = −P with the energy E.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -60,8 +61,8 @@ class MassPoints : public mechanics::Unconstrained {
                                        [&](Eigen::Index i) -> Eigen::Vector3d { return v.col(i); },
                                        [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
-  /// The forces over any scalar T: place(i) and velocity(i) are of point i, add(i, f) adds a force to it. 1 if
-  /// all is finite, otherwise a NaN.
+  /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return the state of point i, and
+  /// add(i, f) adds a force on it. Returns 1 if all forces are finite, otherwise NaN.
   template <class T, class Place, class Velocity, class Add>
   T act(const Place& place, const Velocity& velocity, const Add& add) const {
     using Space = Eigen::Matrix<T, 3, 1>;
@@ -93,7 +94,7 @@ class MassPoints : public mechanics::Unconstrained {
     }
     return reserve;
   }
-  /// As of mechanics/core/stage_by_stage.h.
+  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
@@ -119,7 +120,7 @@ class MassPoints : public mechanics::Unconstrained {
     for (const Spring& s : p_.springs) V += s.law.energy((q.col(s.i) - q.col(s.j)).norm());
     return V;
   }
-  /// P, the rate at which dashpots and drag take energy away.
+  /// The power P that dashpots and drag dissipate.
   double dissipated_power(In q, In v) const {
     double P = p_.drag * v.squaredNorm();
     for (const Dashpot& d : p_.dashpots) {
@@ -129,15 +130,15 @@ class MassPoints : public mechanics::Unconstrained {
     return P;
   }
   Eigen::Vector3d momentum(In v) const { return v * p_.masses; }
-  /// Σ m_i (q_i − c) × v_i
+  /// The angular momentum Σ m_i (q_i − c) × v_i about the point c.
   Eigen::Vector3d angular_momentum(In q, In v, const Eigen::Vector3d& c) const {
     Eigen::Vector3d L = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i < n(); ++i) L += p_.masses(i) * column(q, i, c).cross(Eigen::Vector3d(v.col(i)));
     return L;
   }
 
-  /// Translations, then rotations about the centre c, if the external conservative forces admit them. Internal forces
-  /// admit all of them; drag does not belong to V and does not conserve momentum.
+  /// Symmetries are translations and then rotations about the centre c, as far as the external conservative forces
+  /// permit. Internal forces permit all of them. Drag is not included in V and does not conserve momentum.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);
@@ -158,7 +159,7 @@ class MassPoints : public mechanics::Unconstrained {
  private:
   Eigen::Index n() const { return p_.masses.size(); }
   static Eigen::Vector3d column(In q, Eigen::Index i, const Eigen::Vector3d& c) { return q.col(i) - c; }
-  /// d/|d|, and 0 of 0.
+  /// The unit vector d/|d|, or 0 if d = 0.
   template <class T>
   static Eigen::Matrix<T, 3, 1> direction(const Eigen::Matrix<T, 3, 1>& d) {
     if constexpr (std::is_same_v<T, double>)

@@ -1,12 +1,14 @@
 #pragma once
-/// Mass points in parameter files (mass_points.h): n points that attract each other, joined by springs and dashpots, in
-/// external fields. Points are numbered from 1. Motions of any size are of order 1 in the scales
+/// Mass points in parameter files (mass_points.h, which defines the symbols). There are n points with mutual
+/// attraction, springs, dashpots and external fields. The first point has the number 1. With the mean position q̄ and
+/// the centre c, motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
 ///   length   L = the largest of |q_i − q̄|, of |q_i − c| if forces come from c, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// If L = 0, as for one point, the velocities set it: |v|/ω or |v|²/|g|.
+/// If L = 0, for example for one point, the speed |v| determines L. It is |v|/ω with ω of springs and confinement, or
+/// otherwise |v|²/|g|. If these are also 0, L is 1.
 
 #include <fmt/format.h>
 
@@ -27,10 +29,10 @@ struct MassPointsScene {
       "Mass points in space with mutual gravitation, springs, dashpots and external fields.";
   static constexpr bool has_equilibria = true;
 
-  std::vector<double> masses{0.5, 0.5};  // two points that circle each other in the time 2π
+  std::vector<double> masses{0.5, 0.5};  // two points that orbit each other in the time 2π
   std::vector<double> positions{0.5, 0, 0, -0.5, 0, 0}, velocities{0, 0.5, 0, 0, -0.5, 0};
   double gravitational_constant = 1;
-  std::vector<double> springs, dashpots;  // rows (i, j, k, l) and (i, j, d)
+  std::vector<double> springs, dashpots;  // rows (i, j, k, l) of springs, (i, j, d) of dashpots
   std::vector<double> field{0, 0, 0}, center{0, 0, 0};
   double confinement = 0, central_attraction = 0, drag = 0;
 
@@ -102,7 +104,7 @@ struct MassPointsScene {
     return refuses_places();
   }
 
-  /// The columns of two points stand for those of n points.
+  /// The columns. Without values of a scene they are the columns of two points, as an example for n points.
   std::vector<Column> columns() const {
     std::vector<Column> columns;
     add_point_columns(columns, "", "length", "position of point 1; every point i has its xi, yi, zi");
@@ -137,7 +139,7 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// Points that move together do not change fast, unless they pass the centre.
+    /// The rate of change of a state. The common motion of the points does not count, unless forces come from a centre.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;
@@ -180,7 +182,7 @@ struct MassPointsScene {
   static int index(double number) { return static_cast<int>(number) - 1; }
   double mass(double number) const { return masses[static_cast<std::size_t>(index(number))]; }
   bool has_center() const { return confinement > 0 || central_attraction > 0; }
-  /// The largest distance of a point from c.
+  /// The largest distance of a point from the point c.
   double spread(const Eigen::Vector3d& c) const {
     return (points(positions).colwise() - c).colwise().norm().maxCoeff();
   }
@@ -197,7 +199,7 @@ struct MassPointsScene {
     for (int k = 1; k <= 3; ++k) columns.push_back({fmt::format("{}{}", prefix, k), unit, documentation});
   }
 
-  /// Rows (i, j, numbers that are not negative).
+  /// Checks rows (i, j, numbers): i and j are different points, and the numbers are not negative.
   std::optional<Refusal> refuses_pairs(const char* path, const char* kind, const std::vector<double>& rows,
                                        std::size_t n_columns) const {
     for (std::size_t k = 0; k < rows.size(); k += n_columns) {
@@ -217,7 +219,7 @@ struct MassPointsScene {
     return {};
   }
 
-  /// Forces that have no direction or no finite size if two points coincide.
+  /// Refuses points at one position if a force between them then has no direction or no finite size.
   std::optional<Refusal> refuses_places() const {
     const char* path = "Mass points/Positions";
     const auto coincide = [&](int i, int j, const char* act) {

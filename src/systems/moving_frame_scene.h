@@ -1,10 +1,11 @@
 #pragma once
-/// A point seen from a moving frame (moving_frame.h; Oliva, Geometric Mechanics, 5.6.7) in parameter files. Either law
-/// can be integrated, that of (Q, Q̇) with its inertial terms or that of (q, q̇) in space; both write the same columns.
-/// With U the potential of all forces, of those at rest in the frame too,
+/// A point in a moving frame (moving_frame.h; Oliva, Geometric Mechanics, 5.6.7) in parameter files. The program
+/// integrates either the equation for (Q, Q̇) with inertial forces, or the equation for (q, q̇) in space. Both write
+/// the same columns. Let U be the potential of all forces, including those that are at rest in the frame. The two
+/// energies are
 ///
-///   E = ½|q̇|² + U                      is constant if no force is at rest in a frame that moves,
-///   J = ½|Q̇|² + U − ½|Ω × Q|²          (Jacobi) if Ω is constant, r̈ = 0 and all forces are at rest in the frame.
+///   E = ½|q̇|² + U                      constant if no force is at rest in a frame that moves,
+///   J = ½|Q̇|² + U − ½|Ω × Q|²          (Jacobi) constant if Ω is constant, r̈ = 0, and all forces rest in the frame.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -107,7 +108,7 @@ struct MovingFrameScene {
     return columns;
   }
 
-  /// The values of the columns.
+  /// Appends the values of the columns to the row.
   static mechanics::Status append(const FrameParameters& p, const mechanics::State<MovingFrame>& relative,
                                   const mechanics::State<InertialFrame>& inertial, std::vector<double>& row) {
     RelativeTerms terms;
@@ -148,8 +149,10 @@ struct MovingFrameScene {
   }
 
  private:
-  /// Scale of length of a point that starts in the origin: the distance of the centre of force, or the way that its
-  /// velocity and the fields take it. 1 if there is no length.
+  /// The scale of length. It is the first positive number in a list that begins with the initial distance from the
+  /// origin and the amplitude of shaking. The list continues with the centre of the springs in the frame, paths by
+  /// velocity and acceleration, the distance from the centre of force, and the path of the origin. If all are zero, the
+  /// scale is 1.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,

@@ -1,13 +1,15 @@
 #pragma once
-/// Rigid body on k × SO(3) (Oliva 5.6.19) as a constrained body in the vector space of the matrices q = [R | x], where
-/// x(ξ) = Rξ + x is the place of the body point ξ; with a fixed point the column x is absent. The origin of K is the
-/// fixed point or else the centre of mass (5.101).
+/// Rigid body on k × SO(3) (Oliva 5.6.19), with k the Euclidean space. The body is constrained in the vector space of
+/// the matrices q = [R | x], and the body point ξ has the position x(ξ) = Rξ + x. The origin of the body is the fixed
+/// point, and the column x is then absent. Without a fixed point the origin is the centre of mass (5.101). For the mass
+/// m, the inertia operator A and external forces df, the kinetic energy K and the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
 ///
-/// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c of R, numbered 11 22 33 23 13 12,
-/// so that the six multipliers are the entries of the symmetric Λ, and S = G(q₁)M⁻¹G(q₀)ᵀ is
+/// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c_i of R, in the order 11 22 33 23
+/// 13 12. Their six multipliers are therefore the entries of the symmetric matrix Λ. With the mass operator M and the
+/// derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
 ///
 ///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
 
@@ -35,11 +37,11 @@ class RigidBody {
   static constexpr int n_constraints = 6;
 
   struct Parameters {
-    Eigen::Matrix3d E0 = Eigen::Matrix3d::Identity();  // about the origin of K
+    Eigen::Matrix3d E0 = Eigen::Matrix3d::Identity();  // second moment about the origin of the body
     BodyLoads loads{};
   };
 
-  /// The reason why a body cannot be one of GL⁺(3), if it cannot: its mass operator must be invertible there.
+  /// Returns the reason if GL⁺(3) does not admit this body. Its mass operator must be invertible there.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -54,7 +56,7 @@ class RigidBody {
     return {};
   }
 
-  /// For parameters that are accepted.
+  /// Makes a body from parameters that `accepts` has accepted.
   explicit RigidBody(Parameters parameters)
       : p_(std::move(parameters)),
         E0_inverse_(p_.E0.inverse()),
@@ -95,7 +97,7 @@ class RigidBody {
   void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
     f.template leftCols<3>() += rotation(q) * symmetric(lambda);
   }
-  /// The constraints are quadratic: the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
@@ -120,7 +122,7 @@ class RigidBody {
     return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
   }
 
-  /// Translations, then rotations of space about axes through its origin.
+  /// Symmetries are translations and then rotations of space about axes through its origin.
   int n_symmetries() const {
     return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }
@@ -138,17 +140,17 @@ class RigidBody {
   }
 
   static Eigen::Matrix3d rotation(const Vector& q) { return q.template leftCols<3>(); }
-  /// x(ξ) = Rξ + x
+  /// The position x(ξ) = Rξ + x of a body point.
   static Eigen::Vector3d place(const Vector& q, const Eigen::Vector3d& xi) {
     Eigen::Vector3d x = rotation(q) * xi;
     if constexpr (!has_fixed_point) x += q.col(3);
     return x;
   }
-  /// Ω of RᵀṘ = Ω×
+  /// The angular velocity Ω in the body, from RᵀṘ = Ω×.
   static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
     return -0.5 * mechanics::axial_vector(rotation(q).transpose() * rotation(v));
   }
-  /// p = ∫x × ẋ dm about the origin of space (5.77).
+  /// The angular momentum p = ∫x × ẋ dm about the origin of space (5.77).
   Eigen::Vector3d angular_momentum(const Vector& q, const Vector& v) const {
     Eigen::Vector3d p = mechanics::axial_vector(rotation(q) * p_.E0 * rotation(v).transpose());
     if constexpr (!has_fixed_point) p += p_.loads.mass * Eigen::Vector3d(q.col(3)).cross(Eigen::Vector3d(v.col(3)));
@@ -161,7 +163,8 @@ class RigidBody {
   using Gram = Eigen::Matrix<double, 6, 6>;
   static constexpr int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
-  /// S, of which a column is sym₂ of B(e_i e_jᵀ + e_j e_iᵀ)E₀⁻¹, the products of columns of B with rows of E₀⁻¹.
+  /// The matrix S. A column is sym₂ of B(e_i e_jᵀ + e_j e_iᵀ)E₀⁻¹, whose terms are products of columns of B and rows of
+  /// E₀⁻¹.
   Gram gram(const Eigen::Matrix3d& B) const {
     Gram S;
 #pragma GCC unroll 8
@@ -194,7 +197,7 @@ class RigidBody {
 using FixedPointBody = RigidBody<true>;
 using FreeBody = RigidBody<false>;
 
-/// A state from the rotation R and the angular velocity Ω in the body.
+/// The state with the rotation R and the angular velocity Ω in the body.
 inline mechanics::State<FixedPointBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
   return {0, R, R * mechanics::cross_matrix(Omega)};
 }

@@ -1,7 +1,8 @@
 #pragma once
-/// The columns of a rigid body with the rotation R, the angular velocity Ω in the body and the centre of mass x:
+/// The columns of a rigid body with the rotation R, the angular velocity Ω in the body, the inertia operator A, the
+/// mass m and the centre of mass x:
 ///
-///   ω = RΩ,   J = RAΩ (+ m x × ẋ of a free body),   K = ½Ω·AΩ (+ ½m|ẋ|²),   V of weight and springs.
+///   ω = RΩ,   J = RAΩ (+ m x × ẋ of a free body),   K = ½Ω·AΩ (+ ½m|ẋ|²),   V the potential of weight and springs.
 
 #include <fmt/format.h>
 
@@ -18,12 +19,12 @@ namespace pseudorigid::systems {
 /// Data from which the columns of a rigid body are computed.
 struct BodyMotion {
   Eigen::Matrix3d R;
-  Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; centre of mass
+  Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; position and velocity of the centre of mass
 };
 
 class BodyObserver {
  public:
-  /// With a fixed point, A is about that point, and the centre of mass does not have its own kinetic energy.
+  /// With a fixed point, A is the inertia about this point. The energy of the centre of mass is then included in ½Ω·AΩ.
   BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
       : A_(A), loads_(loads), fixed_point_(fixed_point) {}
 

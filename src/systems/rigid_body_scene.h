@@ -1,14 +1,16 @@
 #pragma once
-/// The rigid body in parameter files: constrained, as matrices of GL⁺(3) with six constraints (rigid_body.h), by
-/// Euler's equation on quaternions (euler_top.h), or by Lagrange's equations in Euler angles (lagrange_top.h): the same
-/// motion, computed in three ways. With a fixed point that is the origin of the body and of space; without one the
-/// origin of the body is the centre of mass, of which the forms of Euler and Lagrange know  x = x₀ + v₀t + ½gt².  The
-/// scales are the mass, the length L = √(tr E₀/m) and the time 1/ω,
+/// The rigid body in parameter files. Three forms give the same motion: matrices of GL⁺(3) with six constraints
+/// (rigid_body.h), Euler's equation on quaternions (euler_top.h), and Lagrange's equations in Euler angles
+/// (lagrange_top.h). A fixed point is the origin of the body and of space. Without a fixed point, the origin of the
+/// body is the centre of mass. The forms of Euler and Lagrange then use the exact solution x = x₀ + v₀t + ½gt² for the
+/// centre of mass.
 ///
-///   ω² = the largest of |Ω|², |g||G|/L², k/m;  if all are zero, of |g|/L and |v|²/L².
+/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the springs' stiffness k:
 ///
-/// A body may be given by mass points in place of mass, centre of mass and inertia (mass_distribution.h); of a free one
-/// Steiner's theorem then moves the origin to the centre of mass (5.6.11).
+///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the largest of |g|/L and |v|²/L².
+///
+/// Mass points may replace mass, centre of mass and inertia (mass_distribution.h). For a free body, Steiner's theorem
+/// (5.6.11) then moves the origin to the centre of mass.
 
 #include <fmt/format.h>
 
@@ -26,7 +28,8 @@
 
 namespace pseudorigid::systems {
 
-/// The landscape of a body on SO(3). GᵀG is zero along SO(3) and makes the mass regular where a flat body's is not.
+/// The landscape of a body on SO(3). The term GᵀG, with G the derivative of the constraints, is zero along SO(3). It
+/// makes the mass matrix regular for a flat body.
 struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
   using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
   void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
@@ -145,13 +148,13 @@ struct RigidBodyScene {
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
-      const Eigen::Vector3d& G = system.parameters().loads.center;  // zero without fixed point
+      const Eigen::Vector3d& G = system.parameters().loads.center;  // zero without a fixed point
       observer.append({System::rotation(state.q), System::body_angular_velocity(state.q, state.v),
                        System::place(state.q, G), System::place(state.v, G)},
                       row);
       return {};
     }
-    /// A body that moves fast does not rotate fast.
+    /// The rate of rotation. The velocity of the centre of mass does not count.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -159,7 +162,7 @@ struct RigidBodyScene {
     std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
   };
 
-  /// Forms whose configurations are rotations alone: `Turns` is EulerTop or LagrangeTop.
+  /// The model for the forms that have only rotations as configurations. `Turns` is EulerTop or LagrangeTop.
   template <class Turns>
   struct TurnsModel {
     using System = Turns;
@@ -167,7 +170,7 @@ struct RigidBodyScene {
     mechanics::State<System> initial;
     BodyObserver observer;
     FixedPointBody
-        body;  ///< for its loads, and for the landscape of rotations about the centre of mass if the body is free
+        body;  ///< for its loads, and for the landscape of rotations (about the centre of mass if the body is free)
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< position and velocity of a free body at t = 0
 
@@ -211,7 +214,7 @@ struct RigidBodyScene {
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
   }
-  /// One step of Newton's iteration for RᵀR = Id, from 1e-8 to round-off.
+  /// Makes one step of Newton's iteration for RᵀR = Id, which reduces an error of 1e-8 to round-off.
   Eigen::Matrix3d nearest_rotation() const {
     const Eigen::Matrix3d R = matrix(rotation);
     return R + 0.5 * R * (Eigen::Matrix3d::Identity() - R.transpose() * R);
@@ -222,7 +225,7 @@ struct RigidBodyScene {
       list.push_back({{points[k], points[k + 1], points[k + 2]}, points[k + 3]});
     return MassDistribution::of_points(list);
   }
-  /// The loads about the origin of the body.
+  /// The mass distribution about the origin of the body.
   MassDistribution distribution() const {
     if (points.empty()) return {mass, vector(center), second_moment(matrix(inertia))};
     const MassDistribution given = distribution_of_points();
@@ -234,7 +237,7 @@ struct RigidBodyScene {
   BodyLoads loads() const {
     const MassDistribution body = distribution();
     BodyLoads loads{.mass = body.mass, .center = body.center, .gravity = vector(gravity)};
-    if (!fixed_point) loads.center.setZero();  // exact up to round-off for mass points
+    if (!fixed_point) loads.center.setZero();  // for mass points, the centre is zero only up to round-off
     const Eigen::Vector3d origin =
         points.empty() || fixed_point ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : distribution_of_points().center;
     for (std::size_t k = 0; k < springs.size(); k += n_spring_columns) {
@@ -243,7 +246,7 @@ struct RigidBodyScene {
     }
     return loads;
   }
-  /// The entries of q in memory, column after column.
+  /// The entries of q in the order of memory, column by column.
   static std::vector<Column> body_coordinates(bool has_fixed_point) {
     std::vector<Column> columns;
     for (int j = 1; j <= 3; ++j)
@@ -252,7 +255,7 @@ struct RigidBodyScene {
     return columns;
   }
 
-  /// The polar factor of a matrix close to a rotation, by Newton's iteration.
+  /// The polar factor of a matrix close to a rotation, computed by Newton's iteration.
   static std::string nearest_rotation_to(Eigen::Matrix3d R) {
     for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
     scene::Matrix3 rows;
@@ -278,7 +281,7 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Reasons why an inertia does not belong to a body, or does not fit the form.
+  /// Refuses an inertia that no body has, or that does not fit the form.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -326,7 +329,7 @@ struct RigidBodyScene {
                      {{{"Rigid body/Form", "constrained"}}}};
     return refuses_springs(vector(position));
   }
-  /// The body's origin is at x.
+  /// Checks the springs if the origin of the body is at x.
   std::optional<Refusal> refuses_springs(const Eigen::Vector3d& x) const {
     std::size_t row = 0;
     for (const BodySpring& spring : loads().springs) {

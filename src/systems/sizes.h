@@ -1,7 +1,7 @@
 #pragma once
-/// The sizes that a scene can have. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ still are numbers, so a scene is
-/// sound if its scales and, in these scales, its entries and its initial state lie there or are zero, and the units of
-/// its columns are finite.
+/// The sizes that numbers of a scene can have. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ do not overflow or
+/// underflow. The scales of a valid scene are in this range, and the units of its columns are finite. In these scales,
+/// the entries and the initial state are in this range or zero.
 
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ inline constexpr double largest_size = 1e70;
 
 inline bool sound(double x) { return x == 0 || (std::abs(x) >= 1 / largest_size && std::abs(x) <= largest_size); }
 
-/// Calls visitor(path, x) for each number of the entries.
+/// Calls visitor(path, x) for each number x in the entries.
 template <class SystemScene, class Visitor>
 void visit_numbers(SystemScene& system, Visitor&& visitor) {
   SystemScene::visit(system, [&]<class Value>(Value& member, const auto&, const About& about) {
@@ -40,8 +40,8 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
                              [&](const Column& column) { return std::isnormal(scales(column.unit)); });
 }
 
-/// The entry whose number is farthest from 1, among all, or among those of unsound size if there are any; "" if all are
-/// zero.
+/// The entry with the number farthest from 1. Entries with a number outside the range have precedence. The path is
+/// empty if all numbers are zero.
 struct Farthest {
   std::string path;
   double number = 1;
@@ -62,8 +62,9 @@ Farthest farthest_number(SystemScene system) {
 
 }  // namespace detail
 
-/// The entry that is to blame is the one with the number farthest from 1: in the scene's own scales if these are sound.
-/// `starts_finite(system in its own scales)` says whether its initial state is one.
+/// Refuses a scene with numbers outside the range. The refused entry is the one with the number farthest from 1, in the
+/// scales of the scene if these are in the range. The function `starts_finite` returns whether the initial state of the
+/// system in these scales is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

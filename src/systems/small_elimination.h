@@ -1,13 +1,14 @@
 #pragma once
-/// Gauss's elimination without pivoting for a small dense system, S x = r, unrolled by the compiler. It is stable for
-/// matrices close to a symmetric positive definite one, such as G(q₁)M⁻¹G(q₀)ᵀ for q₁ close to q₀.
+/// Gaussian elimination without pivoting for a small dense system S x = r, unrolled by the compiler. The method is
+/// stable for a matrix S close to a symmetric positive definite one. An example is G(q₁)M⁻¹G(q₀)ᵀ for q₁ close to q₀.
 
 #include <Eigen/Core>
 #include <cmath>
 
 namespace pseudorigid::systems {
 
-/// x, which comes in as r; false if the result is not finite.
+/// Solves the system. The argument x contains r before the call and the solution afterwards. Returns false if the
+/// result is not finite.
 template <int n>
 bool solve_by_elimination(Eigen::Matrix<double, n, n> S, Eigen::Matrix<double, n, 1>& x) {
 #pragma GCC unroll 8

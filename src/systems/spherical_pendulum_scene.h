@@ -1,11 +1,12 @@
 #pragma once
-/// A heavy point on a massless rod that is free to turn about its upper end, z pointing up:
+/// A heavy point on a massless rod that can rotate about its upper end. The z axis points upwards. For the mass m, the
+/// length l of the rod, gravity g and the drag coefficient c, the motion satisfies
 ///
 ///   m q̈ = −m g e_z − c q̇ + λ q/l²,   ½(|q|²/l² − 1) = 0,   V = m g z,
 ///
-/// with the tension −λ/l of the rod (positive where it pulls) and the drag −c q̇. Without drag the energy and the
-/// momentum about the vertical, m (x ẏ − y ẋ), are constant; with it dE/dt = −c |q̇|². The point hangs (Morse index 0)
-/// or stands (2).
+/// with the multiplier λ and the potential V. The tension −λ/l of the rod is positive if the rod pulls. Without drag,
+/// the energy E and the angular momentum about the vertical, m (x ẏ − y ẋ), are constant. With drag, dE/dt = −c |q̇|².
+/// The equilibria are the hanging point (Morse index 0) and the standing point (Morse index 2).
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -37,7 +38,7 @@ class SphericalPendulum {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f / p_.m; }
 
-  /// As of mechanics/core/explicit_multiplier.h and stage_by_stage.h.
+  /// Functions of mechanics/core/explicit_multiplier.h and stage_by_stage.h.
   mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     if (of_stages()(0, q.data(), v.data(), a.data()) > 0) return {};
     return mechanics::Status::failure("the point is at the end of the rod that is held, or nowhere");
@@ -72,11 +73,11 @@ class SphericalPendulum {
   double kinetic_energy(const Vector& v) const { return 0.5 * p_.m * v.squaredNorm(); }
   double potential_energy(const Vector& q) const { return p_.m * p_.g * q.z(); }
   void apply_mass(const Vector& v, Vector& f) const { f = p_.m * v; }
-  /// The constraint is quadratic: the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraint is quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Rotations about the vertical; without gravity about every axis.
+  /// Rotations about the vertical are symmetries. Without gravity, rotations about every axis are symmetries.
   int n_symmetries() const { return p_.g == 0 ? 3 : 1; }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     const Vector axis = Vector::Unit(2 - i);
@@ -124,7 +125,7 @@ struct SphericalPendulumScene {
     return Refusal{"Spherical pendulum/Rates", "expected no rate of phi where the rod is vertical and has no phi"};
   }
 
-  /// Without gravity the motion itself gives the unit of time.
+  /// Without gravity, the unit of time is that of the initial motion.
   Scales scales() const {
     const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
     return {l, m, gravity > 0 ? std::sqrt(l / gravity) : rate > 0 ? 1 / rate : 1};
@@ -161,7 +162,7 @@ struct SphericalPendulumScene {
       row.insert(row.end(), state.v.begin(), state.v.end());
       Eigen::Vector3d force;
       if (auto status = system.force(state.t, state.q, state.v, workspace, force); !status) return status;
-      // R = m[B(v, v) − (μ⁻¹F)^⊥] with B(v, v) = −|v|²q/l² is −(m|v|² + ⟨F, q⟩) q/l².
+      // The reaction is R = −(m|v|² + ⟨F, q⟩) q/l², from (5.29) with the second fundamental form B(v, v) = −|v|²q/l².
       const double by_curvature = (p.m * state.v.squaredNorm() + force.dot(state.q)) / p.l;
       row.insert(row.end(), {K, V, K + V, p.m * state.q.cross(state.v).z(), -lambda / p.l, by_curvature});
       return {};

@@ -1,6 +1,6 @@
 #pragma once
-/// Metrics of given surfaces, for their geodesic flow (Oliva, Geometric Mechanics, 5.3, F = 0). Each surface in ℝ³
-/// knows its embedding x(q), and its metric is the induced one, g = DxᵀDx, in closed form.
+/// Metrics of given surfaces, for their geodesic flow (Oliva, Geometric Mechanics, 5.3, F = 0). A surface in ℝ³ has an
+/// embedding x(q), and its metric is the induced metric g = DxᵀDx in closed form.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -19,7 +19,7 @@ using SurfaceMetric = Eigen::Matrix<T, 2, 2>;
 template <class T>
 using SpacePoint = Eigen::Matrix<T, 3, 1>;
 
-/// Positive for an angle from the axis that is in no pole's reach.
+/// Positive for an angle θ from the axis that is farther than a margin from both poles.
 template <class T>
 T between_poles(const T& theta) {
   using std::min;
@@ -27,7 +27,8 @@ T between_poles(const T& theta) {
   return min(T(theta - margin), T(std::numbers::pi - margin - theta));
 }
 
-/// x = R (sin θ cos φ, sin θ sin φ, cos θ),  ds² = R² (dθ² + sin²θ dφ²). Singular at the poles.
+/// The sphere x = R (sin θ cos φ, sin θ sin φ, cos θ) with ds² = R² (dθ² + sin²θ dφ²). The chart is singular at the
+/// poles.
 struct Sphere {
   static constexpr int dimension = 2;
   double R = 1;
@@ -45,7 +46,7 @@ struct Sphere {
     using std::cos, std::sin;
     return {R * sin(q[0]) * cos(q[1]), R * sin(q[0]) * sin(q[1]), R * cos(q[0])};
   }
-  /// Positive between the poles. Nearer to a pole than √ε, sin²θ is below round-off.
+  /// Positive between the poles. At a distance below √ε from a pole, sin²θ is below round-off.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -53,16 +54,17 @@ struct Sphere {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// The torus of revolution about the x axis (5.8.8): x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w,
-/// ds² = r² dw² + ρ² du².
+/// The torus of revolution about the x axis (5.8.8), x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w and ds² = r²
+/// dw² + ρ² du².
 ///
-/// Its symmetric circles are w = 0, outside, and w = π, inside. A motion that a symmetry keeps on one of them stays
-/// there in floating-point arithmetic if its own angle is 0: π is not a number of double precision, and sin of the
-/// nearest one is not 0. So the first coordinate is w − w₀ with w₀ = 0 or π (TorusCircle).
+/// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that remains on such a
+/// circle by symmetry also remains there in floating-point arithmetic if its coordinate is 0. It does not remain there
+/// with the coordinate π, because double precision does not contain π and the sine of the nearest number is not 0.
+/// Therefore the first coordinate is w − w₀ with w₀ = 0 or π (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;
-  double outward = 1;  // cos w₀: 1 if the angle is measured from outside, −1 from inside
+  double outward = 1;  // cos w₀: 1 if the angle is measured from the outside, −1 from the inside
 
   template <class T>
   SurfaceMetric<T> metric(const SurfacePoint<T>& q) const {
@@ -81,7 +83,7 @@ struct TorusSurface {
   Eigen::Vector2d periods() const { return Eigen::Vector2d::Constant(2 * std::numbers::pi); }
 };
 
-/// The symmetric circle w₀ = kπ of a torus that is nearest to an angle w.
+/// The circle w₀ = kπ of a torus, k an integer, that is nearest to an angle w.
 class TorusCircle {
  public:
   explicit TorusCircle(double w) : half_turns_(std::round(w / std::numbers::pi)) {}
@@ -92,7 +94,8 @@ class TorusCircle {
   double half_turns_;
 };
 
-/// x = (a sin θ cos φ, b sin θ sin φ, c cos θ) with any semi-axes. Singular at the poles.
+/// The ellipsoid x = (a sin θ cos φ, b sin θ sin φ, c cos θ) with any semi-axes a, b, c. The chart is singular at the
+/// poles.
 struct Ellipsoid {
   static constexpr int dimension = 2;
   double a = 1, b = 1, c = 1;
@@ -112,7 +115,7 @@ struct Ellipsoid {
     using std::cos, std::sin;
     return {a * sin(q[0]) * cos(q[1]), b * sin(q[0]) * sin(q[1]), c * cos(q[0])};
   }
-  /// Positive between the poles. Nearer to a pole than √ε, sin²θ is below round-off.
+  /// Positive between the poles. At a distance below √ε from a pole, sin²θ is below round-off.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -120,7 +123,7 @@ struct Ellipsoid {
   Eigen::Vector2d periods() const { return {0, 2 * std::numbers::pi}; }
 };
 
-/// z = (k/2)(x² + y²) over the whole plane: g = Id + k² (x, y)(x, y)ᵀ.
+/// The paraboloid z = (k/2)(x² + y²) over the whole plane, with the metric g = Id + k² (x, y)(x, y)ᵀ.
 struct Paraboloid {
   static constexpr int dimension = 2;
   double k = 1;
@@ -138,7 +141,8 @@ struct Paraboloid {
   }
 };
 
-/// The hyperbolic half-plane y > 0: ds² = (dx² + dy²)/y², of curvature −1. It has no embedding in ℝ³ (Hilbert 1901).
+/// The hyperbolic half-plane y > 0 with ds² = (dx² + dy²)/y² and the curvature −1. It does not have an embedding in ℝ³
+/// (Hilbert 1901).
 struct HyperbolicHalfPlane {
   static constexpr int dimension = 2;
 

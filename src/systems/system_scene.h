@@ -1,6 +1,6 @@
 #pragma once
-/// Content of a parameter file that a system defines: its subsection with entries, the columns of its CSV file, its
-/// units, and the model that moves. A system is one header with such a struct, and one line in systems/table.cpp.
+/// The part of a parameter file that a system defines: its subsection with entries, the columns of its CSV file, its
+/// units, and its model. A new system needs one header with such a struct, and one line in systems/table.cpp.
 ///
 ///     struct PendulumScene {
 ///       static constexpr std::string_view name, file, section, documentation;
@@ -14,16 +14,17 @@
 ///       template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
 ///     };
 ///
-/// Units are words ("mass*length^2/time", scene/unit.h). Entries are divided by theirs before a model is made, and
-/// columns multiplied by theirs on the way to the file, so a system never sees the user's units.
+/// Units are texts such as "mass*length^2/time" (scene/unit.h). Before a model is made, entries are divided by their
+/// units. Before columns are written to the file, they are multiplied by their units. A system therefore never uses the
+/// units of the user.
 ///
 ///   struct Model {
 ///     System system;  State<System> initial;
-///     Status row(state, workspace, std::vector<double>& row);           // appends the columns' values
+///     Status row(state, workspace, std::vector<double>& row);           // appends the values of the columns
 ///     double rate(state) const;                                         // optional, default |v|/(1 + |q|)
-///     auto landscape() const;                                           // of V, for Analysis = equilibrium
-///     std::vector<Column> coordinates() const;                          // names of q there
-///     Model resting_at(q) const;                                        // optional, where q of the landscape is another
+///     auto landscape() const;                                           // landscape of V, for Analysis = equilibrium
+///     std::vector<Column> coordinates() const;                          // names of the coordinates of the landscape
+///     Model resting_at(q) const;                                        // optional, if the landscape has another q
 ///   };
 
 #include <cmath>
@@ -44,11 +45,11 @@ using scene::Column;
 using scene::Refusal;
 using scene::Unit;
 
-/// Units of length, mass and time, in the user's.
+/// Units of length, mass and time, expressed in the units of the user.
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// The factor by which a quantity of this unit is divided when it is converted to the scales.
+  /// The factor by which a quantity with this unit is divided for conversion to the scales.
   double operator()(scene::Unit unit) const {
     double product = 1;
     unit.visit([&](std::string_view word, int power) {
@@ -64,7 +65,7 @@ struct Scales {
     if (word == "mass") return mass;
     if (word == "time") return time;
     if (word == "pressure") return mass / (length * time * time);
-    return 1;  // "radius", of entries that are multiples of the body's own radius, and "1"
+    return 1;  // "radius", for entries in multiples of the radius of the body, and "1"
   }
 };
 
@@ -80,23 +81,23 @@ inline void divide(scene::Matrix3& matrix, double unit) {
 }
 template <class Word>
 requires(std::is_enum_v<Word> || std::is_integral_v<Word> ||
-         std::is_same_v<Word, std::string>) void divide(Word&, double) {}  // words have no unit
+         std::is_same_v<Word, std::string>) void divide(Word&, double) {}  // words do not have a unit
 
 }  // namespace detail
 
-/// The system's scene out of a read one.
+/// The scene of a system, from a scene that read_scene returned.
 template <class SystemScene>
 SystemScene system_scene(const scene::Scene& scene) {
   SystemScene system;
   SystemScene::visit(system, [&](auto& member, const auto& kind, const About& about) {
     const auto value = scene.system_values.find(about.path);
-    if (value != scene.system_values.end()) (void)kind.read(value->second, member);  // read_scene has checked it
+    if (value != scene.system_values.end()) (void)kind.read(value->second, member);  // read_scene has checked the value
   });
   return system;
 }
 
-/// The same in its own scales. An entry with columns of several units (Rows) has the unit "" and is scaled by the
-/// scene's own `rescale(scales)`, if it has one.
+/// The system in its own scales. An entry whose columns have several units (Rows) has the unit "". The member function
+/// `rescale(scales)` of the system scales such entries.
 template <class SystemScene>
 SystemScene in_scales(SystemScene system, const Scales& scales) {
   SystemScene::visit(

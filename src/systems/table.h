@@ -1,5 +1,5 @@
 #pragma once
-/// The systems of the program other than the ball. A new one is its header and one line of table.cpp.
+/// The systems of the program other than the ball. A new system needs its header and one line in table.cpp.
 
 #include <vector>
 

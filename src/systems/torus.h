@@ -1,17 +1,18 @@
 #pragma once
-/// A heavy particle on a rough torus (Oliva, Geometric Mechanics, 5.8.8), strongly dissipative: unit mass,
+/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. The
+/// equations are printed for R = 3, r = 1:
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
 ///   V = g ⟨q, up⟩,   up = (sin α, 0, cos α),
 ///
-/// with e_w, e_u the unit vectors along the circles, |a| + |b| < 1 and β ≥ 0: friction that changes from place to place
-/// (5.8.9), and is greater along a grain e. With a = b = β = 0 it is that of 5.8.8.
+/// with the unit vectors e_w, e_u along the circles, |a| + |b| < 1 and β ≥ 0. The friction D varies with the position
+/// (5.8.9) and is greater along the grain direction e. For a = b = β = 0 it is the friction of 5.8.8.
 ///
-/// Upright, α = 0, V = g (3 + cos w) cos u is even in x = sin w, hence w = π is invariant: it joins the two saddles,
-/// whose invariant manifolds are not transversal. A tilt α ≠ 0 takes the symmetry away and breaks the connection, with
-/// the same D; a grain that is oblique to the circle does, with the same V (the two halves of 5.8.6). No c(q) does:
-/// −c(q) v is along the circle where v is.
+/// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. It
+/// connects the two saddles, whose invariant manifolds are not transversal. A tilt α ≠ 0 removes the symmetry and
+/// breaks the connection with the same D. A grain oblique to the circle breaks it with the same V (the two halves of
+/// 5.8.6). A variable c(q) alone does not break it, because −c(q) v is parallel to v and thus to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -31,7 +32,7 @@ struct Torus : TorusSurface {
     const SpacePoint<T> x = embedding(q);
     return gravity * (std::sin(tilt) * x[0] + std::cos(tilt) * x[2]);
   }
-  /// c(q); q is measured as in TorusSurface.
+  /// The factor c(q), with q as in TorusSurface.
   template <class T>
   T damping(const SurfacePoint<T>& q) const {
     using std::cos;
@@ -42,13 +43,13 @@ struct Torus : TorusSurface {
     using std::cos;
     const T factor = -damping(q);
     if (grain == 0) return {factor * v[0], factor * v[1]};
-    const T rho = R + outward * r * cos(q[0]);  // r and ρ are the lengths of ∂/∂w and ∂/∂u
+    const T rho = R + outward * r * cos(q[0]);  // r and ρ are the lengths of the vectors ∂/∂w and ∂/∂u
     const double of_w = std::cos(grain_angle), of_u = std::sin(grain_angle);
     const T along = grain * (of_w * r * v[0] + of_u * rho * v[1]);
     return {factor * (v[0] + along * (of_w / r)), factor * (v[1] + along * of_u / rho)};
   }
 
-  /// μ, the greatest ratio |⟨D(v), v⟩|/|v|² anywhere, and −min V.
+  /// The greatest damping μ, which is the maximum of |⟨D(v), v⟩|/|v|², and the depth −min V.
   double greatest_damping() const { return c * (1 + std::abs(c_w) + std::abs(c_u)) * (1 + grain); }
   double depth() const { return gravity * (R * std::abs(std::cos(tilt)) + r); }
 };

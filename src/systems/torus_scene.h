@@ -1,12 +1,14 @@
 #pragma once
-/// The heavy particle on a rough torus (torus.h; Oliva, Geometric Mechanics, 5.8.8) in parameter files: unit mass, with
-/// ẅ, ü from the metric r² dw² + (R + r cos w)² du², V = g ⟨q, up⟩ and the damping D(v), so that
+/// The heavy particle of unit mass on a rough torus (torus.h; Oliva, Geometric Mechanics, 5.8.8) in parameter files.
+/// The metric is r² dw² + (R + r cos w)² du², the potential V = g ⟨q, up⟩, and the damping D(v), so that
 ///
 ///   dE/dt = ⟨D(v), v⟩,   E(t) + k ≥ (E(0) + k) e^{−2μt} for t > 0, ≤ for t < 0                               (5.8.9)
 ///
-/// with μ the greatest damping and k = −min V. So every motion exists for all time.
-/// The four critical points have Morse indices 0, 1, 1, 2 for every tilt. The motion is computed in the angle from the
-/// symmetric circle that is nearest to its start (surfaces.h); entries and columns have w, which is 0 outside.
+/// with the greatest damping μ and k = −min V. Therefore every motion exists for all time. For every tilt, the four
+/// critical points have the Morse indices 0, 1, 1, 2.
+///
+/// The coordinate of the motion is the angle from the symmetric circle nearest to its start (surfaces.h). Entries and
+/// columns contain w, which is 0 outside.
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +65,7 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is that of gravity or that of the motion, whichever is less.
+  /// The unit of time is the smaller of the time of gravity and the time of the initial motion.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
     return {r, 1, rate > 0 ? 1 / rate : 1};
@@ -114,7 +116,7 @@ struct TorusScene {
                                       std::numeric_limits<double>::max())});
       return {};
     }
-    /// The landscape over w itself, measured from outside.
+    /// The landscape in the coordinate w, which is measured from outside.
     auto landscape() const {
       Torus torus = system.chart();
       torus.outward = 1;
