@@ -1,5 +1,5 @@
 #pragma once
-/// From a scene as it was read to the one that runs: checked, its initial state found and made exact.
+/// Conversion of a scene from its text to the scene that runs: validated, with the values of its initial equilibrium.
 
 #include "app/reduced/ball_equilibria.h"
 #include "scene/validate.h"
