@@ -6,7 +6,7 @@
 
 namespace pseudorigid::app {
 
-/// Throws UserError.
+/// Validates the scene and replaces an initial equilibrium by explicit initial values. Throws UserError.
 inline scene::Scene scene_to_run(const scene::Scene& read, const scene::Origins& origins) {
   scene::Scene scene = scene::validate(read, origins);
   if (scene.initial_state.equilibrium == scene::Family::none) return scene;

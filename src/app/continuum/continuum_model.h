@@ -44,7 +44,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Collective.
+  /// Text with the least det F and its place. Collective.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }

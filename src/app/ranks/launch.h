@@ -1,6 +1,6 @@
 #pragma once
 /// Rank and number of processes under mpirun or srun, read from environment variables of the launcher. A process that
-/// does not need MPI can so avoid starting it.
+/// does not need MPI then need not start it.
 ///
 /// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. PMIx alone (`srun --mpi=pmix`) gives
 /// the rank but not the number, which MPI itself must give. SLURM_PROCID is not used as a rank: batch scripts and

@@ -28,7 +28,7 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
     throw std::invalid_argument("memory of another method");
 }
 
-/// For a model whose vectors are complete on one process.
+/// The transfer for a model whose vectors are complete on one process.
 template <class Model>
 class CheckpointVectors {
   using State = typename Model::State;
@@ -54,7 +54,7 @@ class CheckpointVectors {
   }
 };
 
-/// For a model whose vectors are distributed over ranks.
+/// The transfer for a model whose vectors are distributed over ranks.
 template <class Model>
 requires is_distributed<Model>
 class CheckpointVectors<Model> {
@@ -91,7 +91,7 @@ class CheckpointVectors<Model> {
 
  private:
   decltype(std::declval<const Model&>().rank_order()) order_;
-  std::optional<typename Model::MemoryLayout> layout_;  ///< of the method's memory
+  std::optional<typename Model::MemoryLayout> layout_;  ///< distribution of the method's memory over the ranks
   bool memory_is_whole_ = false;                        ///< true if the memory in the snapshot is that of all ranks
 };
 

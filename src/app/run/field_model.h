@@ -162,7 +162,7 @@ class FieldModel : public RunnableModelOf<S> {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
 
-  DeformationTrace* trace_;  ///< receives Q; null if it is not requested
+  DeformationTrace* trace_;  ///< receives the history of Q; null if not requested
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

@@ -53,7 +53,7 @@ std::string instability(const std::vector<ModeFrequency>& frequencies, const io:
 
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
-  constexpr double spheroidal = 1, toroidal = 2;  // the column kind
+  constexpr double spheroidal = 1, toroidal = 2;  // values of the column kind
   const std::vector<scene::Column> columns{{"index", "", ""},  {"omega", "1/time", ""}, {"kind", "", ""},
                                            {"degree", "", ""}, {"overtone", "", ""},    {"multiplicity", "", ""},
                                            {"spread", "", ""}, {"exact", "1/time", ""}, {"reduced", "1/time", ""}};

@@ -28,7 +28,7 @@ struct RunPosition {
   mechanics::MethodId method = mechanics::id_of<mechanics::Rattle>;
   double step = 0;             ///< upper bound of the step in internal time; a method can divide a step
   double local_tolerance = 0;  ///< tolerance of an adaptive method per step
-  long steps_in_interval = 0;  ///< steps from sample to sample, here; 0 at a sample
+  long steps_in_interval = 0;  ///< number of steps in the present interval between samples; 0 at a sample
   LooksAtFrequency looks{};
   double max_constraint = 0, max_constraint_rate = 0;  ///< largest scaled |g| and |Gv| at the samples so far
   /// Estimated error of the configuration, the sum over all parts of the run. Absent if the step of a part was not

@@ -37,7 +37,8 @@ class ModelRunBase : protected ModelStepping {
 
   /// Continues until a sample with the method and step of `position_`.
   virtual mechanics::RunResult run_until(long sample) = 0;
-  // Copy the present state to the kept state, which belongs to good_, or back.
+  // `keep_state` copies the present state to the kept state, which belongs to `good_`; the other function does the
+  // reverse.
   virtual void keep_state() = 0;
   virtual void return_to_kept_state() = 0;
   virtual SavedVectors kept_vectors() = 0;
@@ -104,7 +105,7 @@ class ModelRun final : public ModelRunBase {
     good_.t = state_.t;
   }
 
-  // Hooks of the time loop.
+  // Functions that the time loop calls.
 
   template <class Workspace>
   Status sample(long k, const State& state, Workspace& workspace) {
@@ -138,7 +139,7 @@ class ModelRun final : public ModelRunBase {
       verdict_ = std::move(status);
       return false;
     }
-    // Steps of an adaptive method do not end at samples.
+    // Steps of an adaptive method do not end at samples, so the state is kept after every step.
     if (is_adaptive()) keep(state, workspace);
     if (++steps_since_look_ < model_.steps_between_looks) return true;
     steps_since_look_ = 0;

@@ -2,6 +2,8 @@
 /// Receiver of the results of one model's run. The base class discards them: some runs need the history of Q only
 /// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files of a run's
 /// directory.
+///
+/// All ranks call the same functions in the same order.
 
 #include <filesystem>
 #include <functional>

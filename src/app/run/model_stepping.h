@@ -16,7 +16,8 @@
 
 namespace pseudorigid::app {
 
-/// Warns if the tolerance is below the accuracy of the arithmetic.
+/// Warns if the tolerance is below the accuracy of the arithmetic, or if round-off grows beyond it in an unstable
+/// motion.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
 /// Properties of the type of a system on which the choice and the run depend.
@@ -43,11 +44,11 @@ class ModelStepping {
         known_(known),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples} {}
 
-  // The state of the run.
+  // Functions that depend on the system of the run.
   virtual double time() const = 0;
   /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
-  /// Sets request.stiff.
+  /// Sets request.stiff to true if the damping would force an explicit method to take too many steps.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 

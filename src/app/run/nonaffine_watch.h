@@ -22,7 +22,7 @@ class NonaffineWatch {
 
   bool watches() const { return watches_; }
 
-  /// `displacement`: |x − QX| / |x|.
+  /// Checks a sample. `displacement` is |x − QX| / |x|.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);

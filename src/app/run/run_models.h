@@ -9,7 +9,7 @@ ModelOutcome run_reduced(const RunContext& context);
 
 ModelOutcome run_polynomial(const RunContext& context);
 
-/// Runs the scene's system, which is one of the table (systems/).
+/// Runs the scene's system, which is one of the table (systems/table.h).
 ModelOutcome run_system(const RunContext& context);
 
 /// Defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).

@@ -56,7 +56,7 @@ class RunnableModelOf : public RunnableModel {
   virtual State initial_state() const = 0;
   /// The numbers whose error Time/Tolerance bounds.
   virtual Eigen::MatrixXd configuration(const State&) const = 0;
-  virtual double rate(const State&) const = 0;  ///< rate at which the motion itself changes; adds to ω
+  virtual double rate(const State&) const = 0;  ///< rate of change of the motion itself, which is added to ω
   virtual double constraint_scale() const { return 1; }
   /// Kinetic and potential energy, for methods that do not conserve their sum. Used for systems with a costly force.
   virtual Eigen::Vector2d energies(const State&) const { return Eigen::Vector2d::Zero(); }

@@ -18,7 +18,7 @@ namespace pseudorigid::app {
 using loads::to_eigen;
 inline Eigen::Vector3d to_eigen(const std::vector<double>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); }
 
-/// The internal units, in the user's units.
+/// The internal units of length, mass and time, measured in the user's units.
 inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }

@@ -58,10 +58,10 @@ class DiscretizationSearch {
 
   // Contents of the checkpoint.
   std::size_t position_ = 0;  ///< index of the present run in the ladder
-  bool settled_ = false;      ///< the present run is final and its error is known, so it is written
-  int n_failures_ = 0;        ///< successive runs that ended early, before the present one
+  bool settled_ = false;      ///< true if the present run is the final one and writes the results
+  int n_failures_ = 0;        ///< number of successive runs before the present one that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;  ///< |Q − Q'|/|Q| over the largest entry of the last difference
+  double relative_to_largest_ = 0;  ///< ratio of |Q − Q'|/|Q| to the largest entry of Q − Q'
   DeformationTrace trace_;          ///< history of Q in the last run that reached its end
   DeformationTrace trace_before_;   ///< history of Q in the last such run but one
   std::optional<Stepping> first_stepping_;

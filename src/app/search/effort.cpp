@@ -58,7 +58,7 @@ double step_of_mesh(const scene::Discretization& d) {
 /// Time of a step of the finite-element model per unknown, within a factor of 3. It was measured on cores at 2 to 4 GHz
 /// for k = 3 … 6, r = 0 … 1.
 constexpr double seconds_of_unknown = 1e-7, seconds_of_compressible_unknown = 1e-8;
-/// Typical ratio of a step that the program has found for a tolerance to the stability limit at rest.
+/// Typical ratio of a step to the stability limit at rest, if the program has found the step for a tolerance.
 constexpr double usual_part_of_limit = 0.6;
 /// Cost of the pilot runs and of the companion run relative to the cost of the run.
 constexpr double pilots = 0.5, companion = 0.35;
@@ -71,7 +71,7 @@ double damping_of_step(const scene::Scene& scene, const scene::Discretization& d
   return 4 * viscosity(scene) / std::pow(step_of_mesh(d), 2) * step / units_of(scene).time;
 }
 
-/// Cost of a step of RATTLE in evaluations of the force and products with the viscosity matrix. `gamma_h` is γh
+/// Number of force evaluations and of products with the viscosity matrix in a step of RATTLE. `gamma_h` is γh
 /// (mechanics/core/linear_damping.h).
 double work_of_viscous_step(double gamma_h) { return gamma_h > 0 ? 3 + 5 * std::pow(1 + gamma_h / 2, 0.4) : 1; }
 

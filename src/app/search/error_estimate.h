@@ -19,7 +19,7 @@ struct CompanionPair {
   std::string_view model;
   double resolution, resolution_of_companion;
   std::string companion;  ///< the companion in words
-  double rate;            ///< assumed rate p of the error of Q; the next number is a lower bound for other numbers
+  double rate;            ///< assumed rate p for the error of Q; `least_rate` is assumed for other numbers
   double least_rate;
 };
 
@@ -28,13 +28,14 @@ struct CompanionPair {
 using RunOfPair = std::function<ModelOutcome(const RunContext& context, bool is_companion,
                                              const std::optional<Stepping>& stepping, DeformationTrace* trace)>;
 
-/// Runs the discretisation and then its companion, which does not write files or messages.
+/// Runs the scene on the discretisation and then on its companion. The companion does not write files or messages.
 ModelOutcome run_with_companion(const RunContext& context, const CompanionPair& pair, const RunOfPair& run);
 
 /// Runs the scene's fixed discretisation, and its companion if the scene needs it.
 ModelOutcome run_with_estimate(const RunContext& context, const ContinuumRun& run);
 
-/// The motion of another run and the factor that converts its distance to an error, for the comparison of the models.
+/// `trace` as a table, with the factor that converts its difference from the run to an error of the run. The comparison
+/// of the models uses both.
 analysis::OtherResolution other_resolution(const DeformationTrace& trace, double resolution, double resolution_of_trace,
                                            double least_rate, const RunContext& context);
 
