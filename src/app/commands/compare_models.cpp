@@ -72,7 +72,7 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
   // The exact value applies if the pseudo-rigid model is compared with the finite-element model. The ball must be
-  // incompressible, because the main frequency of a compressible ball can be that of its volume.
+  // incompressible, because a compressible ball can oscillate mainly in its volume.
   if (const auto small = small_pulsation(scene);
       small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = small->ratio();

@@ -5,8 +5,8 @@
 
 namespace pseudorigid::app {
 
-/// The path of the library relative to the executable is that of the build or of the installation. Throws NoContinuum
-/// if the library does not exist or cannot be opened, std::system_error if the address space is too small.
+/// Opens the library at its path in the build or the installation, relative to the executable. Throws NoContinuum if
+/// the library does not exist or cannot be opened, std::system_error if the address space is too small.
 const ContinuumModule* open_continuum();
 
 }  // namespace pseudorigid::app

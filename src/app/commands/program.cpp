@@ -159,7 +159,7 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // The destructor tells the other ranks that the run has ended, also after an exception.
+  // The destructor informs the other ranks that the run has ended, also after an exception.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }

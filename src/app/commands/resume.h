@@ -14,9 +14,9 @@ namespace pseudorigid::app {
 /// The existing checkpoints of a run of the scene in the directory.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// Sets the number of samples of a resumed scene, so that their distance in time is that of the run in the directory.
-/// Time/End may be later than in that run. Throws UserError if it is earlier, or if the run does not have a whole
-/// number of intervals. If there is no checkpoint, the scene does not change.
+/// Sets the number of samples of a resumed scene, so that the interval between samples remains that of the earlier run.
+/// Time/End may be later than in the earlier run. Throws UserError if it is earlier, or if it is not a multiple of the
+/// interval. If there is no checkpoint, the scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
 /// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws a UserError that names

@@ -23,9 +23,9 @@ class RowProcess {
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Computes the row of run k. If `task` throws in the process, this function throws as well: a UserError or
-  /// std::bad_alloc of the same type, others as std::runtime_error with the same text. If the process ends, it throws
-  /// std::runtime_error.
+  /// Computes the row of run k. If `task` throws in the process, this function throws an exception with the same text.
+  /// The types UserError and std::bad_alloc are kept; other exceptions become std::runtime_error. It also throws
+  /// std::runtime_error if the process ends.
   FinishedRun run(int k);
 
  private:

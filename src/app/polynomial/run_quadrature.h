@@ -1,11 +1,11 @@
 #pragma once
-/// The quadrature rule of a polynomial body in a run: the number of its points, and the error of Q that it causes
+/// The quadrature rule of a polynomial body in a run: the number of its points, and the resulting error of Q
 /// (polynomial/quadrature_error.h).
 ///
 /// By default the rule is the cheapest one, whose error is below the truncation error of the degree. A value of
 /// Time/Tolerance below its default 1e-6 requires the exact motion of this polynomial body. The program then adds
-/// points until the estimate is half of the tolerance. The number of points on the surface for self-gravity is that of
-/// the scene, because their cost grows as its fourth power.
+/// points until the estimate is half of the tolerance. It does not add points on the surface for self-gravity, because
+/// their cost grows as the fourth power of their number.
 
 #include <array>
 #include <cmath>

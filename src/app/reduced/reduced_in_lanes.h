@@ -12,8 +12,8 @@ namespace pseudorigid::app {
 /// Runs eight contexts together, writes their rows into their sinks, and returns their outcomes. If Method = auto, the
 /// method is symmetric-8. All eight take the step that the run with the largest error needs.
 ///
-/// Returns nothing if the runs must be computed one by one. The bodies must be incompressible, without forces other
-/// than those of the law. Law, method, tolerance, step and times must be equal. All motions must reach their end, and
+/// Returns nothing if the runs must be computed one by one. The bodies must be incompressible, and only the stress of
+/// the law may act on them. Law, method, tolerance, step and times must be equal. All motions must reach their end, and
 /// the step must be stable on all of them.
 std::optional<std::vector<ModelOutcome>> run_reduced_in_lanes(std::span<const RunContext> contexts);
 

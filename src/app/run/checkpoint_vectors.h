@@ -92,7 +92,7 @@ class CheckpointVectors<Model> {
  private:
   decltype(std::declval<const Model&>().rank_order()) order_;
   std::optional<typename Model::MemoryLayout> layout_;  ///< distribution of the method's memory over the ranks
-  bool memory_is_whole_ = false;                        ///< true if the memory in the snapshot is that of all ranks
+  bool memory_is_whole_ = false;                        ///< true if the snapshot contains the memory of all ranks
 };
 
 }  // namespace pseudorigid::app

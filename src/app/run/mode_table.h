@@ -1,6 +1,6 @@
 #pragma once
 /// The table of the modes of the ball, as modes.csv and for the terminal. It compares the frequencies about rest with
-/// those of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
+/// the frequencies of the exact sphere (analysis/sphere_frequencies.h) and of the pseudo-rigid ball.
 
 #include <string>
 #include <string_view>
@@ -31,12 +31,12 @@ struct BallAtRest {
   double gamma;
 };
 
-/// Text on the first frequency whose copies differ by more than the fraction `spread`, for example "the copies of T3
-/// differ by 5.3e-01"; empty if there is none. If the copies differ by more than a hundredth, they belong to different
-/// modes, or the mesh is too coarse for the mode.
+/// Text on the first frequency whose copies differ by more than the fraction `spread`; empty if there is none. Example:
+/// "the copies of T3 differ by 5.3e-01". If the copies differ by more than a hundredth, they belong to different modes,
+/// or the mesh is too coarse for the mode.
 std::string differing_copies(const std::vector<ModeFrequency>& frequencies, double spread = 1e-2);
-/// Text on the fastest growing motion, for example "the ball is unstable at rest: a motion of kind T1 grows at the rate
-/// 0.3"; empty if no motion grows.
+/// Text on the fastest growing motion; empty if no motion grows. Example: "the ball is unstable at rest: a motion of
+/// kind T1 grows at the rate 0.3".
 std::string instability(const std::vector<ModeFrequency>& frequencies, const io::Units& units);
 
 /// Writes the file and adds the table for the terminal to the results.

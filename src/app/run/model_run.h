@@ -78,7 +78,7 @@ class ModelRunBase : protected ModelStepping {
   const bool has_shapes_;
   mechanics::Counters counters_;
   Status verdict_;  ///< failure that the model found in the state and that ends the run
-  Snapshot good_;   ///< the last sample (adaptive method: the last step), where a resumed run starts
+  Snapshot good_;   ///< state from which a run resumes: at the last sample, or step if adaptive
   std::vector<double> row_;
   int steps_since_look_ = 0;
 

@@ -149,9 +149,10 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The next check
-/// comes before the frequency can exceed the limit of the step if it grows at most twice as fast as between the checks
-/// so far. The first check comes after a sixteenth of the run, or later if the step is far below the limit.
+/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The frequency is
+/// assumed to grow at most twice as fast as between the checks so far. The next check is made before it can then exceed
+/// the limit of the step. The first check is made after a sixteenth of the run, or later if the step is far below the
+/// limit.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;

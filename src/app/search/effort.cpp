@@ -35,11 +35,11 @@ double n_nodes_of_images(int n_octants, double n) {
   return n_octants == 2 ? 2 * O - D : O;
 }
 
-/// Measured as the resident memory minus that of a process that has only loaded its libraries, for k = 2 … 8, r = 0 …
-/// 3.
+/// Bytes per unknown, and per pair of multipliers in a cell. They are measured for k = 2 … 8 and r = 0 … 3: resident
+/// memory minus the memory of a process that has only loaded its libraries.
 constexpr double bytes_of_unknown = 600, bytes_of_pair_of_multipliers = 60;
-/// Numbers in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of symmetric-4. Of the
-/// methods for the ball it has the longest memory of past steps.
+/// Numbers in a checkpoint per unknown and per multiplier: positions, velocities, and the memory of symmetric-4. Among
+/// the methods for the ball, symmetric-4 has the longest memory of past steps.
 constexpr double remembered_of_unknown = 11, remembered_of_multiplier = 5;
 constexpr double most_unknowns = std::numeric_limits<int>::max();  // largest index in PETSc and deal.II
 
@@ -115,7 +115,7 @@ Effort effort_of(const scene::Scene& scene, const scene::Discretization& d, std:
   const int n_octants = 8 / scene::sector(scene).n_images();
   const bool builtin = n_coarse_cells == 0;
   const double n_coarse = builtin ? octant.n_cells * n_octants : static_cast<double>(n_coarse_cells);
-  // For a mesh file the number of nodes is that of a cube with the same number of cells.
+  // For a mesh file, the nodes are counted as in a cube with the same number of cells.
   const double n_nodes = builtin ? n_nodes_of_images(n_octants, n) : std::pow(std::cbrt(n_coarse) * n + 1, 3);
   const double n_cells = n_coarse * std::ldexp(1, 3 * d.refinements);
   const double n_pressure = scene.body.incompressible ? k * (k + 1) * (k + 2) / 6 : 0;

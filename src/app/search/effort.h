@@ -6,8 +6,8 @@
 ///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
 /// for degree k and r refinements of the builtin mesh. λ includes the volumetric stiffness. For an incompressible body,
-/// the rest of λ is that of the law without its function of J, which is 0 for neo-Hookean balls. The formula is fitted
-/// to the largest frequencies that Lanczos' method finds: within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ =
+/// the law contributes to λ without its function of J; this part is 0 for neo-Hookean balls. The formula is fitted to
+/// the largest frequencies that Lanczos' method finds: within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ =
 /// 0.1 … 100. A viscosity η makes steps more expensive, depending on the largest damping rate
 ///
 ///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (at rest, viscous force and stiffness are proportional).

@@ -22,8 +22,8 @@ ModelOutcome run_silently(const Run& run, const RunContext& context, const scene
   return run(silent, task);
 }
 
-/// A measure of the cost of a run that does not depend on the machine: the number of unknowns times the number of force
-/// evaluations, including those of pilot runs.
+/// Cost of a run, independent of the machine: the number of unknowns times the number of force evaluations. The force
+/// evaluations of pilot runs are included.
 inline double work(const ModelOutcome& outcome) {
   const auto& c = outcome.statistics.counters;
   const auto count = [&c](const char* name) { return c.contains(name) ? c.at(name) : 0.0; };

@@ -3,8 +3,8 @@
 /// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
 /// The file has a row for each point, by rising potential, with the rates of small motions of the system itself. For
-/// the counts n_unstable and n_stable, a system without dissipation gets the force −M v / (unit of time), so that the
-/// result of Oliva, Geometric Mechanics, 5.8.3 applies.
+/// the counts n_unstable and n_stable, a system without dissipation gets the force −M v / (unit of time). The result of
+/// Oliva, Geometric Mechanics, 5.8.3 then applies.
 
 #include <vector>
 

@@ -196,7 +196,7 @@ class ManifoldRun {
   const std::vector<CriticalPoint>& points_;
   mechanics::AnyLandscape landscape_;
   Eigen::VectorXd periods_,
-      offset_;  ///< periods of the landscape's coordinates, and their offset from those of the motion
+      offset_;  ///< periods of the landscape's coordinates, and landscape minus motion coordinates
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
