@@ -1,5 +1,5 @@
 #pragma once
-/// The command line of `pseudorigid` (README.md): the request of the user, as values.
+/// The command line of `pseudorigid` (README.md), parsed into values.
 
 #include <filesystem>
 #include <optional>
@@ -18,14 +18,14 @@ struct Options {
   std::filesystem::path scene;
   std::vector<std::string> overrides;           ///< --set
   std::optional<std::filesystem::path> output;  ///< --output
-  std::filesystem::path run_directory;          ///< of `report`
+  std::filesystem::path run_directory;          ///< DIR of `report`
   bool resume = false;
   io::Verbosity verbosity = io::Verbosity::normal;
   scene::Format format = scene::Format::markdown;
   std::string help;  ///< text of --help
 };
 
-/// Throws UserError, one sentence, for a wrong command line.
+/// Throws a UserError of one sentence for a wrong command line.
 Options parse_command_line(int argc, const char* const* argv);
 
 }  // namespace pseudorigid::app

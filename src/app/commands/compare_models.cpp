@@ -18,7 +18,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Models with a trajectory file.
+/// Reads the runs of all models that have written a file.
 std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Manifest& manifest) {
   std::vector<RunOfModel> runs;
   for (const scene::ModelDescription* model : context.needs.models)
@@ -29,7 +29,7 @@ std::vector<RunOfModel> runs_with_files(const RunContext& context, const io::Man
   return runs;
 }
 
-/// A model that stopped early has fewer samples.
+/// Truncates all tables to the common samples, because a model that stopped early has fewer.
 void truncate_to_common_samples(std::vector<RunOfModel>& runs) {
   std::size_t n_common = runs.empty() ? 0 : runs.front().table.n_rows();
   for (const RunOfModel& run : runs) n_common = std::min(n_common, run.table.n_rows());
@@ -42,8 +42,8 @@ std::optional<double> counter(const io::Manifest::Model& statistics, const char*
   return found == statistics.counters.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// The errors that a model's run has estimated. A model that moves as x = QX does not have an error in space. The
-/// quadrature error of elements is a part of the error in space.
+/// The errors that a model's run has estimated. A pseudo-rigid body does not have an error in space. For finite
+/// elements, the error in space contains the quadrature error.
 analysis::RunErrors errors_of(const scene::ModelDescription& model, const io::Manifest::Model& statistics,
                               const OtherResolutions& others) {
   const auto other = others.find(model.name);
@@ -71,8 +71,8 @@ analysis::Comparison compare(const RunContext& context, const RunOfModel& run, c
                              const OtherResolutions& others) {
   const scene::Scene& scene = context.scene;
   analysis::ComparisonOptions options{.facts = facts_of(context)};
-  // The exact value belongs to the pseudo-rigid model compared with the elastic ball. A compressible ball may pulsate
-  // in its volume.
+  // The exact value applies if the pseudo-rigid model is compared with the finite-element model. The ball must be
+  // incompressible, because a compressible ball can oscillate mainly in its volume.
   if (const auto small = small_pulsation(scene);
       small && scene.body.incompressible && !run.model->has_nonaffine && reference.model->discretized)
     options.exact_frequency_ratio = small->ratio();

@@ -1,7 +1,8 @@
 #pragma once
-/// The comparison of the models of a run: each with the last of them, which has the most motions. For two models the
-/// files are comparison.csv and comparison.json; for more, `comparison-<model>.csv` and .json for each, and
-/// comparison.json has an overview of them. A model that runs alone has a table of its own.
+/// The comparison of the models of a run. Each model is compared with the last one, which has the most degrees of
+/// freedom. For two models the files are comparison.csv and comparison.json. For more, each comparison has its files
+/// `comparison-<model>.csv` and .json, and comparison.json is an overview. A model that runs alone has a table on the
+/// terminal.
 
 #include <functional>
 #include <map>
@@ -15,31 +16,32 @@
 
 namespace pseudorigid::app {
 
-/// By the names of models: the same motion on another discretisation.
+/// For each model by its name, the motion on another discretisation.
 using OtherResolutions = std::map<std::string, analysis::OtherResolution, std::less<>>;
 
-/// A run of a model, and its samples.
+/// A run of a model with its samples.
 struct RunOfModel {
   const scene::ModelDescription* model;
-  std::string name;  ///< of its files
+  std::string name;  ///< name of its files
   std::string adjective;
   io::Manifest::Model statistics;
   io::Table table;
 };
 
-/// The adjective of the ball of a run, with the degree that the run has found.
+/// The adjective of the ball in a run, "elastic". If the run has chosen its degree, the text is "polynomial N = 7".
 std::string adjective_of(const scene::ModelRun& run, const io::Manifest::Model& statistics);
 
-/// Each run with the last of them, over the samples that all have; nothing if these are fewer than two.
+/// The comparison of each run with the last one over the samples that all runs have; empty if there are fewer than two.
 std::vector<analysis::Comparison> comparisons_of(const RunContext& context, std::vector<RunOfModel> runs,
                                                  const OtherResolutions& others);
 
-/// Compares the results of the models that ran. Returns why the table could not be printed, if it could not; it is
-/// in the files as well.
+/// Compares the models that ran, writes the files and prints a table. Returns the reason if printing fails, otherwise
+/// an empty string.
 std::string compare_models(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others,
                            bool quiet);
 
-/// Prints the results of the only model, or of the system. The return value is the same.
+/// Prints a summary of the only model, or of the system. Returns the reason if printing fails, otherwise an empty
+/// string.
 std::string summarize_run(const RunContext& context, const io::Manifest& manifest, const OtherResolutions& others);
 
 }  // namespace pseudorigid::app

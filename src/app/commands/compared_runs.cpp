@@ -24,7 +24,7 @@ using analysis::Comparison, analysis::ModelSummary;
 
 constexpr double none = 0, unknown = -1;
 
-/// Columns of comparison.csv that tell of both models, with the group of quantities that they need.
+/// A column of comparison.csv that compares two models, with the group of quantities that the column needs.
 struct Difference {
   const char* name;
   bool mechanics::Quantities::*group;
@@ -48,10 +48,10 @@ constexpr std::array differences{
     Difference{"multiplier_difference", &mechanics::Quantities::multiplier},
 };
 
-/// All that a run of the models has brought.
+/// The results of all models of a run.
 struct Results {
   std::vector<RunOfModel> runs;
-  std::vector<bool> finished;  ///< of each run
+  std::vector<bool> finished;  ///< for each element of `runs`
   OtherResolutions others;
   mechanics::Outcome end = mechanics::Outcome::finished;
   std::string message;
@@ -62,7 +62,7 @@ double counter(const io::Manifest::Model& statistics, const char* name, double o
   return found == statistics.counters.end() ? otherwise : found->second;
 }
 
-/// A column of a model's run: its name after "m_", and its value. The summary is null if the runs are not compared.
+/// A column for a model: its name after "m_", and its value. The summary is null if the runs are not compared.
 struct ColumnOfRun {
   const char* name;
   double (*value)(const RunOfModel& run, const ModelSummary* summary);
@@ -141,7 +141,7 @@ std::string prefix(const std::string& run) {
   return name;
 }
 
-/// Runs the models one after the other. One that breaks off leaves its samples, and the others run all the same.
+/// Runs the models one after the other. If one stops early, its samples are kept, and the other models still run.
 Results run_models(const RunContext& context, const Executable& executable, std::map<std::string, io::Table>& tables) {
   Results results;
   const auto n_samples = static_cast<std::size_t>(context.scene.output.samples) + 1;
@@ -165,7 +165,7 @@ Results run_models(const RunContext& context, const Executable& executable, std:
   return results;
 }
 
-/// The row after the parameters.
+/// Appends the part of the row that follows the parameters.
 void add_results(const RunContext& context, const Results& results, std::vector<double>& row) {
   const std::vector<Comparison> comparisons = comparisons_of(context, results.runs, results.others);
   row.push_back(!comparisons.empty());
@@ -221,7 +221,7 @@ std::vector<std::string> ComparedRuns::columns() const {
 FinishedRun ComparedRuns::run(int k) const {
   const scene::ParameterValues values = scene::values_of_run(raw_.scene.sweep, k);
   const scene::Scene scene = scene_of_run(raw_, values);
-  const scene::Needs needs = scene::needs(scene);  // sector and estimates are those of this run
+  const scene::Needs needs = scene::needs(scene);  // the sector and the estimates can differ between runs
   std::map<std::string, io::Table> tables;
   const RunContext context{.scene = scene,
                            .needs = needs,

@@ -1,18 +1,18 @@
 #pragma once
-/// The runs of a sweep of several models. Each run has all models and compares each of them with the last one. Let m be
-/// the name of the files of a model's run, with "_" for "-". Then sweep.csv has
+/// The runs of a sweep with several models. Each run computes all models and compares each of them with the last one.
+/// Let m be the name of a model's files, with "_" in place of "-". Then sweep.csv has the columns
 ///
 ///   run, the parameters, compared (1 or 0);
-///   of every m   m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
+///   for every m  m_finished (1 or 0), m_time (reached), m_steps, m_forces, m_time_error, m_space_error, m_frequency,
 ///                m_frequency_error, m_amplitude (of C = QᵀQ), m_energy_drift, as in comparison.json;
-///   of every m but the last
+///   for every m but the last
 ///                m_frequency_ratio, m_frequency_ratio_error, m_tenth_of_period_after, m_q_difference_error, and
-///                m_c_max, m_c_rms of every column c of comparison.csv that tells of both models;
-///   of the last  nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, and
+///                m_c_max, m_c_rms for every column c of comparison.csv that compares the two models;
+///   for the last nonaffine_kinetic_fraction (mean), nonaffine_displacement (largest), min_jacobian, and
 ///                surface_limit_time.
 ///
-/// A number that there is not is 0; an error that is not known, and a time that has not come, is −1. The phases of two
-/// motions of angular frequencies ω and ω' are a tenth of a period apart after  t = 0.2 π/|ω − ω'|.
+/// A number that does not exist is 0. An error that is not known, or a time that is not reached, is −1. The phases of
+/// two motions of angular frequencies ω and ω' differ by a tenth of a period after  t = 0.2 π/|ω − ω'|.
 
 #include <string>
 #include <vector>
@@ -24,12 +24,12 @@
 
 namespace pseudorigid::app {
 
-/// The columns of sweep.csv of several models.
+/// The columns of sweep.csv for several models.
 std::vector<std::string> columns_of_compared_runs(const scene::Scene& scene, const scene::Needs& needs);
 
 class ComparedRuns : public SweepTask {
  public:
-  /// `context` is that of the first run.
+  /// `context` is the context of the first run.
   ComparedRuns(const scene::ReadScene& raw, const Executable& executable, const RunContext& context);
 
   std::vector<std::string> columns() const override;

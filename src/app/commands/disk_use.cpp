@@ -22,10 +22,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Characters of a number of 17 digits with its sign, point, exponent and comma: usual and largest number.
+/// Usual and largest number of characters of a number: 17 digits, sign, point, exponent and comma.
 constexpr double bytes_per_value = 20, most_bytes_per_value = 24;
 constexpr double bytes_per_value_of_picture = 5;
-constexpr double bytes_of_small_checkpoint = 1e4;  // most of it is the scene
+constexpr double bytes_of_small_checkpoint = 1e4;  // mainly the text of the scene
 
 struct DiskUse {
   double tables = 0, pictures = 0, checkpoints = 0;
@@ -39,11 +39,11 @@ double values_of_sweep(const scene::Scene& scene, const scene::Needs& needs) {
   const auto n_runs = static_cast<double>(end - first);
   if (needs.comparison) return n_runs * static_cast<double>(columns_of_compared_runs(scene, needs).size());
   const auto n_columns = static_cast<double>(columns_of_run(scene, needs).size());
-  constexpr double per_column = 3, more = 10;  // at the end, least, greatest; parameters, steps, frequency
+  constexpr double per_column = 3, more = 10;  // end, least, greatest; parameters, steps, frequency
   return n_runs * (more + per_column * n_columns + (scene.sweep_trajectories ? n_samples(scene) * (n_columns + 1) : 0));
 }
 
-/// Bytes of tables with a row at every sample.
+/// Number of values in the tables that have a row for every sample.
 double values_of_motion(const scene::Scene& scene, const scene::Needs& needs) {
   if (needs.system) return n_samples(scene) * static_cast<double>(columns_of_run(scene, needs).size());
   constexpr double of_comparison = 16;
@@ -60,7 +60,7 @@ double values_of_families(const scene::Scene& scene, const scene::Needs& needs) 
   return n * scene.equilibria.number;
 }
 
-/// Empty if the motion decides the number of rows.
+/// The number of values in all tables; empty if it depends on the motion.
 std::optional<double> values_of_tables(const scene::Scene& scene, const scene::Needs& needs) {
   using enum scene::Analysis;
   if (!scene.sweep.empty()) return values_of_sweep(scene, needs);
@@ -69,20 +69,20 @@ std::optional<double> values_of_tables(const scene::Scene& scene, const scene::N
   return scene.analysis == equilibrium && !needs.system ? values_of_families(scene, needs) : 0;
 }
 
-/// Points of a picture of the whole ball: those of its elements, or of the blocks that other models are drawn with.
+/// Number of points in a picture of the whole ball: of its elements, or of the blocks that the other models use.
 double n_points(const scene::ModelDescription& model, const std::optional<Effort>& of_elements) {
   static const auto of_blocks = static_cast<double>(io::ball_blocks(4, 2).points.size());
   return model.discretized && of_elements ? of_elements->n_points_of_picture : of_blocks;
 }
 
-/// Empty if the discretisation is not known yet.
+/// The effort of the finite-element run; empty if the discretisation is not known yet.
 std::optional<Effort> effort_of_elements(const scene::Scene& scene, const scene::Needs& needs) {
   const auto fixed = scene::fixed_discretization(scene);
   if (!needs.discretized || !fixed) return std::nullopt;
   return effort_of(scene, *fixed, scene::has_mesh_file(scene) ? read_mesh_file(scene).mesh.cells.size() : 0);
 }
 
-/// Compression removes data that are the same at all points.
+/// Numbers per point of a picture that remain after compression, which removes data that are equal at all points.
 double values_per_point(const scene::ModelDescription& model, const scene::Fields& fields) {
   const double moving = 3 + (fields.displacement ? 9 : 0) + (fields.velocity ? 3 : 0);
   return moving +
@@ -103,7 +103,7 @@ double bytes_of_pictures(const scene::Scene& scene, const scene::Needs& needs,
 
 double bytes_of_checkpoints(const scene::Scene& scene, const std::optional<Effort>& of_elements) {
   if (scene.analysis != scene::Analysis::motion) return 0;
-  constexpr double new_and_old = 2;  // for a moment
+  constexpr double new_and_old = 2;  // both exist while a checkpoint is replaced
   return new_and_old * (bytes_of_small_checkpoint + (of_elements ? of_elements->checkpoint_bytes : 0));
 }
 
@@ -122,8 +122,8 @@ double bytes_of_files(const fs::path& folder) {
   return bytes;
 }
 
-/// Free bytes on the disk of the directory, with the bytes of the results there, which a run replaces. Empty if the
-/// system does not tell. Other problems of the place are reported when the directory is made.
+/// Free bytes on the disk of the directory, plus the bytes of the results there, which the run replaces. Empty if the
+/// system does not give this number. Other problems of the directory are reported when it is created.
 std::optional<double> room_in(const io::RunDirectory& directory) {
   std::error_code error;
   const fs::space_info space = fs::space(nearest_existing(directory.path()), error);
@@ -143,7 +143,7 @@ void describe_disk_use(const scene::Scene& scene, const io::RunDirectory& direct
     return;
   }
   const std::optional<Effort> of_elements = effort_of_elements(scene, needs);
-  const DiskUse use{*n_values * bytes_per_value * (needs.report ? 2 : 1),  // the report holds the tables
+  const DiskUse use{*n_values * bytes_per_value * (needs.report ? 2 : 1),  // the report contains the tables as well
                     bytes_of_pictures(scene, needs, of_elements), bytes_of_checkpoints(scene, of_elements)};
   std::string parts = fmt::format("tables {}", in_bytes(use.tables));
   if (use.pictures > 0) parts += fmt::format(", pictures {}", in_bytes(use.pictures));

@@ -1,5 +1,5 @@
 #pragma once
-/// The names that files of a run may have.
+/// The names of the files that a run can write.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace pseudorigid::app {
 
-/// Names under which files may be written: the models, and every system of the catalogue.
+/// Names for the files of models and systems of the catalogue.
 inline std::vector<std::string> movers(const scene::Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const scene::ModelDescription& model : catalogue.models) {

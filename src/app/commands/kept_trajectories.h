@@ -1,6 +1,6 @@
 #pragma once
-/// Sweep/Trajectories: in addition to sweep.csv, all samples of all runs in one table, trajectories.csv, with the
-/// number of the run before the columns of the model's own file.
+/// The table trajectories.csv of a sweep with Sweep/Trajectories. It has all samples of all runs. The number of the run
+/// precedes the columns of the model's own file.
 
 #include <string>
 #include <vector>

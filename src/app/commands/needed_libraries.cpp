@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The folders in which the dynamic linker looks for libraries of the program.
+/// The directories in which the dynamic linker searches for libraries of the program.
 std::vector<fs::path> search_path() {
   void* const program = dlopen(nullptr, RTLD_LAZY);
   Dl_serinfo size{};
@@ -33,8 +33,8 @@ bool read(std::ifstream& file, std::uint64_t position, Record& record) {
       file.seekg(static_cast<std::streamoff>(position)).read(reinterpret_cast<char*>(&record), sizeof record));
 }
 
-/// The names of the libraries that a library needs. They are found if the addresses in the file are those in memory, as
-/// linkers place them.
+/// The names of the libraries that a library needs, read from its ELF file. The code assumes that addresses equal
+/// offsets in the file, as linkers place them.
 std::vector<std::string> needed_by(const fs::path& library) {
   std::ifstream file(library, std::ios::binary);
   ElfW(Ehdr) header;

@@ -1,17 +1,17 @@
 #pragma once
-/// The 200 libraries that deal.II needs, opened in an order that costs little time.
+/// Opens the 200 libraries that deal.II needs in an order that saves time.
 ///
-/// A library that is opened resolves its names, 350,000 in all of them, and the dynamic linker looks for each in one
-/// library after another: first the program, then the libraries that were opened together, in one order for all. Opened
-/// by itself, after those that it needs, a library finds most names at once, in itself: 0.16 s of processor time in
-/// place of 0.35 s.
+/// The dynamic linker resolves 350,000 symbols of these libraries. For each symbol it searches the program first, and
+/// then the libraries that were opened together, in the same order for all symbols. The functions here open each
+/// library by itself, after the libraries that it needs. The linker then finds most symbols at once, in the library
+/// itself. The processor time falls from 0.35 s to 0.16 s.
 
 #include <filesystem>
 
 namespace pseudorigid::app {
 
-/// Opens all libraries that this library needs, directly or through others, each by itself. A library that is not
-/// found, or that cannot be opened by itself, is opened together with the whole.
+/// Opens all libraries that `library` needs, directly or through others, each by itself. If one cannot be found or
+/// opened by itself, the linker opens it later together with `library`.
 void open_needed_libraries(const std::filesystem::path& library);
 
 }  // namespace pseudorigid::app

@@ -13,9 +13,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// If the limit is lower, libraries fail at different places with different messages.
+/// Throws std::system_error if the limit of the address space is too low. Libraries would otherwise fail at various
+/// places with various messages.
 void require_address_space() {
-  constexpr double needed = 0.67e9;  // measured: with less than 0.5e9 the loader fails, with less than 0.65e9 MPI hangs
+  constexpr double needed = 0.67e9;  // measured: the loader fails below 0.5e9, and MPI hangs below 0.65e9
   rlimit limit{};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return;
   const auto allowed = static_cast<double>(limit.rlim_cur);
@@ -35,7 +36,7 @@ const ContinuumModule* open_continuum() {
   if (!fs::exists(library)) throw NoContinuum(fmt::format("there is no {}", library.string()));
   require_address_space();
   open_needed_libraries(library);
-  // Names are visible to all libraries: those of MPI and PETSc open others, which need the names.
+  // The symbols must be visible to all libraries, because MPI and PETSc open further libraries that need them.
   void* const module = dlopen(library.c_str(), RTLD_LAZY | RTLD_GLOBAL);
   void* const found = module ? dlsym(module, "pseudorigid_continuum") : nullptr;
   if (!found) throw NoContinuum(fmt::format("its library cannot be opened: {}", dlerror()));

@@ -1,13 +1,12 @@
 #pragma once
-/// The library of the finite elements is opened by the program, so that deal.II, MPI and PETSc are in a process only if
-/// a scene needs them.
+/// Opens the library of the finite elements. A process then has deal.II, MPI and PETSc only if a scene needs them.
 
 #include "app/run/continuum_module.h"
 
 namespace pseudorigid::app {
 
-/// Its place relative to the directory of the executable is that of the build or of the installation. Throws
-/// NoContinuum without it, std::system_error if its libraries find no room.
+/// Opens the library at its path in the build or the installation, relative to the executable. Throws NoContinuum if
+/// the library does not exist or cannot be opened, std::system_error if the address space is too small.
 const ContinuumModule* open_continuum();
 
 }  // namespace pseudorigid::app

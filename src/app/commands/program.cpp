@@ -39,13 +39,13 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The scene as it was read and as it can be run; of a sweep, the first run, after the ends of its ranges have been
-/// checked.
+/// The scene before validation (`raw`) and the scene that can run (`read`). For a sweep, `read` is the first run. The
+/// ends of the ranges of its parameters have then been checked.
 struct Input {
   scene::ReadScene raw, read;
 };
 
-/// Applies a later Time/End, if there is one.
+/// Adapts a resumed scene to a later Time/End.
 void go_on(scene::Scene& scene, const Options& options) {
   try {
     keep_sampling(scene, io::RunDirectory(scene.output.directory, options.scene, options.output));
@@ -70,7 +70,8 @@ Input read_and_validate(const Options& options, const scene::Catalogue& catalogu
   return input;
 }
 
-/// Processes that were started together compute together only if MPI knows of all of them.
+/// Throws UserError if MPI has other ranks than the launcher. Processes can compute together only if MPI connects all
+/// of them.
 void require_mpi_of(const Launch& launch, const Ranks& ranks) {
   if (ranks.rank() == launch.rank && (ranks.size() == launch.n_ranks || launch.n_ranks == Launch::unknown)) return;
   throw UserError(
@@ -79,15 +80,15 @@ void require_mpi_of(const Launch& launch, const Ranks& ranks) {
                   launch.rank, ranks.size(), ranks.size() == 1 ? "" : "s"));
 }
 
-/// The process and the library that it opens.
+/// The state of the process: the library that it has opened, and its ranks.
 struct Process {
   Executable executable;
   Launch launch{};
   bool has_continuum = false;
-  std::unique_ptr<Ranks> several{};  ///< the ranks of MPI, after it has started
+  std::unique_ptr<Ranks> several{};  ///< the ranks of MPI, after MPI has started
 
-  /// Opens the finite elements, and starts MPI if the process may be one of several: MPI takes 0.3 s. Throws
-  /// NoContinuum.
+  /// Opens the library of the finite elements. It also starts MPI, which takes 0.3 s, if the process may be one of
+  /// several. Throws NoContinuum.
   void open_continuum(int argc, char** argv) {
     if (has_continuum) return;
     const ContinuumModule& module = *executable.open_continuum();
@@ -102,11 +103,11 @@ struct Process {
     require_mpi_of(launch, *several);
   }
 
-  /// If the launcher does not tell the number of processes, MPI does.
+  /// The number of ranks. MPI gives it if the launcher does not.
   int n_ranks() const { return several ? several->size() : launch.n_ranks == 1 ? 1 : Launch::unknown; }
 };
 
-/// All inputs that decide the actions of a process: the scene with its included files and overrides, the options, the
+/// All inputs that determine the actions of a process: the scene with included files and overrides, the options, the
 /// mesh file and the environment.
 std::vector<std::string> identity_of(const Options& options, const scene::ReadScene& read) {
   const io::RunDirectory directory(read.scene.output.directory, options.scene, options.output);
@@ -115,12 +116,13 @@ std::vector<std::string> identity_of(const Options& options, const scene::ReadSc
                                  fmt::format("the instructions '{}'", mechanics::wanted_instructions()),
                                  fmt::format("the mesh {}", mesh_identity(read.scene))};
   for (const scene::UsedValue& used : scene::used_values(read.scene))
-    if (used.path != "Continuum/Mesh")  // its place need not be the same on all machines
+    if (used.path != "Continuum/Mesh")  // its path may differ between machines
       lines.push_back(fmt::format("{} = {}", used.path, used.value));
   return lines;
 }
 
-/// For a scene that has been read and checked. Throws UserError with models that there are.
+/// Opens the library of the finite elements for a valid scene. If it is missing, throws a UserError that lists the
+/// models that do not need it.
 void open_continuum_for(const scene::ReadScene& read, int argc, char** argv, Process& process) try {
   process.open_continuum(argc, argv);
 } catch (const NoContinuum& error) {
@@ -157,7 +159,7 @@ int run(const Options& options, int argc, char** argv, Process& process, const s
   open_continuum_for(input.raw, argc, argv, process);
   process.executable.instructions();
   if (!is_first) return assist_scene(read, options, process.executable);
-  // Tells the other ranks about the end of the run in every case.
+  // The destructor informs the other ranks that the run has ended, also after an exception.
   struct Dismissal {
     const Ranks& ranks;
     ~Dismissal() { ranks.of_first(false); }
@@ -204,10 +206,10 @@ int run_program(int argc, char** argv, const Executable& executable) {
   const Launch& launch = process.launch;
   try {
     require_stack();
-    // Only MPI can show whether all ranks have the same scene.
+    // Only MPI can compare the scenes of all ranks.
     if (argc > 1 && std::string_view(argv[1]) == "run" && launch.n_ranks != 1) try {
         process.open_continuum(argc, argv);
-      } catch (const NoContinuum&) {  // affects only scenes that need it
+      } catch (const NoContinuum&) {  // only scenes that need the library fail, later
       }
     Options options;
     on_all_ranks(*process.executable.ranks, [&] { options = parse_command_line(argc, argv); });
@@ -215,8 +217,8 @@ int run_program(int argc, char** argv, const Executable& executable) {
   } catch (const std::exception& error) {
     const Failure failure = failure_of(error);
     const Ranks& ranks = *process.executable.ranks;
-    // The first rank reports errors that all ranks have. If only another rank has an error, the first rank would wait
-    // for it.
+    // If all ranks have an error, the first rank reports it. If only another rank has an error, this rank reports it
+    // and aborts all, because the first rank would wait for it.
     const bool alone = ranks.rank() > 0 && !dynamic_cast<const FailureOnAllRanks*>(&error);
     const bool unconnected = process.several && ranks.size() == 1 && launch.n_ranks == Launch::unknown;
     const bool is_first = ranks.rank() == 0 && launch.rank == 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// The program: its command line, and the models that it can run.
+/// The program with its command line and the models that it can run.
 
 #include <algorithm>
 #include <map>
@@ -13,13 +13,13 @@
 
 namespace pseudorigid::app {
 
-/// The parts with which an executable was linked, and those that it opens.
+/// The parts that are linked into an executable, and the library that it opens.
 struct Executable {
-  std::vector<BallModel> models;                   ///< all models that scenes may name, by rising number of motions
+  std::vector<BallModel> models;                   ///< all models that scenes may name, in the order of the catalogue
   std::map<std::string, std::string> libraries{};  ///< name → version, for the manifest
-  /// The instructions for which the kernels are compiled, "" without kernels. Throws mechanics::NoKernels.
+  /// The SIMD instructions that the kernels use, "" without kernels. Throws mechanics::NoKernels.
   std::string_view (*instructions)() = [] { return std::string_view(); };
-  /// Function that runs the finite elements. Throws NoContinuum.
+  /// Function that opens the library of the finite elements. Throws NoContinuum.
   const ContinuumModule* (*open_continuum)() = []() -> const ContinuumModule* {
     throw NoContinuum("this program has none");
   };
@@ -30,7 +30,7 @@ struct Executable {
   }
 };
 
-/// Runs the command line and returns the exit code: 0 done, 2 wrong input, 3 could not go on, 1 a defect.
+/// Executes the command line and returns the exit code: 0 done, 2 wrong input, 3 stopped early, 1 a defect.
 int run_program(int argc, char** argv, const Executable& executable);
 
 }  // namespace pseudorigid::app

@@ -1,13 +1,13 @@
 #pragma once
-/// `pseudorigid report DIR`: makes report.html for a run without one, whether it has finished, is at work or was
-/// killed.
+/// The command `pseudorigid report DIR`, which makes report.html for a run without one. The run may have finished, may
+/// still be running, or may have been killed.
 
 #include "app/commands/command_line.h"
 
 namespace pseudorigid::app {
 
-/// Writes the page and prints its name. Throws UserError if the directory is not that of a run, or if the page cannot
-/// have the place that was named.
+/// Writes the page and prints its path. Throws UserError if the directory does not contain a run, or if the page cannot
+/// be written to the chosen path.
 void report_run(const Options& options);
 
 }  // namespace pseudorigid::app

@@ -1,5 +1,6 @@
 #pragma once
-/// Which parameters may differ between a run and its resumption.
+/// Checks of a scene and of the files in a directory before a run is resumed. Some parameters may differ from the first
+/// run.
 
 #include <filesystem>
 #include <vector>
@@ -10,19 +11,21 @@
 
 namespace pseudorigid::app {
 
-/// The checkpoints that a run of the scene has left in the directory.
+/// The existing checkpoints of a run of the scene in the directory.
 std::vector<std::filesystem::path> checkpoints(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// Gives a resumed scene, perhaps with a later Time/End, the number of samples that keeps the distance between samples
-/// of the run in the directory. UserError if the end is not a whole number of intervals, or an earlier one. Without a
-/// checkpoint the scene does not change.
+/// Sets the number of samples of a resumed scene, so that the interval between samples remains that of the earlier run.
+/// Time/End may be later than in the earlier run. Throws UserError if it is earlier, or if it is not a multiple of the
+/// interval. If there is no checkpoint, the scene does not change.
 void keep_sampling(scene::Scene& scene, const io::RunDirectory& directory);
 
-/// Every checkpoint in the directory can be read and belongs to this scene: UserError names the entries that differ.
+/// Checks that every checkpoint in the directory is readable and belongs to this scene. Throws a UserError that names
+/// the entries that differ.
 void require_same_scene(const io::RunDirectory& directory, const scene::Scene& scene);
 
-/// UserError if a file that the resumed run appends to is damaged. It may be a list of pictures, or a table with fewer
-/// samples than its checkpoint or with text in place of numbers. Call this before writing to any of them.
+/// Throws UserError if a file that the resumed run appends to is damaged. The file is a list of pictures, or a table. A
+/// table is damaged if it has fewer samples than its checkpoint, or text in place of numbers. Call this function before
+/// writing to any of the files.
 void require_sound_files(const io::RunDirectory& directory, const scene::Scene& scene, const scene::Needs& needs);
 
 }  // namespace pseudorigid::app

@@ -26,7 +26,7 @@ namespace {
 
 enum class Answer : std::int64_t { row, wrong_input, no_memory, failure };
 
-/// Before the row, the names and values of the samples, and the message.
+/// The first part of an answer: its kind, and the sizes of the parts that follow.
 struct Header {
   Answer answer;
   std::int64_t end, n_row, n_columns, n_values, n_letters;
@@ -86,7 +86,7 @@ std::array<int, 2> make_pipe() {
 RowProcess::RowProcess(const SweepTask& task) {
   const auto [request_out, request_in] = make_pipe();
   const auto [answer_out, answer_in] = make_pipe();
-  std::fflush(nullptr);  // or the copy writes it again
+  std::fflush(nullptr);  // otherwise the copy would write buffered text again
   const pid_t parent = ::getpid();
   process_ = ::fork();
   if (process_ == 0) {
@@ -112,7 +112,7 @@ RowProcess::~RowProcess() {
   ::close(to_);
   ::close(from_);
   if (process_ < 0) return;
-  ::kill(process_, SIGKILL);  // it has nothing that must be kept
+  ::kill(process_, SIGKILL);  // the process does not have data that must be saved
   while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) continue;
 }
 
@@ -128,7 +128,7 @@ void RowProcess::serve(const SweepTask& task, int requests, int answers) {
 
 bool RowProcess::receive(void* data, std::size_t size) {
   char* p = static_cast<char*>(data);
-  constexpr int patience = 100;  // ms between looks at an interruption
+  constexpr int patience = 100;  // ms between checks for an interruption
   bool has_told = false;
   while (size > 0) {
     pollfd ready{from_, POLLIN, 0};
@@ -199,7 +199,7 @@ FinishedRun TaskInProcesses::run(int k) const {
     process = std::move(idle_.back());
     idle_.pop_back();
   }
-  // Whatever happens, the process is there for the next run, or says again that it has ended.
+  // The process returns to the list also after an exception. If the process has ended, the next run reports this again.
   struct Return {
     const TaskInProcesses& owner;
     std::unique_ptr<RowProcess>& process;

@@ -1,6 +1,7 @@
 #pragma once
-/// Runs of a sweep in processes of their own, for models whose libraries serve one thread of a process. Each thread of
-/// the sweep has a process, which makes one row after the other. A process ends with the one that started it.
+/// Separate processes for the runs of a sweep, for models whose libraries support only one thread per process. Each
+/// thread of the sweep has a process, which computes one row after the other. A process ends if its parent process
+/// ends.
 
 #include <sys/types.h>
 
@@ -13,17 +14,18 @@
 
 namespace pseudorigid::app {
 
-/// A copy of this process that makes rows of `task`. Both ends of the pipes are closed at the end.
+/// A copy of this process that computes rows of `task`. The destructor closes the pipes to the process and ends it.
 class RowProcess {
  public:
-  /// Throws std::system_error. No other thread may run.
+  /// Throws std::system_error. Call it while the process has a single thread.
   explicit RowProcess(const SweepTask& task);
   ~RowProcess();
   RowProcess(const RowProcess&) = delete;
   RowProcess& operator=(const RowProcess&) = delete;
 
-  /// Throws the exception that `task` throws there. UserError and std::bad_alloc keep their type, others become
-  /// std::runtime_error with the same sentence. The end of the process is a std::runtime_error as well.
+  /// Computes the row of run k. If `task` throws in the process, this function throws an exception with the same text.
+  /// The types UserError and std::bad_alloc are kept; other exceptions become std::runtime_error. It also throws
+  /// std::runtime_error if the process ends.
   FinishedRun run(int k);
 
  private:
@@ -35,7 +37,7 @@ class RowProcess {
   pid_t process_ = -1;
 };
 
-/// A task whose runs are made by such processes, at most `n_processes` at a time.
+/// A task that distributes its runs over `n_processes` such processes.
 class TaskInProcesses : public SweepTask {
  public:
   TaskInProcesses(const SweepTask& task, int n_processes);

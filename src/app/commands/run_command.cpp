@@ -29,10 +29,10 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Runs one model and notes it in the manifest.
+/// Runs one model and writes its statistics into the manifest.
 ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& context, io::ManifestFile& manifest) {
   ModelOutcome outcome = run(context);
-  if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // an equilibrium has none
+  if (const auto& counters = outcome.statistics.counters; counters.contains("steps"))  // equilibria do not have steps
     context.log->info("{}: {:.0f} steps{}, {:.3g} s", name, counters.at("steps"),
                       context.resumes ? " in all; since the resume" : "", outcome.statistics.timers["run"]);
   manifest.content().models[std::string(name)] = outcome.statistics;
@@ -42,8 +42,8 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs: several processes share one that is discretized. The modes of one octant are
-/// found in one process.
+/// The context in which a model runs. All ranks share a finite-element run, except the analysis of modes: a single
+/// process computes them in one octant.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
   if (model.discretized && context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
@@ -51,7 +51,7 @@ RunContext context_of(const scene::ModelDescription& model, const RunContext& co
   return of_model;
 }
 
-/// Returns why it could not be printed, if it could not.
+/// Prints the results. Returns the reason if printing fails, otherwise an empty string.
 std::string print(const std::string& results) try {
   if (!results.empty()) io::print(results);
   return {};
@@ -103,13 +103,13 @@ int run_whole_sweep(const scene::ReadScene& raw, const RunContext& context, cons
   using enum mechanics::Outcome;
   const ModelOutcome sweep = run_sweep(raw, context, executable, shows_progress);
   manifest.content().models["sweep"] = sweep.statistics;
-  // A sweep fails where the input of one of its runs is wrong.
+  // A sweep fails only if the input of one of its runs is wrong.
   const int exit_code = sweep.end == failed ? exit_wrong_input : exit_code_of(sweep.end);
   return end_run(sweep.end, exit_code, sweep.message, sweep.end == interrupted ? " (--resume goes on from there)" : "",
                  context, manifest);
 }
 
-/// The columns of a model's file, each by itself where the documentation has "Q11 ... Q33" in one line.
+/// The columns of a model's file, one by one. The documentation can have a range such as "Q11 ... Q33" in one line.
 std::vector<scene::Column> columns_of(const scene::ModelDescription& model, const scene::Quantities& quantities) {
   const auto stem = [](std::string_view name) { return name.substr(0, name.find_first_of("0123456789")); };
   std::vector<scene::Column> columns;
@@ -159,7 +159,7 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   return content;
 }
 
-/// The last file of a run, which shows the others.
+/// Writes the report, which shows the other files, at the end of the run.
 void add_report(const RunContext& context) {
   io::write_report(context.directory, io::movers_in(context.directory.manifest()));
   context.log->info("the report is {}", context.directory.report().string());
@@ -172,13 +172,13 @@ int stop(const Failure& failure, const RunContext& context, std::optional<io::Ma
                      goes_on ? "; what was written before is kept, and --resume goes on from the last checkpoint" : "");
   try {
     if (manifest) manifest->finish(mechanics::Outcome::failed, failure.exit_code, failure.message);
-  } catch (const io::WriteError&) {  // has been said
+  } catch (const io::WriteError&) {  // the message is in the log already
   }
   return failure.exit_code;
 }
 
-/// Prepares the directory. Problems are reported before anything in it changes; the message names the entry or option
-/// that chose the directory.
+/// Prepares the directory. Problems are reported before anything in it changes. The message names the entry or option
+/// that determines the directory.
 io::RunLock prepare(const io::RunDirectory& directory, const scene::ReadScene& read, const scene::Needs& needs,
                     const Options& options) {
   constexpr const char* entry = "Output/Directory";

@@ -1,5 +1,6 @@
 #pragma once
-/// `pseudorigid run`: the models of a scene one after the other, their comparison, manifest and log.
+/// The command `pseudorigid run`: runs the models of a scene one after the other, compares them, and writes the
+/// manifest and the log.
 
 #include <string>
 #include <vector>
@@ -10,13 +11,13 @@
 
 namespace pseudorigid::app {
 
-/// `read` is the scene after scene::validate, and `raw` the scene before it; the runs of a sweep are validated one by
-/// one. Returns the exit code. Once the directory is ready, the log reports exceptions.
+/// `raw` is the scene before scene::validate, and `read` is the scene after it. The runs of a sweep are validated one
+/// by one. Returns the exit code. After the directory is prepared, exceptions are written to the log.
 int run_scene(const scene::ReadScene& raw, const scene::ReadScene& read, const Options& options,
               const std::vector<std::string>& command, const Executable& executable);
 
-/// The part of the other ranks: they join the runs of the finite-element model that the first rank begins, write their
-/// pieces of the pictures and print nothing. Returns the exit code.
+/// The work of all ranks but the first. They join the runs of the finite-element model that the first rank begins,
+/// write their pieces of the pictures, and print nothing. Returns the exit code.
 int assist_scene(const scene::ReadScene& read, const Options& options, const Executable& executable);
 
 }  // namespace pseudorigid::app

@@ -1,12 +1,12 @@
 #pragma once
-/// From a scene as it was read to the one that runs: checked, its initial state found and made exact.
+/// Conversion of a scene from its text to the scene that runs: validated, with the values of its initial equilibrium.
 
 #include "app/reduced/ball_equilibria.h"
 #include "scene/validate.h"
 
 namespace pseudorigid::app {
 
-/// Throws UserError.
+/// Validates the scene and replaces an initial equilibrium by explicit initial values. Throws UserError.
 inline scene::Scene scene_to_run(const scene::Scene& read, const scene::Origins& origins) {
   scene::Scene scene = scene::validate(read, origins);
   if (scene.initial_state.equilibrium == scene::Family::none) return scene;

@@ -1,10 +1,9 @@
 #pragma once
-/// The limit of a process's stack (ulimit -s).
+/// Check of the stack limit of the process (ulimit -s).
 
 namespace pseudorigid::app {
 
-/// Throws std::system_error if the limit of the stack is below the need of the program: the system would kill it during
-/// the run.
+/// Throws std::system_error if the limit is below the need of the program; the system would kill the program later.
 void require_stack();
 
 }  // namespace pseudorigid::app

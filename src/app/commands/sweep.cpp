@@ -40,7 +40,7 @@ std::string describe_run(const scene::Sweep& sweep, int k) {
   throw UserError(fmt::format("{}: {}: {}", raw.origins.of(entry), entry, sentence));
 }
 
-/// A parameter becomes a column of sweep.csv, so its name must differ from those of other columns.
+/// Refuses a parameter with the name of another column, because each parameter becomes a column of sweep.csv.
 void require_own_names(const scene::ReadScene& raw) {
   scene::Scene scene = scene_of_run(raw, scene::values_of_run(raw.scene.sweep, 0));
   const scene::Sweep parameters = std::exchange(scene.sweep, {});
@@ -57,7 +57,7 @@ void require_own_names(const scene::ReadScene& raw) {
           raw, fmt::format("expected other names than those of the columns of sweep.csv, got \"{}\"", parameter.name));
 }
 
-/// A parameter that is in no expression would give equal runs.
+/// Refuses a parameter that no expression uses, because it would give equal runs.
 void require_used(const scene::ReadScene& raw) {
   std::set<std::string> used;
   for (const auto& [path, text] : raw.scene.expressions) used.merge(scene::names_used(text, raw.scene.sweep));
@@ -68,12 +68,12 @@ void require_used(const scene::ReadScene& raw) {
                                         parameter.name, parameter.name));
 }
 
-/// All runs that have no row yet, by several threads that take the next group each. Groups are the same whatever the
-/// threads are and wherever a sweep was interrupted, and so are the rows. A thread that finds no memory leaves its
-/// group to the others; the last goes on alone.
+/// Computes the runs that do not have a row yet. Several threads take one group of runs after the other. Groups and
+/// rows do not depend on the number of threads or on an interruption. A thread that runs out of memory leaves its group
+/// to the other threads, and the last thread continues alone.
 class Workers {
  public:
-  /// `end` is the run after the last.
+  /// `end` is the run after the last one.
   Workers(const SweepTask& task, const scene::Sweep& parameters, int end, const RunContext& context, SweepRows& rows)
       : task_(task),
         parameters_(parameters),
@@ -83,13 +83,13 @@ class Workers {
         end_(end),
         next_(first_ / group * group) {}
 
-  /// Returns the number of threads that the system has given.
+  /// Computes the runs. Returns the number of threads that could be started.
   int work(int n_threads) {
-    left_.reserve(static_cast<std::size_t>(n_threads));  // later there may not be enough memory
+    left_.reserve(static_cast<std::size_t>(n_threads));  // allocated now, because memory may be exhausted later
     std::vector<std::jthread> threads;
     try {
       while (static_cast<int>(threads.size()) + 1 < n_threads) threads.emplace_back([this] { take_groups(true); });
-    } catch (const std::exception& refusal) {  // a system call failed, or memory is exhausted
+    } catch (const std::exception& refusal) {  // a thread could not be started, or memory is exhausted
       context_.log->warn("sweep: {} threads in place of {}: {}", threads.size() + 1, n_threads, refusal.what());
     }
     take_groups(true);
@@ -101,13 +101,13 @@ class Workers {
 
   int n_failed() const { return n_failed_; }
   int n_together() const { return n_together_; }
-  /// The first run with wrong input, and the error.
+  /// The first run with wrong input, with its message.
   const std::optional<std::pair<int, std::string>>& wrong_input() const { return wrong_input_; }
 
  private:
   static constexpr int group = 8;
 
-  /// The runs begin, …, end − 1. Those from `next` on do not have a row yet.
+  /// The runs begin, …, end − 1. The runs from `next` on do not have a row yet.
   struct Group {
     int begin, next, end;
   };
@@ -158,7 +158,7 @@ class Workers {
     }
   }
 
-  /// No thread takes a later group. Called with the lock.
+  /// Ends the sweep: no thread takes another group. The caller must hold the mutex.
   void end_with(std::exception_ptr error) {
     if (!error_) error_ = std::move(error);
     left_.clear();
@@ -181,24 +181,24 @@ class Workers {
   const scene::Sweep& parameters_;
   const RunContext& context_;
   SweepRows& rows_;
-  int first_;  ///< run without a row
+  int first_;  ///< first run without a row at the start
   int end_;
-  std::mutex mutex_;         ///< of what follows
+  std::mutex mutex_;         ///< protects the members below
   int next_;                 ///< first run of the next group
-  std::vector<Group> left_;  ///< by threads without memory
+  std::vector<Group> left_;  ///< groups left by threads without memory
   std::exception_ptr error_;
   std::optional<std::pair<int, std::string>> wrong_input_;
   int n_failed_ = 0;
   std::atomic<int> n_together_ = 0;
 };
 
-/// At least one, since a part of a sweep may have no run.
+/// The number of threads. It is at least 1 also if a part of a sweep does not have runs.
 int n_threads_of(const scene::Scene& scene, int n_runs) {
   const auto n_cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   return std::clamp(scene.sweep_threads.value_or(n_cores), 1, std::max(1, n_runs));
 }
 
-/// So many processes as there is memory for, each with the discretisation of the first run.
+/// The number of processes for which the memory suffices, if every run has the discretisation of the first.
 int n_processes_of(const scene::Scene& scene, int n_threads) {
   const auto discretization = scene::fixed_discretization(scene);
   if (!discretization || scene::has_mesh_file(scene)) return n_threads;

@@ -1,6 +1,6 @@
 #pragma once
-/// sweep.csv, and trajectories.csv if it is requested, written by several threads: in the order of the runs, with
-/// occasional checkpoints.
+/// Output of sweep.csv, and of trajectories.csv if it is requested. Several threads deliver rows; the rows are written
+/// in the order of the runs, with a checkpoint every few seconds.
 
 #include <chrono>
 #include <cstdint>
@@ -24,7 +24,7 @@ class SweepRows {
  public:
   static constexpr const char* name = "sweep";
 
-  /// Makes the table of the runs first_run, …, first_run + n_runs − 1.
+  /// Creates or continues the table of the runs first_run, …, first_run + n_runs − 1.
   SweepRows(const RunContext& context, const std::vector<std::string>& columns, int first_run, int n_runs,
             bool shows_progress)
       : identity_(run_identity(context.scene)),
@@ -47,7 +47,7 @@ class SweepRows {
   }
 
   int n_written() const { return n_written_; }
-  /// The first run without a row.
+  /// The first run whose row is not yet written.
   int next_run() const { return first_run_ + n_written_; }
 
   void deliver(int run, FinishedRun finished) {
@@ -78,7 +78,7 @@ class SweepRows {
     return names;
   }
 
-  /// Both files are checked before either is truncated.
+  /// Checks both files before either is truncated.
   void require_sound_tables(const RunContext& context, const std::vector<std::string>& columns,
                             std::int64_t n_samples) const {
     io::require_rows(context.directory.csv(name), columns, n_written_);
@@ -120,7 +120,7 @@ class SweepRows {
   int first_run_, n_runs_, n_written_ = 0;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, samples_;
-  std::map<int, FinishedRun> waiting_;  ///< rows whose predecessors are still at work
+  std::map<int, FinishedRun> waiting_;  ///< rows that wait for earlier rows
   std::mutex mutex_;
   Clock::time_point last_save_{};
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// The runs of a sweep of one model or system, and their rows of sweep.csv (sweep.h).
+/// The runs of a sweep with one model or system, and their rows of sweep.csv (sweep.h).
 
 #include <memory>
 #include <optional>
@@ -17,22 +17,22 @@
 
 namespace pseudorigid::app {
 
-/// "mu = 0.5, k = 2".
+/// The values as text, for example "mu = 0.5, k = 2".
 std::string describe_values(const scene::ParameterValues& values);
 
-/// The scene of a run with these parameters, checked. Throws UserError if it cannot run.
+/// The validated scene of a run with these parameters. Throws UserError if it cannot run.
 scene::Scene scene_of_run(const scene::ReadScene& raw, const scene::ParameterValues& values);
 
 /// The runs in which each parameter has its first or its last value.
 std::set<int> corners(const scene::Sweep& sweep);
 
-/// Names of the ball's columns that a motion conserves.
+/// Names of the columns of the ball that the motion conserves.
 std::set<std::string> names_conserved(bool is_free, bool incompressible);
 
-/// Columns of the frequencies of the ball.
+/// Names of the columns frequency and amplitude of the ball.
 std::vector<std::string> columns_of_frequencies();
 
-/// The columns of sweep.csv of one model or system.
+/// The columns of sweep.csv for one model or system.
 std::vector<std::string> columns_of_sweep(const scene::Scene& scene, const scene::Needs& needs,
                                           const std::set<std::string>& conserved);
 
@@ -47,7 +47,7 @@ class SweepRun : public SweepTask {
   std::optional<std::vector<FinishedRun>> run_together(int first, int last) const override;
 
  private:
-  /// The samples of a run, and its end.
+  /// The samples and the outcome of a run.
   struct Result {
     io::Table rows;
     ModelOutcome outcome;

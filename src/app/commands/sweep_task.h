@@ -1,5 +1,5 @@
 #pragma once
-/// Work of a sweep: its columns, and the row of each of its runs k = 0, 1, …
+/// Interface to the runs k = 0, 1, … of a sweep: the columns of sweep.csv and the row of each run.
 
 #include <optional>
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace pseudorigid::app {
 
-/// The row of a run, and how the run ended.
+/// The row and the outcome of a run.
 struct FinishedRun {
-  std::vector<double> row;  ///< of sweep.csv
-  io::Table samples;        ///< of a run of one model, if they are kept
+  std::vector<double> row;  ///< row of sweep.csv
+  io::Table samples;        ///< samples, if they are kept and the sweep has one model
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence, if not finished
+  std::string message;  ///< one sentence if not finished
 };
 
 class SweepTask {
@@ -23,9 +23,9 @@ class SweepTask {
   virtual ~SweepTask() = default;
 
   virtual std::vector<std::string> columns() const = 0;
-  /// Called by several threads. Throws UserError if the scene of the run is none.
+  /// Computes run k. Several threads call it. Throws UserError if the scene of the run is not valid.
   virtual FinishedRun run(int k) const = 0;
-  /// The runs first, …, last − 1 at once, or no value if each has to run by itself.
+  /// Computes the runs first, …, last − 1 together. Returns nothing if they must be computed one by one.
   virtual std::optional<std::vector<FinishedRun>> run_together(int /*first*/, int /*last*/) const { return {}; }
 };
 

@@ -44,7 +44,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   const continuum::RankOrder& rank_order() const { return rank_order_; }
   Eigen::Vector2d energies(const State& state) const override { return continuum::energies(ball_, state); }
 
-  /// Collective.
+  /// Text with the least det F and its place. Collective.
   std::string place_of_least_jacobian(const State& state) const override {
     return "least " + continuum::in_words(ball_.least_jacobian(state.q));
   }
@@ -98,8 +98,8 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
   std::array<double, 3> own_remarks() const override { return wrinkling_.remarks(); }
   void take_own_remarks(std::span<const double, 3> remarks) override { wrinkling_.take_remarks(remarks); }
 
-  /// Since the mesh was there: those of the search for a step and of the motion, messages and bytes as means over the
-  /// ranks. Collective.
+  /// Counts since the mesh was built, so that the search for the step is included. Messages and bytes are means over
+  /// the ranks. Collective.
   void report_messages(std::map<std::string, double>& counters) const {
     const continuum::MessageCounts own = continuum::message_counts() - counts_at_start_;
     const auto sums = continuum::sum_over_ranks(std::array{own.messages, own.bytes}, MPI_COMM_WORLD);
@@ -123,7 +123,7 @@ class ContinuumModel final : public FieldModel<Ball, continuum::MaterialFaces> {
     mesh.cells = body.mesh.cells;
     return {mesh, n_refinements, communicator};
   }
-  /// Towards the poles that the first plane touches.
+  /// Grades the mesh towards the two poles on the axis that is closest to the normal of the first plane.
   static continuum::Grading grading_of(const scene::Scene& scene) {
     continuum::Grading grading{.size = scene.continuum.grading};
     const auto planes = loads::constant_forcing(internal_loads(scene)).planes;

@@ -21,7 +21,7 @@ namespace {
 using continuum::BallFrequency, continuum::ModeKind;
 using Clock = std::chrono::steady_clock;
 
-/// γ = ρgr/μ, g = (4/3)πGρr.
+/// γ = ρgr/μ with g = (4/3)πGρr.
 double gravity_of(const continuum::RestProblem& problem) {
   return problem.gravity ? 4 * std::numbers::pi / 3 * problem.gravity->constant() / problem.elasticity.moduli.shear : 0;
 }
@@ -33,7 +33,8 @@ std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies
   return rows;
 }
 
-/// One shape for each frequency, on the ball at rest, its largest displacement one radius.
+/// Writes a mode of each frequency as a displacement of the ball at rest, scaled to a largest displacement of one
+/// radius.
 void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum::BallSpace& space,
                   const RunContext& context) {
   const scene::Cells cells = context.scene.output.cells;
@@ -84,7 +85,8 @@ ModelOutcome run_modes(const RunContext& context) {
   counters["applications_of_the_inverse"] = static_cast<double>(report.n_applications);
   const std::vector<ModeFrequency> rows = rows_of(frequencies);
   outcome.message = !status ? status.reason() : instability(rows, context.units);
-  // A coarse mesh breaks the symmetry of the sphere, but not to a tenth where it resolves the mode.
+  // A mesh breaks the symmetry of the sphere, so that the copies of a mode differ. A mesh that resolves the mode has
+  // differences below a tenth.
   constexpr double most = 0.1;
   constexpr const char* remedy = "raise Continuum/Degree or Continuum/Refinements";
   if (const std::string copies = differing_copies(rows, most); outcome.message.empty() && !copies.empty())

@@ -1,5 +1,6 @@
 #pragma once
-/// Analysis = modes: frequencies and shapes of the ball at rest, modes.csv and pictures.
+/// Runs `Analysis = modes` for the finite-element model. It writes the frequencies about rest into modes.csv and the
+/// modes as pictures.
 
 #include "app/run/run_context.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Stored energy of the finite elements of a scene, in internal units.
+/// Conversion of the scene's material to the stored energy of the finite elements, in internal units.
 
 #include "app/run/scene_to_model.h"
 #include "continuum/kernels/stored_energy.h"

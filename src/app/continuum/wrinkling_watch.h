@@ -1,8 +1,7 @@
 #pragma once
-/// Reports the first sample at which the surface of an incompressible ball has reached the limit that its law declares
-/// (continuum/output/surface_stretch.h), Biot's for neo-Hookean and Mooney–Rivlin bodies: from there on the exact
-/// motion has growing surface waves of every length, of which the finite elements show those that the mesh can resolve.
-/// It is checked at samples only.
+/// Reports the first sample at which the surface of an incompressible ball reaches the limit of its law. For
+/// neo-Hookean and Mooney–Rivlin bodies it is Biot's limit (continuum/output/surface_stretch.h). Beyond the limit, the
+/// exact motion has growing surface waves of every length. The finite elements show those waves that the mesh resolves.
 
 #include <algorithm>
 #include <array>
@@ -34,7 +33,7 @@ class WrinklingWatch {
         time, surface.value, surface.where[0], surface.where[1], surface.where[2], *limit_);
   }
 
-  /// Events already reported, for a resumed run.
+  /// The least ratio, the time of the first report, and 1 if there was a report; for checkpoints.
   std::array<double, 3> remarks() const { return {least_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     least_ = remarks[0];
@@ -48,7 +47,7 @@ class WrinklingWatch {
 
  private:
   const RunContext& context_;
-  std::optional<double> limit_;  ///< nothing is looked at without
+  std::optional<double> limit_;  ///< nothing is checked if empty
   double least_ = 1;
   std::optional<double> first_;
 };

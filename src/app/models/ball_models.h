@@ -1,6 +1,6 @@
 #pragma once
-/// The models of the ball. A model is one source file of this folder, which describes the model and runs it, and its
-/// two lines below.
+/// The models of the ball. To add a model, write a source file of this folder that describes and runs it. Then add two
+/// lines below: the declaration of its function and the entry in `ball_models`.
 
 #include <optional>
 #include <span>
@@ -12,24 +12,24 @@
 namespace pseudorigid::app {
 
 using RunModel = ModelOutcome (*)(const RunContext&);
-/// Runs several contexts of a sweep at the same time. Empty if they have to run one by one.
+/// Computes several runs of a sweep at the same time. Returns nothing if they must run one by one.
 using RunTogether = std::optional<std::vector<ModelOutcome>> (*)(std::span<const RunContext>);
 
 struct BallModel {
-  /// `run` is null for a discretized model, until the library that runs it is opened. Throws std::logic_error if
-  /// anything else is missing.
+  /// `run` is null for a discretized model: the program opens the library that runs it later. Throws std::logic_error
+  /// if any other part is missing.
   BallModel(scene::ModelDescription description, RunModel run, RunTogether together = nullptr);
 
   scene::ModelDescription description;
   RunModel run;
-  RunTogether together;  ///< null: one by one
+  RunTogether together;  ///< null if runs of a sweep run one by one
 };
 
 BallModel reduced_model();
 BallModel polynomial_model();
 BallModel continuum_model();
 
-/// By rising number of motions, as in the catalogue.
+/// The models in the order of the catalogue: a later model has more degrees of freedom.
 inline std::vector<BallModel> ball_models() {
   return {
       reduced_model(),
@@ -38,8 +38,8 @@ inline std::vector<BallModel> ball_models() {
   };
 }
 
-/// The reason why the method or the law of the scene is refused, if it is. The pseudo-rigid body is asked, because
-/// every model of the ball refines it.
+/// The reason why the method or the law of the scene is refused; empty if both are accepted. The test uses the
+/// pseudo-rigid body, because the motions of every model of the ball include the affine ones.
 std::optional<scene::Refusal> refuses_motion(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,6 @@
 #pragma once
-/// Models, methods and systems as parameter files and `pseudorigid parameters` know them, from their tables
-/// (ball_models.h, mechanics/methods/methods.h, systems/table.h).
+/// Catalogue of the models, methods and systems that parameter files and `pseudorigid parameters` offer. It is made
+/// from their tables (ball_models.h, mechanics/methods/methods.h, systems/table.h).
 
 #include <vector>
 

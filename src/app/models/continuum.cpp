@@ -42,7 +42,7 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Modes are computed on one given discretisation.
+/// Refuses modes without a given discretisation, or on a graded mesh.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (scene.analysis != scene::Analysis::modes) return {};
   if (!scene::fixed_discretization(scene))
@@ -67,12 +67,12 @@ std::optional<Refusal> refuses_discretization(const Scene& scene) {
   return {};
 }
 
-/// Whether gravity or a trap keeps the elements of a fluid under pressure.
+/// True if self-gravity or a confining potential keeps the pressure in a fluid positive.
 bool is_held_together(const Scene& scene) {
   return loads::present(scene.loads.get<loads::SelfGravity>()) || scene::is_confined(scene);
 }
 
-/// Refuses features that other models have and the finite-element model lacks.
+/// Refuses features that other models have and the finite-element model does not have.
 std::optional<Refusal> refuses_body(const Scene& scene) {
   const auto offered_for_others = [&](const char* path, const char* what) {
     return Refusal{path, fmt::format("{} is", what), {}, scene::names_where(scene, [](const auto& model) {
@@ -117,7 +117,7 @@ std::optional<Refusal> refuses(const Scene& scene) {
   return {};
 }
 
-/// The finite-element ball has the form of the incompressible body, with vectors of its own.
+/// The finite-element model takes the methods of the incompressible pseudo-rigid body that accept any type of vector.
 bool continuum_takes_method(std::string_view name) {
   const auto id = mechanics::find_method(name);
   return method_can_run<ElasticBody<true>>(name) &&

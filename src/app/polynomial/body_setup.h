@@ -1,5 +1,5 @@
 #pragma once
-/// A run of the polynomial model: one body of one degree.
+/// Data for a run of the polynomial model with one body of one degree.
 
 #include <algorithm>
 #include <array>
@@ -16,18 +16,19 @@ namespace pseudorigid::app {
 
 struct PolynomialTask {
   int degree;
-  std::string name = "polynomial";     ///< of its files
-  DeformationTrace* trace = nullptr;   ///< receives Q during the run; null if not requested
-  std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
+  std::string name = "polynomial";     ///< name of its files
+  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if not requested
+  std::optional<Stepping> stepping{};  ///< from another run, in place of a search
 };
 
-/// The points of the scene, but at least the number that the degree needs.
+/// Number of quadrature points: the entry of the scene, but at least the number that the degree needs. Empty:
+/// automatic.
 inline std::optional<int> quadrature_points(const scene::Scene& scene, int degree) {
   if (!scene.polynomial.quadrature_points) return std::nullopt;
   return std::max(*scene.polynomial.quadrature_points, polynomial::PolynomialSpace::least_points(degree));
 }
 
-/// In internal units.
+/// The setup of the body in internal units.
 inline polynomial::BodySetup body_setup(const scene::Scene& scene, const std::array<bool, 3>& reflect, int degree) {
   return {.degree = degree,
           .reflect = reflect,

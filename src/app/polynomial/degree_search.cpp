@@ -20,7 +20,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Part of Polynomial/Tolerance that the error in time may be.
+/// Largest error in time, as a fraction of Polynomial/Tolerance.
 constexpr double part_for_time = 0.05;
 
 class DegreeSearch {
@@ -48,7 +48,7 @@ class DegreeSearch {
   }
 
  private:
-  /// Ends at the first degree whose error is within the tolerance, or at the last one.
+  /// Stops at the first degree whose error is within the tolerance, or at the last degree.
   ModelOutcome search() {
     analysis::SpaceErrorLadder errors(analysis::least_polynomial_rate);
     ModelOutcome outcome;
@@ -90,7 +90,7 @@ class DegreeSearch {
   }
 
   std::filesystem::path path() const { return context_.directory.checkpoint(degree_checkpoint_name); }
-  /// Sweeps keep no states.
+  /// False in sweeps, which do not write checkpoints.
   bool keeps_states() const { return context_.scene.sweep.empty(); }
   void save() const {
     if (!keeps_states()) return;
@@ -120,11 +120,11 @@ class DegreeSearch {
   int degree_ = 1;
   std::size_t n_runs_ = 0;
   double error_ = 0, relative_to_largest_ = 0, work_ = 0;
-  DeformationTrace before_;  ///< Q of the run whose degree is less by two
+  DeformationTrace before_;  ///< history of Q in the run whose degree is less by two
 };
 
-/// The body of the scene, or the last of several: the others are compared with it, unless the scene has finite
-/// elements.
+/// Runs the body of the scene, or the last one of several. If the scene does not have finite elements, other models are
+/// compared with this body. A companion run then estimates its error if the scene needs it.
 ModelOutcome run_richest_degree(const RunContext& context, const PolynomialRun& run, int N) {
   const scene::Needs& needs = context.needs;
   if (!needs.companion || needs.models.back()->discretized) return run(context, {.degree = N});

@@ -1,20 +1,21 @@
 #pragma once
-/// Several degrees of one polynomial scene.
+/// Runs of one polynomial scene with several degrees.
 ///
-/// Degrees that the scene lists are run one after the other. The last writes polynomial.csv and is the model of the
-/// scene; the others write `polynomial-<degree>.csv` and are compared with the reference as models of their own.
+/// The degrees that the scene lists run one after the other. The last one writes polynomial.csv and is the model of the
+/// scene. The others write `polynomial-<degree>.csv` and are compared with the reference as further models.
 ///
-/// If the degree is left open (auto) the scene is run with N = 1, 3, 5, … for its trace alone. Even degrees add
-/// nothing to motions with the symmetry of an octant, which go in steps of two. The differences of Q between successive
-/// runs give the error of the last one (analysis/space_error.h, N being the resolution), and the first degree whose
-/// error is within Polynomial/Tolerance is run for its results. That degree is kept in a checkpoint, so that a resumed
-/// run repeats no search; a search that was interrupted is repeated. Time errors are kept to a twentieth of the
-/// tolerance.
+/// If the scene leaves the degree open (auto), the program runs it with N = 1, 3, 5, … and keeps the history of Q only.
+/// In motions with the symmetry of an octant, even degrees are equivalent to the odd degree below. The differences of Q
+/// between successive runs give the error of the last run (analysis/space_error.h with N as the resolution). The first
+/// degree whose error is within Polynomial/Tolerance runs again and writes the results. A checkpoint keeps this degree,
+/// so that a resumed run does not repeat the search. An interrupted search starts again. Time errors are at most a
+/// twentieth of the tolerance.
 ///
-/// A body of a given degree that others are compared with has a companion of another degree (search/error_estimate.h).
+/// If other models are compared with a body of given degree, this body has a companion run of another degree
+/// (search/error_estimate.h).
 ///
-/// Counters of the run: estimated_space_error, relative_space_error (|Q − Q'|/|Q|); of a search search_runs,
-/// search_work; of a companion companion_degree, companion_work.
+/// Counters of the run are estimated_space_error and relative_space_error (|Q − Q'|/|Q|). A search also has search_runs
+/// and search_work, and a companion run has companion_degree and companion_work.
 
 #include <functional>
 
@@ -26,7 +27,7 @@ using PolynomialRun = std::function<ModelOutcome(const RunContext& context, cons
 
 inline constexpr const char* degree_checkpoint_name = "degree";
 
-/// Runs a scene that gives one degree or several.
+/// Runs a scene that lists one degree or several.
 ModelOutcome run_listed_degrees(const RunContext& context, const PolynomialRun& run);
 
 /// Runs a scene that leaves the degree open.

@@ -15,12 +15,12 @@ namespace {
 using polynomial::ClassStability;
 using polynomial::RotationMember;
 
-constexpr std::size_t slowest = 10;  // rates in a row
+constexpr std::size_t slowest = 10;  // number of rates in a row
 
-/// The rotations of the whole body are its symmetries, in the order of the axes.
+/// Index of the rotation about axis 3 among the symmetries of the whole body.
 constexpr int about_axis_3 = 2;
 
-/// The modes of all classes, by rising frequency.
+/// The rates of all classes by rising frequency.
 std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
   std::vector<mechanics::Rate> rates;
   for (const ClassStability& of_class : member.classes)
@@ -29,7 +29,7 @@ std::vector<mechanics::Rate> slowest_rates(const RotationMember& member) {
     return std::abs(a.s.imag()) != std::abs(b.s.imag()) ? std::abs(a.s.imag()) < std::abs(b.s.imag())
                                                         : a.s.imag() > b.s.imag();
   });
-  rates.resize(slowest);  // 0 beyond the last
+  rates.resize(slowest);  // fills with 0
   return rates;
 }
 
@@ -119,7 +119,7 @@ EquilibriumRows::EquilibriumRows(const polynomial::BodySetup& setup, bool incomp
                            : Body(polynomial::CompressibleBody(of_whole_body(setup, false)))),
       spectrum_(spectrum) {}
 
-/// Observables of the figure in space, with its rotation.
+/// Observables of the steadily rotating figure in the inertial frame.
 mechanics::Status EquilibriumRows::observe(const Eigen::VectorXd& x, double spin,
                                            mechanics::ContinuumObservables& observables) const {
   return std::visit(

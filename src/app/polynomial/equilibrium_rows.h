@@ -1,5 +1,5 @@
 #pragma once
-/// The rows of equilibria-polynomial.csv.
+/// Columns and rows of equilibria-polynomial.csv.
 
 #include <string>
 #include <variant>
@@ -14,10 +14,10 @@ namespace pseudorigid::app {
 
 std::vector<scene::Column> polynomial_equilibria_columns();
 
-/// Name of a class of motions: "even in z, m = 2".
+/// Name of a class of motions, for example "even in z, m = 2".
 std::string name_of(const polynomial::MotionClass& motions, polynomial::Figure figure);
 
-/// The class of the fastest growth; null if all motions are stable.
+/// The class with the fastest growing motion; null if all motions are stable.
 const polynomial::ClassStability* fastest_growing(const polynomial::RotationMember& member);
 
 class EquilibriumRows {
@@ -25,8 +25,8 @@ class EquilibriumRows {
   EquilibriumRows(const polynomial::BodySetup& setup, bool incompressible,
                   const polynomial::RotationSpectrum& spectrum);
 
-  /// In internal units, except for the parameter, which has the unit of the family. `special`: null for an ordinary
-  /// member.
+  /// Sets `row` to the values of one row in internal units. Only the parameter has the unit of its family. `special` is
+  /// null for an ordinary member.
   mechanics::Status row(int index, const polynomial::RotationMember& member, const polynomial::SpecialRotation* special,
                         std::vector<double>& row) const;
 

@@ -25,7 +25,8 @@ template <class Body>
 class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces> {
   using Base = FieldModel<Body, polynomial::MaterialFaces>;
   using Base::context_;
-  /// A step of a small body takes microseconds.
+  /// A step of a body of low degree takes microseconds, so the clock and the interrupt flag are checked in few steps
+  /// only.
   static constexpr int between_looks = 16;
 
  public:
@@ -83,7 +84,7 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
   }
 
  private:
-  /// Cut into cells, a quarter of a circle is 8 straight edges.
+  /// The blocks of a picture. If they are cut into cells, a quarter of a circle has 8 straight edges.
   struct Picture {
     explicit Picture(const polynomial::PolynomialSpace& space) : ball(io::ball_blocks(4, 2)), at(space, ball.points) {}
     io::BallBlocks ball;
@@ -103,7 +104,7 @@ class PolynomialModel final : public FieldModel<Body, polynomial::MaterialFaces>
 
   System body_;
   RunQuadrature<System> quadrature_;
-  std::optional<Picture> picture_;  ///< from the first one on
+  std::optional<Picture> picture_;  ///< empty until the first picture
 };
 
 }  // namespace pseudorigid::app

@@ -1,7 +1,7 @@
 #pragma once
-/// Analysis = equilibrium of the polynomial model: a family of figures that turn steadily about axis 3, with their
-/// stability (polynomial/rotation_family.h), as equilibria-polynomial.csv: the rows of each degree that the scene
-/// lists.
+/// Runs `Analysis = equilibrium` for the polynomial model. It computes a family of figures that rotate steadily about
+/// axis 3, and their stability (polynomial/rotation_family.h). The file equilibria-polynomial.csv has the rows of each
+/// degree that the scene lists.
 
 #include <optional>
 
@@ -10,7 +10,7 @@
 
 namespace pseudorigid::app {
 
-/// The reason why a family is refused for polynomial bodies, if it is.
+/// The reason why polynomial bodies do not have this family; empty if they have it.
 std::optional<scene::Refusal> refuses_polynomial_equilibria(const scene::Scene& scene);
 
 ModelOutcome run_polynomial_equilibria(const RunContext& context);

@@ -1,6 +1,6 @@
 #pragma once
-/// Analysis = modes of the polynomial model: the frequencies of the ball at rest, in modes.csv. If the scene has the
-/// finite-element model as well, they are in modes-polynomial.csv.
+/// Runs `Analysis = modes` for the polynomial model and writes the frequencies about rest into modes.csv. The file is
+/// modes-polynomial.csv if the scene also has the finite-element model.
 
 #include "app/run/run_context.h"
 

@@ -1,11 +1,11 @@
 #pragma once
-/// The rule of quadrature of a polynomial body in a run: the number of its points, and their error of Q
+/// The quadrature rule of a polynomial body in a run: the number of its points, and the resulting error of Q
 /// (polynomial/quadrature_error.h).
 ///
-/// The least rule costs least, and its error is below the truncation error of the degree. A tolerance below
-/// 1e-6, the default of Time/Tolerance, requires the motion of this body itself. Points are then added until the
-/// estimate is half of the tolerance. The points of gravity on the surface, whose cost grows as the fourth power, are
-/// those of the scene.
+/// By default the rule is the cheapest one, whose error is below the truncation error of the degree. A value of
+/// Time/Tolerance below its default 1e-6 requires the exact motion of this polynomial body. The program then adds
+/// points until the estimate is half of the tolerance. It does not add points on the surface for self-gravity, because
+/// their cost grows as the fourth power of their number.
 
 #include <array>
 #include <cmath>
@@ -26,19 +26,19 @@ class RunQuadrature {
   RunQuadrature(const RunContext& context, std::string_view model, polynomial::BodySetup setup)
       : context_(context), model_(model), setup_(std::move(setup)) {}
 
-  /// Before the step is looked for: adds points to the body if the scene asks for them.
+  /// Called before the search for the step: adds points if the tolerance requires them.
   void choose(Body& body, const polynomial::BodyState& state) {
     if (!follows()) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, 0, true)), state.t, body);
   }
-  /// Afterwards: estimates the error of the rule, if it is not known yet. `stable_step` is RATTLE's, 0 if it is not
-  /// known.
+  /// Called after the search: estimates the error of the rule if it is not known. `stable_step` is the stable step of
+  /// RATTLE, 0 if it is not known.
   void estimate(Body& body, const polynomial::BodyState& state, double stable_step) {
     if (is_known_ || !context_.needs.quadrature_error) return;
     take(polynomial::choose_quadrature(setup_, body, state, request(state, stable_step, false)), state.t, body);
   }
 
-  /// For a resumed run, which keeps its rule even if its end has changed.
+  /// The rule and its error as numbers for a checkpoint. A resumed run keeps its rule even if its end has changed.
   static constexpr std::size_t n_numbers = 3;
   std::array<double, n_numbers> numbers(const Body& body) const {
     return {static_cast<double>(body.space().n_points_in_direction()), error_.value_or(is_known_ ? failed : -1),
@@ -79,7 +79,7 @@ class RunQuadrature {
   }
 
   void take(const polynomial::QuadratureChoice& choice, double t, Body& body) {
-    if (context_.interrupted()) return;  // it begins again
+    if (context_.interrupted()) return;  // a resumed run chooses again
     error_ = choice.error;
     is_known_ = true;
     length_ = context_.internal_time(context_.scene.time.end) - t;
@@ -103,8 +103,8 @@ class RunQuadrature {
   const RunContext& context_;
   std::string_view model_;
   polynomial::BodySetup setup_;
-  std::optional<double> error_{};  ///< quadrature error of a run of this length
-  bool is_known_ = false;          ///< whether the error has been estimated, or cannot be
+  std::optional<double> error_{};  ///< error for a run of duration length_
+  bool is_known_ = false;          ///< true if the error was estimated, or if the estimate failed
   double length_ = 1;
   long n_force_ = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-/// How the program ends: its exit codes, and the meaning of an exception.
+/// Exit codes of the program, and the exit code for each kind of exception.
 
 #include <exception>
 #include <string>
@@ -16,10 +16,11 @@ constexpr int exit_code_of(mechanics::Outcome outcome) {
 
 struct Failure {
   int exit_code;
-  std::string message;  ///< one sentence, for the user
+  std::string message;  ///< one sentence for the user
 };
 
-/// The user's input is wrong (UserError); disk, memory or another means of the machine does not suffice; a defect.
+/// The exit code and message for an exception. There are three kinds: wrong input of the user (UserError), lack of
+/// memory, disk space or another resource, and defects of the program.
 Failure failure_of(const std::exception& error);
 
 }  // namespace pseudorigid::app

@@ -1,11 +1,11 @@
 #pragma once
-/// Rank and number of processes under mpirun or srun, from the environment variables of the launchers. A process that
-/// does not need MPI does not start it.
+/// Rank and number of processes under mpirun or srun, read from environment variables of the launcher. A process that
+/// does not need MPI then need not start it.
 ///
-/// Open MPI's mpirun sets OMPI_*, that of MPICH and `srun --mpi=pmi2` PMI_*. PMIx alone (`srun --mpi=pmix`) tells the
-/// rank and not the number, which MPI itself must say. SLURM_PROCID is not a rank: it is set in batch scripts and for
-/// `srun --mpi=none` too, whose processes are independent. Each of those is a run of its own, and the lock of the
-/// results directory keeps them apart.
+/// Open MPI's mpirun sets OMPI_*. MPICH's mpirun and `srun --mpi=pmi2` set PMI_*. PMIx alone (`srun --mpi=pmix`) gives
+/// the rank but not the number, which MPI itself must give. SLURM_PROCID is not used as a rank: batch scripts and
+/// `srun --mpi=none` also set it, and their processes are independent. Each of these processes is a separate run. The
+/// lock of the results directory prevents two of them from writing into the same directory.
 
 #include <cstdlib>
 #include <initializer_list>
@@ -15,8 +15,8 @@ namespace pseudorigid::app {
 struct Launch {
   static constexpr int unknown = 0;
   int rank = 0;
-  int n_ranks = 1;       ///< or unknown
-  int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not tell
+  int n_ranks = 1;       ///< or `unknown`
+  int n_ranks_here = 1;  ///< number of ranks on this machine; 1 if the launcher does not give it
 
   Launch() {
     for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS"})

@@ -1,9 +1,10 @@
 #pragma once
-/// A failure on one rank must end all ranks: the others would wait for a rank that is gone. So an exception may leave
-/// collective work only if every rank has it. There are two ways:
-///  - what one rank does alone and what may fail there (files) is done by on_all_ranks, which tells all of them;
-///  - any other exception cannot reach the others, which wait in a collective operation that this rank will not enter:
-///    together_or_not_at_all ends them.
+/// Functions that end all ranks if one rank fails; otherwise the other ranks would wait for the failed one forever. An
+/// exception may leave a collective operation only if every rank throws it. There are two cases:
+///   - Work of one rank without the others, for example with files, can fail. `on_all_ranks` runs such work and then
+///     throws the exception on all ranks.
+///   - Any other exception occurs while the other ranks wait in a collective operation that this rank will not enter.
+///     `together_or_not_at_all` then aborts all ranks.
 /// In a single process exceptions pass unchanged.
 
 #include <exception>
@@ -16,7 +17,7 @@
 
 namespace pseudorigid::app {
 
-/// Thrown by all ranks, with the message of the first rank on which the work failed.
+/// Exception that all ranks throw, with the message of the first rank on which the work failed.
 class FailureOnAllRanks : public std::runtime_error {
  public:
   explicit FailureOnAllRanks(const Failure& failure)
@@ -27,7 +28,8 @@ class FailureOnAllRanks : public std::runtime_error {
   int exit_code_;
 };
 
-/// Collective. The work itself is not: a rank that fails during the work must not leave the others waiting.
+/// Runs the work and throws FailureOnAllRanks if it fails on any rank. Collective. The work itself must not contain
+/// collective operations: after a failure on one rank the others would wait in them.
 template <class Work>
 void on_all_ranks(const Ranks& ranks, Work&& work) {
   if (ranks.size() == 1) return work();
@@ -43,7 +45,8 @@ void on_all_ranks(const Ranks& ranks, Work&& work) {
   throw FailureOnAllRanks({exit_code, ranks.text_of(first, std::move(mine.message))});
 }
 
-/// The result of the work, which is collective. `last_words(failure)` are those of the rank that ends all.
+/// Runs collective work and returns its result. If it fails on one of several ranks, this rank calls
+/// `last_words(failure)` and aborts all.
 template <class Work, class LastWords>
 auto together_or_not_at_all(const Ranks& ranks, Work&& work, LastWords&& last_words) {
   try {

@@ -1,6 +1,6 @@
 #pragma once
-/// Processes that were started together must have the same input: otherwise one of them would be lost, or wait for the
-/// others in vain.
+/// Check that processes that were started together have the same input. Otherwise the input of some would be ignored,
+/// or the ranks would wait for each other forever.
 
 #include <string>
 #include <string_view>
@@ -12,7 +12,8 @@
 
 namespace pseudorigid::app {
 
-/// Collective. `mine` is the input of this rank, a line each; FailureOnAllRanks names the first that differs.
+/// Throws FailureOnAllRanks, which names the first line that differs, if the inputs differ. `mine` has the lines of the
+/// input of this rank. Collective.
 inline void require_same_on_all_ranks(const Ranks& ranks, const std::vector<std::string>& mine) {
   if (ranks.size() == 1) return;
   std::string text;

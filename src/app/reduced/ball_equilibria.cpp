@@ -19,7 +19,7 @@ using reduced::EquilibriumFamily;
 using reduced::EquilibriumPoint;
 using scene::Family;
 
-/// The data that a family takes from a scene: the potential, and the body that refers to it.
+/// Makes the families of a scene. It holds the potential, and the body that refers to the potential.
 class FamilyMaker {
  public:
   explicit FamilyMaker(const scene::Scene& scene)
@@ -27,7 +27,7 @@ class FamilyMaker {
         potential_(potential_of(scene_)),
         body_{potential_, scene_.body.E0.trace() / 3, scene.body.incompressible} {}
 
-  /// `range` in the family's own parameter, in the user's units of spin if it is one.
+  /// `range` refers to the parameter of the family. If this is a spin, it is in the user's units.
   EquilibriumFamily make(Family family, reduced::ParameterRange range, double ratio, double time_unit) const {
     switch (family) {
       case Family::none:
@@ -66,9 +66,9 @@ class FamilyMaker {
   reduced::IsotropicBody<reduced::Potential> body_;
 };
 
-constexpr int most_rates = 10;  // a spheroid has 10, others 8; 0 fills the rest
+constexpr int most_rates = 10;  // spheroids have 10 rates, other figures 8; 0 fills the rest
 
-enum Kind { member = 0 };  // special points: 1 + SpecialKind
+enum Kind { member = 0 };  // special points have the kind 1 + SpecialKind
 
 std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& p) {
   const reduced::SteadyMotion& m = p.motion;
@@ -93,7 +93,7 @@ std::vector<double> equilibria_row(int index, int kind, const EquilibriumPoint& 
     row.insert(row.end(), {k < rates.size() ? rates[k].s.real() : 0, k < rates.size() ? rates[k].s.imag() : 0});
   row.push_back(p.residual);
   for (double& value : row)
-    if (!std::isfinite(value)) value = 0;  // a ratio without meaning
+    if (!std::isfinite(value)) value = 0;  // a ratio that is not defined
   return row;
 }
 

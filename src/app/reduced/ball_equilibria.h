@@ -1,6 +1,6 @@
 #pragma once
-/// Relative equilibria of the reduced body (reduced/equilibrium_families.h) for scenes: Analysis = equilibrium writes a
-/// family as equilibria.csv, and Initial state/Equilibrium begins a motion with a member of one.
+/// Relative equilibria of the pseudo-rigid body of a scene (reduced/equilibrium_families.h). `Analysis = equilibrium`
+/// writes a family into equilibria.csv. The entry Initial state/Equilibrium starts a motion in a member of a family.
 
 #include <string>
 #include <vector>
@@ -18,15 +18,19 @@ std::vector<scene::Column> ball_equilibria_columns();
 
 ModelOutcome run_ball_equilibria(const RunContext& context);
 
-/// The figure of that family of the scene with this parameter, in internal units.
+/// Finds the member of this family with this parameter, in internal units.
 mechanics::Status figure_of_family(const scene::Scene& scene, scene::Family family, double parameter,
                                    reduced::SteadyMotion& figure);
 
-/// "e", "a3/r", "spin" or "a2/a1"
+/// The name of the parameter in messages: "e", "a3/r", "spin" or "a2/a1".
 std::string parameter_name(scene::Family family);
 
-/// The scene with Initial state/Equilibrium turned into Q₀ and Q̇₀: with A, ω, Λ of the equilibrium, Deformation D and
-/// Velocity V of the scene,  Q₀ = D A,  Q̇₀ = D (ω̂A − AΛ̂) + V. Throws UserError if there is no such equilibrium.
+/// Replaces the entry Initial state/Equilibrium by explicit initial values
+///
+///   Q₀ = D A,   Q̇₀ = D (ω̂A − AΛ̂) + V
+///
+/// with A, ω, Λ of the equilibrium, Deformation D and Velocity V of the scene, and ω̂x = ω × x. Throws UserError if
+/// there is no such equilibrium.
 scene::Scene with_equilibrium(scene::Scene scene, const scene::Origins& origins);
 
 }  // namespace pseudorigid::app

@@ -15,10 +15,10 @@ namespace pseudorigid::app {
 namespace {
 
 using reduced::n_body_lanes;
-/// A method that is symmetric and costs one force and one constraint solve a step.
+/// The method for Method = auto: symmetric, with one force and one constraint solve per step.
 using LaneMethod = mechanics::Symmetric8;
 
-/// Whether two runs differ only in the shape of the body and the initial state.
+/// True if two runs differ only in the shape of the body and the initial state.
 bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunContext& b,
            const materials::AnyLaw& law_of_b) {
   const auto& s = a.scene.time;
@@ -29,14 +29,14 @@ bool alike(const RunContext& a, const materials::AnyLaw& law_of_a, const RunCont
          a.internal_time(s.end) == b.internal_time(t.end) && a.scene.output.samples == b.scene.output.samples;
 }
 
-/// Whether the law of the material is all that acts on a body that keeps its volume.
+/// True if the body is incompressible and has no forces other than those of its law.
 bool is_plain(const RunContext& context, const ReducedScene& s) {
   return context.scene.body.incompressible && form_of(s) != ReducedForm::dissipative &&
          form_of(s) != ReducedForm::touching && s.forcing.gravity_constant == 0 &&
          !reduced::ExternalPotential(s.forcing).present();
 }
 
-/// Q or Q̇ of all bodies; `entry(body)` is that of one.
+/// Q or Q̇ of all bodies in lanes. `matrix_of(body)` is the matrix of one body.
 template <class MatrixOf>
 reduced::MatricesInLanes in_lanes(const MatrixOf& matrix_of) {
   reduced::MatricesInLanes values;
@@ -101,7 +101,8 @@ class RunInLanes {
                                      in_lanes([&](int i) { return scenes_[i].start.v; }), method, times, n_steps);
   }
 
-  /// The step of RATTLE that is stable for all bodies at these states with this reserve; 0 if there is none.
+  /// The largest step of RATTLE that is stable for all bodies in these states, times `reserve`; 0 if a frequency is not
+  /// found.
   template <class StateOf>
   double rattle_limit(const StateOf& state_of, double reserve) const {
     constexpr int n_lanczos = 24;
@@ -158,8 +159,8 @@ class RunInLanes {
     return run;
   }
 
-  /// A step that accuracy makes much shorter than the stability limit is stable during the whole motion. Other steps
-  /// are checked at a few samples. Lanes cannot continue with a shorter step.
+  /// Checks the stability of the step. A step that accuracy makes much shorter than the stability limit is stable
+  /// during the whole motion. Other steps are checked at a few samples, because runs in lanes cannot reduce their step.
   bool is_stable(const mechanics::StepChoice& choice, const reduced::MotionsInLanes& motions) const {
     constexpr double much = 4, little_reserve = 0.9;
     constexpr long n_looks = 16;
@@ -178,7 +179,7 @@ class RunInLanes {
     return true;
   }
 
-  /// The rows of one of the runs.
+  /// Writes the rows of one run into its sink. Returns false if a row fails.
   bool deliver(int i, const reduced::MotionsInLanes& motions, io::Manifest::Model& statistics) const {
     const RunContext& context = contexts_[i];
     ReducedModel<Body> model(bodies_[i], scenes_[i], context);
@@ -196,7 +197,7 @@ class RunInLanes {
     return true;
   }
 
-  static constexpr double pilot_window = 20;  // as ReducedModel::pilot_window
+  static constexpr double pilot_window = 20;  // same as ReducedModel::pilot_window
 
   std::span<const RunContext> contexts_;
   const std::vector<ReducedScene>& scenes_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs of a sweep eight at a time, one to a lane of a SIMD vector (reduced/motions_in_lanes.h).
+/// Eight runs of a sweep at the same time, one in each lane of a SIMD vector (reduced/motions_in_lanes.h).
 
 #include <optional>
 #include <span>
@@ -9,11 +9,12 @@
 
 namespace pseudorigid::app {
 
-/// How the runs of these contexts ended, their rows being in their sinks; nothing if each has to run by itself: they
-/// are not eight of equal law, times, tolerance and method of incompressible bodies without other forces than those of
-/// the law, or one of them does not get to its end, or the step is set by stability.
+/// Runs eight contexts together, writes their rows into their sinks, and returns their outcomes. If Method = auto, the
+/// method is symmetric-8. All eight take the step that the run with the largest error needs.
 ///
-/// Method = auto takes symmetric-8. All eight have the step that the one with the largest error asks for.
+/// Returns nothing if the runs must be computed one by one. The bodies must be incompressible, and only the stress of
+/// the law may act on them. Law, method, tolerance, step and times must be equal. All motions must reach their end, and
+/// the step must be stable on all of them.
 std::optional<std::vector<ModelOutcome>> run_reduced_in_lanes(std::span<const RunContext> contexts);
 
 }  // namespace pseudorigid::app

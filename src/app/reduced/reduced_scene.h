@@ -1,5 +1,5 @@
 #pragma once
-/// The reduced body of a scene, in internal units, and the form in which it is integrated.
+/// Conversion of a scene to a pseudo-rigid body in internal units, and the choice of the form that is integrated.
 
 #include <optional>
 
@@ -18,22 +18,22 @@ struct ReducedScene {
   materials::AnyLaw law;
   reduced::ReferenceBody body;
   loads::Loads loads;
-  loads::Forcing forcing;  ///< the loads that do not depend on time
+  loads::Forcing forcing;  ///< loads that do not depend on time
   reduced::Dissipation dissipation;
   reduced::CenterOfMass center;
   mechanics::VectorState<Eigen::Matrix3d> start;  ///< Q₀, Q̇₀
-  bool keeps_diagonal;                            ///< Q = diag(a) for all times
+  bool keeps_diagonal;                            ///< true if Q = diag(a) at all times
 };
 
 ReducedScene reduced_scene(const scene::Scene& scene);
 
-/// The forms of the same body, each without the parts that only other forms need.
+/// The forms of the pseudo-rigid body. A form does not have the parts that only other forms need.
 enum class ReducedForm {
-  elastic,      ///< stored energy of the neo-Hookean kind alone, known when the program is compiled
-  general,      ///< any sum of potentials
-  diagonal,     ///< neither turns nor circulates: three unknowns
-  dissipative,  ///< viscosity or drag, or loads that depend on time, and the energy that they take or give
-  touching      ///< rigid planes, which couple the centre of mass to Q, with all of the above
+  elastic,      ///< law of the neo-Hookean kind without loads; the law is known at compile time
+  general,      ///< any law, self-gravity, and loads with a potential
+  diagonal,     ///< Q stays diagonal, three unknowns; loads as for `general`
+  dissipative,  ///< viscosity, drag or loads that depend on time, and the energy that they exchange
+  touching      ///< rigid planes, which couple the centre of mass to Q; any other loads
 };
 
 template <bool incompressible>
@@ -41,7 +41,7 @@ using ElasticBody = reduced::PseudoRigidBody<materials::CiarletGeymonat, incompr
 template <bool incompressible>
 using GeneralBody = reduced::PseudoRigidBody<reduced::Potential, incompressible>;
 
-/// All that acts on the body of a scene and has a potential.
+/// The sum of all potentials that act on the body: stored energy, self-gravity and loads.
 inline reduced::Potential potential_of(const ReducedScene& s) { return {s.law, s.body, s.forcing}; }
 
 template <bool incompressible>
@@ -51,7 +51,7 @@ GeneralBody<incompressible> general_body(const ReducedScene& s) {
 
 ReducedForm form_of(const ReducedScene& scene);
 
-/// The system of that form; elastic and diagonal only if form_of says so.
+/// The system of a form. The forms elastic and diagonal are valid only if `form_of` returns them.
 template <ReducedForm form, bool incompressible>
 auto system_of(const ReducedScene& s) {
   using Body = GeneralBody<incompressible>;
@@ -67,7 +67,7 @@ auto system_of(const ReducedScene& s) {
     return reduced::BodyOnPlanes<Body>(general_body<incompressible>(s), s.loads);
 }
 
-/// The start in the coordinates of a form.
+/// The initial state in the coordinates of a form.
 template <class System>
 mechanics::State<System> start_of(const ReducedScene& s) {
   if constexpr (requires { System::state_of(s.start, s.center.position, s.center.velocity); })

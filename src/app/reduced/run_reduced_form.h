@@ -1,6 +1,6 @@
 #pragma once
-/// One form of the reduced body times all methods: a source file each (run_reduced_form.cpp.in), since together they
-/// would take a minute to compile.
+/// Runs one form of the pseudo-rigid body with any method. Each form has a source file (run_reduced_form.cpp.in),
+/// because all forms in one file would take a minute to compile.
 
 #include "app/reduced/reduced_scene.h"
 #include "app/run/run_context.h"

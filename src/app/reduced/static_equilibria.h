@@ -1,6 +1,6 @@
 #pragma once
-/// The reduced body at rest (reduced/static_equilibria.h) for scenes: Equilibrium/Family = static writes the critical
-/// points of its potential energy as equilibria.csv.
+/// Static equilibria of the pseudo-rigid body of a scene (reduced/static_equilibria.h). `Equilibrium/Family = static`
+/// writes the critical points of its potential energy into equilibria.csv.
 
 #include <vector>
 

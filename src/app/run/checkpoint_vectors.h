@@ -1,6 +1,6 @@
 #pragma once
-/// The vectors of a model's run on their way to a checkpoint and back: q, v and the method's memory. A checkpoint holds
-/// whole vectors in an order that does not depend on the ranks; a rank holds its own entries.
+/// Transfer of q, v and the method's memory between a model's run and its checkpoint. A checkpoint holds whole vectors
+/// in an order that does not depend on the number of ranks. Each rank holds its own entries only.
 
 #include <algorithm>
 #include <optional>
@@ -20,7 +20,7 @@ inline constexpr bool is_distributed = requires(const Model& model) {
   model.rank_order();
 };
 
-/// Gives a method the memory that it carried from step to step; std::invalid_argument if the memory is that of
+/// Restores the memory that a method carries from step to step. Throws std::invalid_argument if the memory belongs to
 /// another method.
 template <class Workspace>
 void give_memory(Workspace& workspace, std::span<const double> memory) {
@@ -28,7 +28,7 @@ void give_memory(Workspace& workspace, std::span<const double> memory) {
     throw std::invalid_argument("memory of another method");
 }
 
-/// For a model whose vectors are complete on one process.
+/// The transfer for a model whose vectors are complete on one process.
 template <class Model>
 class CheckpointVectors {
   using State = typename Model::State;
@@ -54,7 +54,7 @@ class CheckpointVectors {
   }
 };
 
-/// For a model whose vectors are distributed over ranks.
+/// The transfer for a model whose vectors are distributed over ranks.
 template <class Model>
 requires is_distributed<Model>
 class CheckpointVectors<Model> {
@@ -63,7 +63,8 @@ class CheckpointVectors<Model> {
  public:
   explicit CheckpointVectors(const Model& model) : order_(model.rank_order()) {}
 
-  /// The memory remains undivided until the method has its workspace, which alone can divide it.
+  /// Keeps the memory of all ranks: only the method's workspace, which is made later, can select the entries of this
+  /// rank.
   void take(const io::Checkpoint& file, State& state, Snapshot& snapshot) {
     const auto take_own = [&](const char* name, std::span<double> own) {
       order_.take_field(file.get_doubles(name, order_.field_size()), own);
@@ -81,7 +82,7 @@ class CheckpointVectors<Model> {
       snapshot.memory = layout_->take(snapshot.memory);
     give_memory(workspace, snapshot.memory);
   }
-  /// Collective. The list is whole on the rank that writes.
+  /// Returns the whole vectors on the rank that writes. Collective.
   SavedVectors collect(State& state, const Snapshot& snapshot) const {
     return {order_.collect_field(mechanics::local_values(state.q)),
             order_.collect_field(mechanics::local_values(state.v)),
@@ -90,8 +91,8 @@ class CheckpointVectors<Model> {
 
  private:
   decltype(std::declval<const Model&>().rank_order()) order_;
-  std::optional<typename Model::MemoryLayout> layout_;  ///< of the method's memory
-  bool memory_is_whole_ = false;                        ///< the snapshot's, as it stands in the checkpoint
+  std::optional<typename Model::MemoryLayout> layout_;  ///< distribution of the method's memory over the ranks
+  bool memory_is_whole_ = false;                        ///< true if the snapshot contains the memory of all ranks
 };
 
 }  // namespace pseudorigid::app

@@ -1,11 +1,12 @@
 #pragma once
-/// Contacts of a run with rigid planes, followed after every step: begin of the first one and end of the last one, the
-/// largest force, and the coefficient of restitution
+/// Summary of the contacts of a body with rigid planes, updated after every step. It has the begin of the first
+/// contact, the end of the last contact, the largest force, and the coefficient of restitution
 ///
-///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first one),
+///   e = (n·ẋ_c at the end of the last contact) / (−n·ẋ_c at the begin of the first contact)
 ///
-/// n the normal of the plane that is nearest. The times are those at which the height of the body above the nearest
-/// plane, interpolated linearly between the ends of a step, is zero. Numbers are in internal units.
+/// with the normal n of the nearest plane and the centre of mass x_c. A contact begins or ends when the height of the
+/// body above the nearest plane is zero. The height is interpolated linearly within a step. Numbers are in internal
+/// units.
 
 #include <algorithm>
 #include <array>
@@ -18,8 +19,8 @@ namespace pseudorigid::app {
 
 class ContactWatch {
  public:
-  /// At the end of a step, with the velocity of the centre of mass. A step that is repeated after a failure is the
-  /// same.
+  /// Updates the summary at the end of a step. `velocity` is the velocity of the centre of mass. If a step is repeated
+  /// after a failure, its times are known already and it is ignored.
   void look(double t, const loads::Contact& now, const Eigen::Vector3d& velocity) {
     if (is_begun_ && t <= t_) return;
     const double v = now.normal.dot(velocity);
@@ -48,7 +49,7 @@ class ContactWatch {
     o.restitution = restitution_;
   }
 
-  /// For checkpoints.
+  /// The data members as numbers, for checkpoints.
   static constexpr std::size_t n_numbers = 10;
   std::array<double, n_numbers> numbers() const {
     return {is_begun_ ? 1.0 : 0.0, t_,    height_,        v_,          has_touched_ ? 1.0 : 0.0, first_,
@@ -69,7 +70,7 @@ class ContactWatch {
 
  private:
   bool is_begun_ = false, has_touched_ = false;
-  double t_ = 0, height_ = 0, v_ = 0;  ///< at the end of the step before
+  double t_ = 0, height_ = 0, v_ = 0;  ///< at the end of the last step
   double first_ = 0, speed_before_ = 0, last_ = 0, largest_force_ = 0, restitution_ = 0;
 };
 

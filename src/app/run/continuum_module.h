@@ -1,6 +1,7 @@
 #pragma once
-/// Interface of the library libpseudorigid-continuum to the program, which opens it when a scene needs finite elements
-/// (app/commands/open_continuum.h). It has one function for the program, and takes all else from it.
+/// Interface between the program and the library libpseudorigid-continuum. The program opens the library if a scene
+/// needs finite elements (app/commands/open_continuum.h). The program calls a single function of the library,
+/// `pseudorigid_continuum`.
 
 #include <map>
 #include <memory>
@@ -13,7 +14,7 @@
 
 namespace pseudorigid::app {
 
-/// The library cannot be opened, and why.
+/// Exception for a library that cannot be opened; its text is the reason.
 struct NoContinuum : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,8 +22,8 @@ struct NoContinuum : std::runtime_error {
 struct ContinuumModule {
   ModelOutcome (*run)(const RunContext& context);
   std::map<std::string, std::string> (*libraries)();  ///< name → version, for the manifest
-  std::string_view (*instructions)();                 ///< of its kernels. Throws mechanics::NoKernels.
-  /// Starts MPI, which ends with the object: the processes that a launcher has started.
+  std::string_view (*instructions)();                 ///< SIMD instructions of its kernels; throws mechanics::NoKernels
+  /// Starts MPI for the processes of a launcher. The destructor of the object ends MPI.
   std::unique_ptr<Ranks> (*start_ranks)(int argc, char** argv);
 };
 

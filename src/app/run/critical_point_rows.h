@@ -9,12 +9,13 @@
 
 namespace pseudorigid::app {
 
-/// Morse index, nullity, dimensions of the invariant manifolds, second derivative and rates, of n_modes degrees of
-/// freedom; in internal units.
+/// Columns for the Morse index, the nullity and the dimensions of the invariant manifolds of a critical point. They
+/// also contain the eigenvalues of the Hessian of the potential and the rates of small motions, for n_modes degrees of
+/// freedom.
 std::vector<scene::Column> critical_point_columns(int n_modes);
 void append_critical_point(const mechanics::CriticalPoint& point, std::vector<double>& row);
 
-/// Lines of the results and counters of the manifest; `energy` is the unit of V.
+/// Writes the lines of the results and the counters of the manifest. `energy` is the unit of V.
 void report_search(const mechanics::CriticalPoints& found, double energy, const RunContext& context,
                    ModelOutcome& outcome);
 

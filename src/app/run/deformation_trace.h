@@ -1,5 +1,6 @@
 #pragma once
-/// Q at the samples of a run, and how far two runs are apart: over the samples that both have,
+/// The history of Q at the samples of a run, and two measures of the difference of two histories. The maxima are over
+/// the samples that both histories contain:
 ///
 ///   largest   max_t max_ij |Q_ij − Q'_ij|,     relative   max_t |Q − Q'| / |Q|   (Frobenius).
 
@@ -18,7 +19,7 @@ struct TraceDifference {
   double largest = 0, relative = 0;
 };
 
-/// Sample → Q.
+/// Maps the number of a sample to Q.
 using DeformationTrace = std::map<long, Eigen::Matrix3d>;
 
 inline TraceDifference difference(const DeformationTrace& a, const DeformationTrace& b) {
@@ -33,7 +34,7 @@ inline TraceDifference difference(const DeformationTrace& a, const DeformationTr
   return d;
 }
 
-/// Conversion to and from the numbers of a checkpoint: for each sample its number and Q.
+/// Conversion to and from the numbers of a checkpoint: the sample number and the nine entries of Q for each sample.
 inline std::vector<double> numbers_of(const DeformationTrace& trace) {
   std::vector<double> numbers;
   for (const auto& [sample, Q] : trace) {
@@ -49,7 +50,7 @@ inline DeformationTrace trace_of(const std::vector<double>& numbers) {
   return trace;
 }
 
-/// Columns time and Q11 to Q33.
+/// The history as a table with the columns time and Q11 to Q33.
 inline io::Table table_of(const DeformationTrace& trace, const RunContext& context) {
   io::Table table{.columns = {"time"}, .values = {}};
   table.columns.insert(table.columns.end(), analysis::Q_columns.begin(), analysis::Q_columns.end());

@@ -1,5 +1,5 @@
 #pragma once
-/// Models of a body with a field of displacements, which need not be affine: finite elements and polynomials.
+/// Base class of the two models whose displacement need not be affine: finite elements and polynomials.
 
 #include <algorithm>
 #include <array>
@@ -27,8 +27,8 @@ namespace pseudorigid::app {
 template <class S, class Faces>
 class FieldModel : public RunnableModelOf<S> {
   using Base = RunnableModelOf<S>;
-  /// In the first half pulsation after a release the time error grows as little as 0.45 of its mean growth. This was
-  /// measured at Time/Tolerance = 1e-3 and 1e-4 until t = 10.
+  /// Factor of the tolerance in a pilot run, which covers only the begin of the motion. There the time error of a
+  /// release can grow at only 0.45 of its mean rate (measured at Time/Tolerance = 1e-3 and 1e-4 until t = 10).
   static constexpr double reserve = 0.4;
 
  public:
@@ -47,7 +47,7 @@ class FieldModel : public RunnableModelOf<S> {
     else
       return this->system().multiplier_scale();
   }
-  /// On planes, the centre of mass is a part of it.
+  /// The affine part of the positions. If the scene has contact, the centre of mass is a fourth column.
   Eigen::MatrixXd configuration(const State& state) const final {
     if (!context_.needs.contact) return affine_part(state.q);
     Eigen::MatrixXd configuration(3, 4);
@@ -67,8 +67,9 @@ class FieldModel : public RunnableModelOf<S> {
   double rate(const State& state) const final {
     return mechanics::affine_rate(affine_part(state.q), affine_part(state.v));
   }
-  /// About half a pulsation: by then the shear front from the surface has crossed the ball. A contact of a fast body
-  /// takes three times as long. A force that depends on time can act later; it is followed for about three pulsations.
+  /// Internal time, r/c for an elastic ball without self-gravity. At t = 1, about 0.4 periods of the slowest mode, the
+  /// shear front from the surface has reached the centre. A contact of a fast body takes three times as long. A force
+  /// that depends on time can act later, so its window is about four periods.
   double pilot_window(double end) const final {
     const double window = mechanics::time_dependent(this->system()) ? 10.0 : context_.needs.contact ? 3.0 : 1.0;
     return std::min(end, window);
@@ -77,7 +78,8 @@ class FieldModel : public RunnableModelOf<S> {
 
   mechanics::Status row(double time, const State& state, Workspace& workspace, std::vector<double>& row) override {
     if (auto status = observe(this->system(), state, workspace, request_, observables_); !status) return status;
-    // A body that touches a plane at the start has its first contact then.
+    // At t = 0 no step has been recorded yet, so a body that touches a plane at the start begins its first contact
+    // here.
     if (context_.needs.contact && state.t == 0) contacts_.look(0, this->system().contact(state.q), mean(state.v));
     contacts_.write(observables_.contact);
     trajectory_.row(time, observables_, row);
@@ -106,7 +108,7 @@ class FieldModel : public RunnableModelOf<S> {
     take_own_remarks(remarks.subspan<3, 3>());
     if (context_.needs.contact) contacts_.take_numbers(remarks.subspan<6, ContactWatch::n_numbers>());
   }
-  /// Collective.
+  /// Records the contacts after every step. Collective.
   mechanics::Status judge(const State& state) final {
     if (context_.needs.contact) contacts_.look(state.t, this->system().contact(state.q), mean(state.v));
     return {};
@@ -117,7 +119,7 @@ class FieldModel : public RunnableModelOf<S> {
     columns.insert(columns.end(), mechanics::shape_columns.begin(), mechanics::shape_columns.end());
     return columns;
   }
-  /// On the first rank. Collective.
+  /// The rows of the shape, on the first rank. Collective.
   std::vector<std::vector<double>> shape(double time, const State& state) const final {
     if (!faces_) faces_.emplace(this->system().space());
     std::vector<std::vector<double>> rows = faces_->rows(state.q);
@@ -146,7 +148,7 @@ class FieldModel : public RunnableModelOf<S> {
     request_.multiplier |= tension_.watches();
   }
 
-  /// The field c + A X, of positions or velocities.
+  /// The field c + A X of positions or velocities.
   virtual Vector affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c) const = 0;
   virtual Eigen::Matrix3d affine_part(const Vector& x) const = 0;
   virtual Eigen::Vector3d mean(const Vector& x) const = 0;
@@ -160,7 +162,7 @@ class FieldModel : public RunnableModelOf<S> {
     return std::lround(time / context_.scene.time.end * static_cast<double>(context_.scene.output.samples));
   }
 
-  DeformationTrace* trace_;  ///< receives Q; null if it is not requested
+  DeformationTrace* trace_;  ///< receives the history of Q; null if not requested
   io::Trajectory<mechanics::ContinuumObservables> trajectory_;
   mechanics::ObservableRequest request_;
   mechanics::ContinuumObservables observables_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which samples become pictures, and which shapes of a report.
+/// Selection of the samples at which a run writes pictures, or shapes for a report.
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace pseudorigid::app {
 
-/// n_frames samples spread evenly from the first to the last (one frame: the last).
+/// Selects n_frames samples, evenly spread from the first to the last. A single frame is the last sample.
 class FrameSchedule {
  public:
   FrameSchedule(long n_frames, long n_samples) : n_frames_(n_frames), n_samples_(n_samples) {}
@@ -17,7 +17,7 @@ class FrameSchedule {
   long sample(long j) const {
     return n_frames_ == 1 ? n_samples_ : std::lround(static_cast<double>(j) * n_samples_ / (n_frames_ - 1.0));
   }
-  /// Frames whose sample is before k: also the number of the frame that sample k would be.
+  /// Number of frames before sample k. If sample k becomes a frame, this is also the number of that frame.
   long n_before(long k) const {
     const auto frames = std::views::iota(0L, n_frames_);
     return std::ranges::partition_point(frames, [&](long j) { return sample(j) < k; }) - frames.begin();
@@ -31,8 +31,8 @@ class FrameSchedule {
   long n_frames_, n_samples_;
 };
 
-/// Which samples become shapes of a report: the first, the last, and four between them. Their distances are not
-/// multiples of a period, so that they have different phases.
+/// Selects the samples for the shapes of a report: the first, the last, and four between them. Their distances are
+/// unequal, so that the shapes of a periodic motion have different phases.
 class ShapeSchedule {
  public:
   explicit ShapeSchedule(long n_samples) {

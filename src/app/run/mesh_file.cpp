@@ -15,7 +15,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Inside, lengths are of order 1.
+/// Limits of the radius in the unit Body/Radius: inside, lengths are of order 1.
 constexpr double largest_radius = 10, least_radius = 0.1;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-/// The file of Continuum/Mesh: reads a body in the unit of Body/Radius and converts it to internal units (X/r), with
-/// its centre of mass at the origin.
+/// The mesh file of the entry Continuum/Mesh. The file has the unit of length of Body/Radius. The program converts it
+/// to internal units (X/r) and shifts its centre of mass to the origin.
 
 #include <string>
 
@@ -11,18 +11,19 @@ namespace pseudorigid::app {
 
 struct CenteredMesh {
   io::HexahedralMesh mesh;           ///< internal units
-  io::HexahedralMesh::Point center;  ///< the centre of mass in the file, in the file's units
-  bool is_moved;                     ///< by more than round-off
+  io::HexahedralMesh::Point center;  ///< centre of mass in the units of the file
+  bool is_moved;                     ///< true if the shift exceeds round-off
 };
 
-/// Throws UserError.
+/// Reads, converts and shifts the mesh. Throws UserError.
 CenteredMesh read_mesh_file(const scene::Scene& scene);
 
-/// How many cells the file of the scene's mesh has, 0 for the builtin mesh. Throws UserError, of the entry, if the mesh
-/// cannot be used.
+/// Number of cells of the scene's mesh file, 0 for the builtin mesh. If the mesh cannot be used, throws a UserError
+/// that names the entry.
 std::size_t require_mesh_file(const scene::Scene& scene, const scene::Origins& origins);
 
-/// Representation of the mesh in the scene of a checkpoint: the bytes of a file count, not its path.
+/// Text for the mesh in the scene of a checkpoint: a checksum of the bytes of the file, so that its path does not
+/// matter.
 std::string mesh_identity(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

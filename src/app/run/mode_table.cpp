@@ -12,7 +12,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The frequency of the sphere.
+/// The frequency of the same mode of the exact sphere.
 double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   const auto [mu, lambda] = ball.moduli;
   return std::sqrt(mu) * (ball.incompressible
@@ -21,8 +21,9 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
                                                                         std::sqrt(mu / (lambda + 2 * mu))));
 }
 
-/// The pseudo-rigid ball has the five motions Q = Id + εH with H symmetric and without trace, m̄ Ḧ = −(2 + 4γ/25)μ Vol
-/// H, and where it is compressible H = Id, m̄ Ḧ = −(3λ + 2μ) Vol H; Vol/m̄ = 5/(ρr²).
+/// The frequency of the pseudo-rigid ball, 0 if it does not have the mode. It has the five motions Q = Id + εH with H
+/// symmetric and trace-free and m̄ Ḧ = −(2 + 4γ/25)μ Vol H. If it is compressible, it also has H = Id with m̄ Ḧ = −(3λ
+/// + 2μ) Vol H. The volume is Vol = 5m̄/(ρr²).
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
   const auto [mu, lambda] = ball.moduli;
@@ -52,7 +53,7 @@ std::string instability(const std::vector<ModeFrequency>& frequencies, const io:
 
 void write_mode_table(const std::vector<ModeFrequency>& frequencies, const BallAtRest& ball, const RunContext& context,
                       std::string_view file, ModelOutcome& outcome) {
-  constexpr double spheroidal = 1, toroidal = 2;  // the column kind
+  constexpr double spheroidal = 1, toroidal = 2;  // values of the column kind
   const std::vector<scene::Column> columns{{"index", "", ""},  {"omega", "1/time", ""}, {"kind", "", ""},
                                            {"degree", "", ""}, {"overtone", "", ""},    {"multiplicity", "", ""},
                                            {"spread", "", ""}, {"exact", "1/time", ""}, {"reduced", "1/time", ""}};

@@ -10,7 +10,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Stands in a checkpoint for an error that was not estimated.
+/// Value in a checkpoint for an error that was not estimated.
 inline constexpr double unknown_error = -1;
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-/// The files that one model's run writes as it goes: rows, pictures and their list, shapes, checkpoints. If there are
-/// several ranks, the first writes them, and each rank writes its piece of a picture. If the disk is full for one rank,
-/// writing fails on all.
+/// The sink that writes the files of one model's run: rows, pictures and their list, shapes, checkpoints. If there are
+/// several ranks, the first rank writes these files, and each rank writes its piece of a picture. If writing fails on
+/// one rank, for example because the disk is full, it fails on all ranks.
 
 #include <filesystem>
 #include <optional>
@@ -31,8 +31,8 @@ class ModelFiles : public ModelSink {
   io::Table rows_so_far() override;
 
   bool wants_frame(long sample) const override { return context_.needs.graphics && frames_.has(sample); }
-  /// A picture that cannot be drawn (a node turned inside out while the quadrature points are sound) is left out: the
-  /// run is the same with and without pictures.
+  /// Omits a picture that cannot be drawn and logs a warning, so that pictures do not change the run. For example, a
+  /// node can have det F ≤ 0 while all quadrature points have det F > 0.
   void draw_frame(long sample, const Draw& draw) override;
 
   bool has_shapes() const override { return context_.needs.report; }
@@ -48,25 +48,25 @@ class ModelFiles : public ModelSink {
   bool writes() const { return context_.ranks->is_first(); }
   std::filesystem::path csv() const { return context_.directory.csv(model_); }
   std::filesystem::path checkpoint() const { return context_.directory.checkpoint(model_); }
-  /// Later than all samples taken and earlier than the next, for any round-off.
+  /// A time between the last written sample and the next. Half an interval makes it safe against round-off.
   double next_time(long n_samples_taken) const {
     return context_.time_of_sample(n_samples_taken) - context_.time_of_sample(1) / 2;
   }
-  /// Continues the list of pictures of an earlier run, and their numbers.
+  /// Continues the list and the numbers of the pictures of an earlier run.
   void resume_pictures(long n_samples_taken);
 
   const RunContext& context_;
   std::string model_;
   FrameSchedule frames_;
   int n_more_frames_ =
-      0;  ///< pictures in addition to the schedule: a run with an earlier end had them closer to each other
+      0;  ///< pictures beyond the schedule: an earlier run with an earlier end had more pictures per time
   ShapeSchedule shapes_;
   io::Progress progress_;
   std::optional<io::CsvWriter> csv_, shapes_csv_;
   std::optional<io::PvdCollection> pvd_;
 };
 
-/// The sinks of a run in a directory.
+/// Makes sinks that write into the directory of the run.
 SinkOfModel files_of_models(bool shows_progress);
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,6 @@
 #pragma once
-/// Receiver of the results of one model's run. This class keeps nothing; it serves runs whose trace alone is needed
-/// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps; `ModelFiles` writes the files of a run's
+/// Receiver of the results of one model's run. The base class discards them: some runs need the history of Q only
+/// (search/continuum_run.h). `RowsInMemory` keeps the rows, for sweeps. `ModelFiles` writes the files of a run's
 /// directory.
 ///
 /// All ranks call the same functions in the same order.
@@ -21,7 +21,7 @@ namespace pseudorigid::app {
 class ModelSink {
  public:
   using Rows = std::vector<std::vector<double>>;
-  /// Writes a picture under that name; collective.
+  /// Writes a picture into the file of this path. Collective.
   using Draw = std::function<mechanics::Status(const std::filesystem::path&)>;
 
   virtual ~ModelSink() = default;
@@ -29,20 +29,20 @@ class ModelSink {
   virtual void create(const std::vector<std::string>& /*columns*/) {}
   virtual void append(const std::vector<double>& /*row*/) {}
 
-  /// Whether states are kept, so that a run that was stopped can go on.
+  /// True if the sink keeps checkpoints, from which a stopped run can continue.
   virtual bool keeps_states() const { return false; }
-  /// `checkpoint()` is called only by sinks that write it.
+  /// Only sinks that write the checkpoint call `checkpoint()`.
   virtual void save(const std::function<io::Checkpoint()>& /*checkpoint*/) {}
-  /// The state from which this run continues, if there is one.
+  /// The checkpoint from which this run continues, if there is one.
   virtual std::optional<io::Checkpoint> state_to_resume() { return std::nullopt; }
-  /// Continues after that many samples.
+  /// Continues the table of rows after n_samples_taken samples.
   virtual void resume(const std::vector<std::string>& /*columns*/, long /*n_samples_taken*/) {}
   virtual io::Table rows_so_far() { return {}; }
 
   virtual bool wants_frame(long /*sample*/) const { return false; }
   virtual void draw_frame(long /*sample*/, const Draw&) {}
 
-  /// The table <name>.csv of shapes that a report shows: a block of rows at each of a few samples.
+  /// The table <name>.csv of the shapes in a report. It has a block of rows for each of a few samples.
   virtual bool has_shapes() const { return false; }
   virtual bool wants_shape(long /*sample*/) const { return false; }
   virtual void create_shapes(const std::string& /*name*/, const std::vector<std::string>& /*columns*/) {}
@@ -50,12 +50,12 @@ class ModelSink {
                              long /*n_samples_taken*/) {}
   virtual void append_shape(const Rows&) {}
 
-  /// How much of the run is done, from 0 to 1, for the progress line.
+  /// Shows the fraction of the run that is done, from 0 to 1.
   virtual void progress(double /*part*/) {}
   virtual void progress_ends() {}
 };
 
-/// The rows alone.
+/// Keeps the rows and discards all other results.
 class RowsInMemory : public ModelSink {
  public:
   explicit RowsInMemory(io::Table& rows) : rows_(rows) {}

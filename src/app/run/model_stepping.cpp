@@ -7,11 +7,11 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Messages of a search for method and step that takes longer than a second: its task, then after ten seconds, a
-/// hundred …, that it continues.
+/// Messages about a search for method and step that takes longer than a second. The first message states the task.
+/// After ten seconds, a hundred seconds and so on, a message states that the search continues.
 class SearchNotice {
  public:
-  /// `what`: a sentence about the search, printed after the name of the model.
+  /// `what`: predicate that the message has after the name of the model.
   SearchNotice(const RunContext& context, std::string model, std::string what, int steps_between_looks)
       : context_(context),
         model_(std::move(model)),
@@ -43,10 +43,10 @@ class SearchNotice {
   double next_ = first_;
 };
 
-/// A step is at most this part of the stability limit at the state for which it was chosen.
+/// Largest ratio of a chosen step to the stability limit, in the state for which the step is chosen.
 constexpr double reserve = 0.8;
 
-/// RATTLE's limit, for a method of fixed steps.
+/// Stability limit of a method, given the limit of RATTLE; infinite for adaptive methods.
 double limit_of(mechanics::MethodId id, double rattle_limit) {
   return mechanics::with_method(id, [&]<class Method>(Method) {
     if constexpr (Method::adaptive)
@@ -56,7 +56,7 @@ double limit_of(mechanics::MethodId id, double rattle_limit) {
   });
 }
 
-/// Log suffix that names a property the method lacks.
+/// Suffix in the log that names a property that the method does not have.
 std::string_view promise(mechanics::MethodId id) {
   return mechanics::with_method(id, []<class Method>(Method) {
     return Method::symplectic ? std::string_view() : std::string_view(" (symmetric, not symplectic)");
@@ -94,10 +94,10 @@ void ModelStepping::reconsider() {
   if (!traits_.constrained_form) return;
   position_.looks.next = position_.cursor.sample + samples_between_looks();
   double limit = 0;
-  // Between `reserve`, with which steps are chosen, and 1, where they are unstable: a step is not halved for the
-  // few per cent by which the frequency of a motion comes and goes, and not kept until it is at its limit.
+  // A ratio between `reserve`, for which steps are chosen, and 1, above which they are unstable. A step is then not
+  // halved if the frequency oscillates by a few per cent, and it is halved before it reaches the limit.
   constexpr double less_reserve = 0.9;
-  if (!rattle_limit(less_reserve, limit)) return;  // the step itself will meet the failure and report it
+  if (!rattle_limit(less_reserve, limit)) return;  // the next step fails for the same reason and reports it
   const double before = position_.step;
   while (position_.step > limit_of(position_.method, limit)) position_.step /= 2;
   plan_look(limit / less_reserve);
@@ -121,7 +121,7 @@ mechanics::Status ModelStepping::search(const std::optional<double>& error_so_fa
     request.rattle_limit = std::min(limit, request.end);
     if (Status status = judge_stiffness(request); !status) return status;
   } else {
-    request.rattle_limit = HUGE_VAL;  // accuracy and the iteration of the stages bound the step
+    request.rattle_limit = HUGE_VAL;  // accuracy and the iteration for the stages bound the step
   }
   SearchNotice notice(context_, any_model_.name, about_search(request), any_model_.steps_between_looks);
   request.give_up = [&] {
@@ -149,9 +149,10 @@ std::string ModelStepping::about_search(const mechanics::StepRequest& request) c
   return text;
 }
 
-/// The largest frequency changes with the deformation. The next check comes before the frequency can exceed the limit
-/// of the step, if it grows at most twice as fast as between the checks so far. The first check comes after a sixteenth
-/// of the run, or later if the step is far below the limit.
+/// Chooses the sample of the next check of the largest frequency, which changes with the deformation. The frequency is
+/// assumed to grow at most twice as fast as between the checks so far. The next check is made before it can then exceed
+/// the limit of the step. The first check is made after a sixteenth of the run, or later if the step is far below the
+/// limit.
 void ModelStepping::plan_look(double stable_rattle_step) {
   if (!traits_.constrained_form) return;
   LooksAtFrequency& looks = position_.looks;
@@ -166,7 +167,8 @@ void ModelStepping::plan_look(double stable_rattle_step) {
   looks = {now + std::max(between, n_samples), now, stable_rattle_step, looks.fastest_change};
 }
 
-/// Method and step found by another run, with a step no longer than the stability limit of this one.
+/// Takes the method and step that another run found. The step is reduced to the stability limit of this run if
+/// necessary.
 mechanics::Status ModelStepping::take_over(const Stepping& known) {
   position_.method = known.method;
   position_.step = known.step;
@@ -179,7 +181,8 @@ mechanics::Status ModelStepping::take_over(const Stepping& known) {
   return {};
 }
 
-/// The motion itself may end within the window of the pilot; the run then goes as far as it can and reports the time.
+/// Chooses method and step if the search failed. The motion itself may end within the duration of the pilot run; the
+/// run then continues as long as possible and reports the time.
 void ModelStepping::fall_back(const mechanics::StepChoice& choice, const mechanics::StepRequest& request) {
   using Explicit = mechanics::DormandPrince8;
   position_.method = request.method.value_or(traits_.takes_explicit ? mechanics::id_of<Explicit>

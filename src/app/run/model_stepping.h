@@ -1,5 +1,6 @@
 #pragma once
-/// Method and step of one model's run: those of the scene, or those that its tolerance asks for.
+/// Choice of the method and the step of one model's run. The scene gives them, or the program finds them for the
+/// tolerance of the scene.
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,15 @@
 
 namespace pseudorigid::app {
 
-/// Warns if the tolerance is below the accuracy of the arithmetic.
+/// Warns if the tolerance is below the accuracy of the arithmetic, or if round-off grows beyond it in an unstable
+/// motion.
 void warn_of_round_off(const mechanics::StepChoice& choice, std::string_view model, const RunContext& context);
 
-/// Properties of a system's type on which the choice and the run depend.
+/// Properties of the type of a system on which the choice and the run depend.
 struct SystemTraits {
-  bool constrained_form;  ///< ConstrainedSystem, with constraints or without
+  bool constrained_form;  ///< true for a ConstrainedSystem, with constraints or without
   bool has_constraints, has_costly_force, is_distributed;
-  bool takes_explicit;  ///< explicit-8
+  bool takes_explicit;  ///< true if the method explicit-8 fits
 };
 
 /// The part of a run that chooses its method and step.
@@ -33,7 +35,7 @@ class ModelStepping {
  protected:
   using Status = mechanics::Status;
 
-  /// `known`: found by another run of the scene, in place of a search.
+  /// `known`: method and step that another run of the scene found; they replace the search.
   ModelStepping(RunnableModel& model, const RunContext& context, const SystemTraits& traits,
                 const std::optional<Stepping>& known)
       : any_model_(model),
@@ -42,33 +44,32 @@ class ModelStepping {
         known_(known),
         times_{context.internal_time(context.scene.time.end), context.scene.output.samples} {}
 
-  // The state of the run.
+  // Functions that depend on the system of the run.
   virtual double time() const = 0;
-  /// Largest stable step of RATTLE; called only for systems in constrained form.
+  /// Sets `limit` to the largest stable step of RATTLE times `safety`. Called only for systems in constrained form.
   virtual Status rattle_limit(double safety, double& limit) const = 0;
-  /// Sets request.stiff.
+  /// Sets request.stiff to true if the damping would force an explicit method to take too many steps.
   virtual Status judge_stiffness(mechanics::StepRequest& request) const = 0;
   virtual mechanics::StepChoice choose_step(const mechanics::StepRequest& request) const = 0;
 
-  /// Sets method, step and local tolerance for the rest of the run. A choice by the search is logged and noted in the
+  /// Sets method, step and local tolerance for the rest of the run. A search writes its result to the log and the
   /// statistics.
   Status choose();
 
-  /// Whether the step that the scene gives only makes the present one shorter.
+  /// True if the scene gives a step that is at most the present step.
   bool shortens() const { return std::isfinite(step_bound()) && step_bound() <= position_.step * (1 + 1e-12); }
   void shorten() { position_.step = std::min(position_.step, step_bound()); }
 
-  /// Halves the step, once or more, if the motion has raised the largest frequency above the stability limit of the
-  /// step.
+  /// Halves the step, once or more, if the largest frequency has grown so that the step exceeds the stability limit.
   void reconsider();
 
   bool is_adaptive() const { return is_adaptive(position_.method); }
-  /// Whether the step may change along the motion, because the scene does not fix it.
+  /// True if the step can change during the run: the scene does not give it, and the method is not adaptive.
   bool adapts() const { return !context_.scene.time.step && !is_adaptive(); }
 
-  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. A step found by a
-  /// search meets the constraint to 1e-4 of the tolerance of the motion. Errors of the motion and steps then agree with
-  /// those at 1e-13 to three digits.
+  /// Tolerance of the scaled constraint, for systems that solve their Gram systems by iteration. If the program chooses
+  /// the step, it is 1e-4 times the tolerance of the motion. A tolerance of 1e-13 would change errors and steps by less
+  /// than a thousandth.
   double constraint_tolerance() const {
     const auto& time = context_.scene.time;
     constexpr double part = 1e-4;
@@ -87,7 +88,7 @@ class ModelStepping {
   static bool is_adaptive(mechanics::MethodId id) {
     return mechanics::with_method(id, []<class Method>(Method) { return Method::adaptive; });
   }
-  std::optional<mechanics::MethodId> asked_method() const {  // nothing: auto
+  std::optional<mechanics::MethodId> asked_method() const {  // empty for auto
     return mechanics::find_method(context_.scene.time.method);
   }
   double step_bound() const {

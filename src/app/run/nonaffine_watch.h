@@ -1,7 +1,8 @@
 #pragma once
-/// A fluid under its own gravity and quadratic potentials keeps the form x = QX (Dirichlet). Any other motion of a
-/// finer model is an error, and it grows, because there is no restoring force. The watch reports the first sample at
-/// which this error exceeds 1 % of the size of the body, and at the end the largest. It looks at samples only.
+/// Monitors the non-affine displacement of a fluid. Under its own gravity and quadratic potentials the exact motion is
+/// affine, x = QX (Dirichlet). A non-affine part of a computed motion is therefore an error, and it grows, because no
+/// force restores the affine form. The program reports the first sample at which this error exceeds 1 % of the size of
+/// the body, and its largest value at the end.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ class NonaffineWatch {
 
   bool watches() const { return watches_; }
 
-  /// `displacement`: |x − QX| / |x|.
+  /// Checks a sample. `displacement` is |x − QX| / |x|.
   void look(double time, double displacement) {
     if (!watches_) return;
     largest_ = std::max(largest_, displacement);
@@ -33,7 +34,7 @@ class NonaffineWatch {
         model_, time, 100 * displacement);
   }
 
-  /// Events already reported, for a resumed run.
+  /// The largest displacement, the time of the first report, and 1 if there was a report; for checkpoints.
   std::array<double, 3> remarks() const { return {largest_, first_.value_or(0), first_ ? 1.0 : 0.0}; }
   void take_remarks(std::span<const double, 3> remarks) {
     largest_ = remarks[0];
@@ -51,7 +52,7 @@ class NonaffineWatch {
  private:
   static constexpr double acceptable = 0.01;
 
-  /// Tractions and viscous stress at the surface are not a pressure, so the motion of the fluid is not affine.
+  /// False if the surface has a load other than a uniform pressure: a traction, viscous stress, or contact with planes.
   static bool stays_affine(const scene::Scene& scene) {
     const loads::Forcing forcing = loads::constant_forcing(scene.loads);
     return forcing.nominal_traction.isZero(0) && forcing.viscosity == 0 && forcing.planes.empty();

@@ -1,5 +1,5 @@
 #pragma once
-/// A picture of a model's body, the same for all models.
+/// Output of a picture of a body, common to all models.
 
 #include <filesystem>
 
@@ -8,8 +8,8 @@
 
 namespace pseudorigid::app {
 
-/// Writes the fields as the picture of this physical time, at equidistant points of the blocks if Output/Cells =
-/// lagrange. A run on several ranks writes a piece for each rank and a file that lists them. Collective.
+/// Writes the fields at this physical time as a picture. If Output/Cells = lagrange, the points of a block are
+/// equidistant. A run on several ranks writes a piece for each rank, and a file that lists the pieces. Collective.
 void write_picture(const RunContext& context, const std::filesystem::path& path, double time,
                    const mechanics::PointBlocks& blocks, const mechanics::BodyFields& fields);
 

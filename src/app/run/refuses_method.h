@@ -1,5 +1,5 @@
 #pragma once
-/// Whether the method that a scene asks for can run a system.
+/// Check that the method of a scene can integrate a system.
 
 #include <fmt/format.h>
 
@@ -15,14 +15,14 @@
 
 namespace pseudorigid::app {
 
-/// The entry, and every method as a remedy.
+/// Refusal of the entry Time/Method, with every method as a remedy.
 inline scene::Refusal refusal_of_method(std::string sentence) {
   scene::Refusal refusal{"Time/Method", std::move(sentence)};
   mechanics::for_each_method([&]<class Method>(Method) { refusal.remedies.push_back({{refusal.path, Method::name}}); });
   return refusal;
 }
 
-/// Whether it can be compiled for systems of this type; "auto" can.
+/// True if the method can be compiled for systems of this type. "auto" can.
 template <class System>
 bool method_can_run(std::string_view name) {
   const auto id = mechanics::find_method(name);
@@ -30,7 +30,7 @@ bool method_can_run(std::string_view name) {
          mechanics::with_method(*id, []<class Method>(Method) { return mechanics::method_fits<Method, System>(); });
 }
 
-/// If not, why.
+/// The refusal if the scene's method cannot integrate this system, otherwise nothing.
 template <class System>
 std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const System& system) {
   const auto id = mechanics::find_method(scene.time.method);
@@ -39,7 +39,8 @@ std::optional<scene::Refusal> refuses_method(const scene::Scene& scene, const Sy
     if (mechanics::fits<Method>(system)) {
       if constexpr (mechanics::method_fits<Method, System>())
         if (mechanics::Status status = Method::accepts(mechanics::form_for<Method>(system)); !status) {
-          // The method does not know which of the methods that it recommends the models of the scene take.
+          // The rest of the reason recommends methods. It is omitted, because some models of the scene may not have
+          // them.
           const std::string& reason = status.reason();
           return refusal_of_method(reason.substr(0, reason.find("; use ")));
         }

@@ -1,5 +1,5 @@
 #pragma once
-/// Data shared by all models of one run.
+/// Data that all models of one run share.
 
 #include <functional>
 #include <map>
@@ -25,7 +25,7 @@ namespace pseudorigid::app {
 
 struct RunContext;
 
-/// Makes the sink of the model of that name.
+/// Makes the sink for the results of a model, given the name of the model.
 using SinkOfModel = std::function<std::unique_ptr<ModelSink>(const RunContext& context, const char* model)>;
 
 struct RunContext {
@@ -35,21 +35,21 @@ struct RunContext {
   io::Units units;
   std::shared_ptr<io::Logger> log;
   SinkOfModel sink_of;
-  bool resumes = false;  ///< continues an earlier run in the directory
+  bool resumes = false;  ///< true if the run continues an earlier run in the directory
   const Ranks* ranks = &one_rank();
 
-  /// The scene's times in internal units.
+  /// Converts a time of the scene to internal units.
   double internal_time(double physical) const { return physical / units.time; }
-  /// The factors by which the columns of tables come into the user's units.
+  /// Factors that convert the columns of tables from internal to the user's units.
   systems::Scales scales() const { return {units.length, units.mass, units.time}; }
   double time_of_sample(long k) const {
     return scene.time.end * (static_cast<double>(k) / static_cast<double>(scene.output.samples));
   }
-  /// Whether Ctrl-C has reached any rank. Collective.
+  /// True if Ctrl-C has reached any rank. Collective.
   bool interrupted() const { return ranks->any(io::interrupt_requested()); }
 };
 
-/// The context of a run of the same scene with other needs or another section Time.
+/// The context with another scene and other needs, for a run that differs in these only.
 inline RunContext derived(const RunContext& context, const scene::Scene& scene, const scene::Needs& needs) {
   const auto& [its_scene, its_needs, directory, units, log, sink_of, resumes, ranks] = context;
   return {.scene = scene,
@@ -65,22 +65,22 @@ inline RunContext derived(const RunContext& context, const scene::Scene& scene, 
 /// Method and step of a run.
 struct Stepping {
   mechanics::MethodId method;
-  double step;  ///< internal time, an upper bound
+  double step;  ///< upper bound, internal time
 };
 
-/// How a model's run ended.
+/// Result of a model's run.
 struct ModelOutcome {
   mechanics::Outcome end = mechanics::Outcome::finished;
-  std::string message;  ///< one sentence, for the user, if not finished
+  std::string message;  ///< one sentence for the user if the run has not finished
   io::Manifest::Model statistics;
   std::optional<Stepping> stepping{};
-  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs, by the names of their files
+  std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
   std::optional<analysis::OtherResolution>
       other{};            ///< the same motion on another discretisation, for the error in space
-  std::string results{};  ///< lines for people, for standard output
+  std::string results{};  ///< text for standard output
 };
 
-/// A line of results: for standard output at the end of the run, and into log.txt.
+/// Adds a line to the results, which standard output shows at the end of the run, and to log.txt.
 inline void add_result(ModelOutcome& outcome, const RunContext& context, const std::string& line) {
   context.log->debug("{}", line);
   outcome.results += line + "\n";

@@ -1,5 +1,5 @@
 #pragma once
-/// The models that a run may call for.
+/// Functions that run the model of a scene, one for each kind of model.
 
 #include "app/run/run_context.h"
 
@@ -9,10 +9,10 @@ ModelOutcome run_reduced(const RunContext& context);
 
 ModelOutcome run_polynomial(const RunContext& context);
 
-/// The system of the table that the scene names.
+/// Runs the scene's system, which is one of the table (systems/table.h).
 ModelOutcome run_system(const RunContext& context);
 
-/// Declared only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
+/// Defined only in libpseudorigid-continuum, which links deal.II (continuum_module.h).
 ModelOutcome run_continuum(const RunContext& context);
 
 }  // namespace pseudorigid::app

@@ -1,6 +1,6 @@
 #pragma once
-/// From the scene's values in the user's units to the models' values in internal units (length r, mass ρr³, time of
-/// scene/scales.h).
+/// Conversion of the scene's values from the user's units to internal units: length r, mass ρr³, and the time of
+/// scene/scales.h.
 
 #include <Eigen/Core>
 #include <optional>
@@ -18,12 +18,12 @@ namespace pseudorigid::app {
 using loads::to_eigen;
 inline Eigen::Vector3d to_eigen(const std::vector<double>& v) { return Eigen::Vector3d(v[0], v[1], v[2]); }
 
-/// Length r, mass ρr³, time as scene/scales.h says.
+/// The internal units of length, mass and time, measured in the user's units.
 inline io::Units units_of(const scene::Scene& scene) {
   return io::ball_units(scene.body.radius, scene.body.density, scene::time_scale(scene));
 }
 
-/// Q₀ and Q̇₀ (per internal time).
+/// Q₀, and below Q̇₀ per unit of internal time.
 inline Eigen::Matrix3d initial_deformation(const scene::Scene& scene) {
   return to_eigen(scene.initial_state.deformation);
 }
@@ -31,7 +31,7 @@ inline Eigen::Matrix3d initial_velocity(const scene::Scene& scene, const io::Uni
   return to_eigen(scene.initial_state.velocity) * units.time;
 }
 
-/// How the centre of mass starts.
+/// Initial position and velocity of the centre of mass.
 inline Eigen::Vector3d initial_center(const scene::Scene& scene, const io::Units& units) {
   return to_eigen(scene.initial_state.center) / units.length;
 }
@@ -59,7 +59,7 @@ inline loads::Loads internal_loads(const scene::Scene& scene) {
   return loads;
 }
 
-/// The law in internal units: μ = 1 if the unit of time is that of shear waves, as it is without self-gravity.
+/// The law in internal units. For a solid without self-gravity the unit of time is r/c, so that μ = 1.
 inline materials::AnyLaw internal_law(const scene::Scene& scene) {
   const scene::Scene::Material& material = scene.material;
   const double stress = units_of(scene).stress();

@@ -1,5 +1,6 @@
 #pragma once
-/// The slowest small pulsation of a homogeneous elastic ball about rest, spheroidal of degree 2, in units c/r:
+/// The frequency of the slowest small pulsation of a homogeneous elastic ball about rest, the spheroidal mode of degree
+/// 2, in units of c/r:
 ///
 ///   exact                           x of analysis/sphere_frequencies.h
 ///   pseudo-rigid   x² = 10 + 4γ/5,  γ = ρgr/μ, g = (4/3)πGρr
@@ -15,8 +16,8 @@ struct SmallPulsation {
   double ratio() const { return pseudo_rigid / exact; }
 };
 
-/// The pulsation of an elastic sphere on which at most its own gravity acts. Other bodies have none, nor has γ > 18:
-/// there two frequencies share the pulsation of degree 2 (docs/adequacy.md).
+/// The frequencies for an elastic sphere without loads or under its own gravity only. Empty for other bodies, and for γ
+/// > 18: there two frequencies share the pulsation of degree 2 (docs/adequacy.md).
 std::optional<SmallPulsation> small_pulsation(const scene::Scene& scene);
 
 }  // namespace pseudorigid::app

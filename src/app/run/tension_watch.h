@@ -1,8 +1,8 @@
 #pragma once
-/// Reports the first time that a fluid (W = 0) comes under tension. The multiplier λ of an affine motion is 2p_c/(ρr²)
-/// with the pressure p_c at the centre; that of finite elements is 5/(ρr²) times the mean pressure, which agrees on
-/// affine motions. If λ falls below zero the problem of the continuum is ill-posed (PHYSICS section 2, 13). It is
-/// checked at samples, and the time is interpolated between two of them.
+/// Reports the first time at which a fluid (W = 0) is under tension. An affine motion has the multiplier λ = 2p_c/(ρr²)
+/// with the pressure p_c at the centre. For the finite-element model, λ is 5/(ρr²) times the mean pressure; on affine
+/// motions the two agree. If λ < 0, the problem of the continuum is ill-posed (docs/oliva.md, item 13). λ is checked at
+/// samples, and the time is interpolated between two samples.
 
 #include <optional>
 #include <string_view>
@@ -22,14 +22,14 @@ class TensionWatch {
 
   bool watches() const { return is_fluid_; }
 
-  /// Restores the state from the rows of an interrupted run, without repeating the message.
+  /// Restores the state from the rows of an interrupted run without repeating the warning.
   void take_up(const io::Table& rows) {
     if (!is_fluid_ || !rows.has_column("multiplier")) return;
     const std::vector<double> times = rows.column("time"), lambdas = rows.column("multiplier");
     for (std::size_t k = 0; k < times.size(); ++k) note(times[k], lambdas[k]);
   }
 
-  /// Both in the user's units.
+  /// Checks a sample. Both arguments are in the user's units.
   void look(double time, double lambda) {
     if (note(time, lambda))
       context_.log->warn(
@@ -43,7 +43,7 @@ class TensionWatch {
   }
 
  private:
-  /// Whether this is the first sample under tension.
+  /// Records a sample; true if it is the first sample under tension.
   bool note(double time, double lambda) {
     if (!is_fluid_ || first_) return false;
     if (lambda < 0)

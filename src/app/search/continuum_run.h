@@ -1,6 +1,6 @@
 #pragma once
-/// A scene may need several runs of the finite-element model: one writes the results, and the others only give their
-/// trace. The latter do not have observables, files or messages.
+/// Description of one run of the finite-element model. A scene may need several runs: one writes the results, and the
+/// others only give their history of Q, without observables, files or messages.
 
 #include <functional>
 #include <optional>
@@ -15,13 +15,14 @@ namespace pseudorigid::app {
 
 struct ContinuumTask {
   scene::Discretization discretization;
-  std::optional<Stepping> stepping{};  ///< found by another run, in place of a search
-  DeformationTrace* trace = nullptr;   ///< receives Q during the run; null if not requested
+  std::optional<Stepping> stepping{};  ///< from another run, in place of a search
+  DeformationTrace* trace = nullptr;   ///< receives the history of Q; null if not requested
 };
 
 using ContinuumRun = std::function<ModelOutcome(const RunContext& context, const ContinuumTask& task)>;
 
-/// A resumed run knows Q before its resume from the columns of continuum.csv alone.
+/// Warns if the history of Q has gaps. A resumed run reads the earlier Q from continuum.csv, if the columns of Q are
+/// there.
 inline void warn_of_gaps(const RunContext& context, std::string_view model, const DeformationTrace& trace) {
   if (trace.size() <= static_cast<std::size_t>(context.scene.output.samples))
     context.log->warn(

@@ -18,12 +18,14 @@
 namespace pseudorigid::app {
 namespace {
 
-/// Part of Continuum/Tolerance that the error in time may be.
+/// Largest error in time, as a fraction of Continuum/Tolerance.
 constexpr double time_part = 0.05;
-/// A run that may miss the tolerance by this factor is written as well: predictions are on the safe side.
+/// A run also writes its results if its predicted error exceeds the tolerance by up to this factor, because predictions
+/// are usually too large.
 constexpr double benefit_of_doubt = 2;
 
-/// The ladder without the members that exceed the memory of this machine; the first member is known to fit. Collective.
+/// The ladder without the discretisations that exceed the memory of this machine. The first one is known to fit.
+/// Collective.
 std::vector<scene::Discretization> affordable(const RunContext& context) {
   std::vector<scene::Discretization> ladder = scene::ladder(context.scene);
   const std::size_t n_coarse_cells =
@@ -97,7 +99,7 @@ std::optional<Stepping> DiscretizationSearch::silent_stepping() const {
   return stepping;
 }
 
-/// Takes a run into the series of errors.
+/// Adds a run to the series of errors.
 void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace trace) {
   if (outcome.end == mechanics::Outcome::failed) {
     ++n_failures_;
@@ -120,14 +122,14 @@ void DiscretizationSearch::note(const ModelOutcome& outcome, DeformationTrace tr
                        scene::describe(rung()), apart.largest, errors_.error());
 }
 
-/// Whether the present run is the final one. If two successive runs end early, the cause is the motion, and a finer
+/// True if the present run is the final one. If two successive runs end early, the motion is the cause, and a finer
 /// mesh does not help.
 bool DiscretizationSearch::settles() const {
   return settled_ || is_last() || n_failures_ == 2 ||
          (n_failures_ == 0 && errors_.error() <= context_.scene.continuum.tolerance);
 }
 
-/// The files belong to a run that is not the final one.
+/// Removes the checkpoint of a run that is not the final one, and saves the search.
 void DiscretizationSearch::start_afresh() const {
   on_all_ranks(*context_.ranks, [this] {
     if (keeps_states()) std::filesystem::remove(context_.directory.checkpoint("continuum"));
@@ -164,12 +166,12 @@ void DiscretizationSearch::load() {
   const auto path = context_.directory.checkpoint(checkpoint_name);
   bool exists = false;
   on_all_ranks(*context_.ranks, [&] { exists = io::is_there(path); });
-  // The first rank decides, because the others may check the disk later, or another disk.
+  // The first rank decides: the other ranks may read the disk later or have another disk.
   if (context_.ranks->of_first(exists)) on_all_ranks(*context_.ranks, [&] { take(io::Checkpoint::load(path)); });
 }
 
 void DiscretizationSearch::take(const io::Checkpoint& c) {
-  // The memory at the start decides the search, so that it can be repeated.
+  // The memory at the start of the search has limited the ladder. A resumed search keeps this ladder.
   ladder_.resize(std::clamp<std::size_t>(static_cast<std::size_t>(c.get_integer("rungs")), 1, ladder_.size()));
   position_ = std::min(static_cast<std::size_t>(c.get_integer("position")), ladder_.size() - 1);
   settled_ = c.get_integer("settled") != 0;

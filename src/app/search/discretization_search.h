@@ -1,22 +1,23 @@
 #pragma once
-/// The cheapest discretisation whose estimated error in space meets Continuum/Tolerance.
+/// Search for the cheapest discretisation whose estimated error in space is within Continuum/Tolerance.
 ///
-/// The scene is run on the ladder of scene/discretization.h from its coarsest member on. The differences of Q between
-/// successive runs give the error of the last one and predict that of the next (analysis/space_error.h). A run that is
-/// predicted to meet the tolerance writes its results as it goes; the others are run for their trace alone. If the
-/// estimate that the run itself brings does not confirm the prediction, the search goes on, and the files are replaced.
+/// The program runs the scene on the ladder of discretisations (scene/discretization.h), the coarsest first. The
+/// differences of Q between successive runs give the error of the last run and predict the error of the next
+/// (analysis/space_error.h). A run that is predicted to meet the tolerance writes its results. The other runs only give
+/// their history of Q. If the estimate after the run does not confirm the prediction, the search continues, and the
+/// next run that writes replaces the files.
 ///
-/// Time errors must not be taken for errors in space. A run that writes has the smaller of Time/Tolerance and
-/// a twentieth of Continuum/Tolerance, and finds its own method and step. Of the others the first finds them for that
-/// twentieth; the next take over its method, and its step in inverse proportion to the resolution N: the highest
-/// frequencies that a shear front carries into Q are those of the resolution, so hω stays as it was. A step that the
-/// scene gives is taken as it is, and its error is common to all runs.
+/// Time errors must be much smaller than errors in space. A run that writes finds its own method and step. Its
+/// tolerance is the smaller of Time/Tolerance and a twentieth of Continuum/Tolerance. The first of the other runs finds
+/// its method and step for this twentieth. The later ones take the same method, with a step inversely proportional to
+/// the resolution N. The highest frequencies of a shear front in Q are proportional to N, so hω remains constant. If
+/// the scene gives the step, all runs use it, and its error is common to them.
 ///
-/// Nothing depends on the clock, so all ranks of a parallel run take the same way. The results of each run are kept in
-/// a checkpoint of their own, so that a resumed search repeats no run, and a resumed run no search.
+/// No decision depends on the clock, so all ranks of a parallel run decide alike. A checkpoint keeps the results of the
+/// runs. A resumed search therefore does not repeat them, and a resumed final run does not repeat the search.
 ///
-/// Counters: degree, refinements, estimated_space_error, relative_space_error, work (of the run that wrote), and of all
-/// others search_runs and search_work.
+/// The run that wrote the results has the counters degree, refinements, estimated_space_error, relative_space_error and
+/// work. The counters search_runs and search_work refer to all other runs.
 
 #include "analysis/space_error.h"
 #include "app/search/continuum_run.h"
@@ -44,25 +45,25 @@ class DiscretizationSearch {
   void start_afresh() const;
   void load();
   void save() const;
-  // The number for one rank.
+  // Without communication between the ranks.
   void take(const io::Checkpoint& c);
   void write_checkpoint() const;
-  /// On the first rank; sweeps keep none.
+  /// True on the first rank, except in sweeps, which do not write checkpoints.
   bool keeps_states() const { return context_.ranks->is_first() && context_.scene.sweep.empty(); }
 
   const RunContext& context_;
   ContinuumRun run_;
-  scene::Scene written_scene_, silent_scene_;  ///< the scene with the tolerances of time that the search needs
+  scene::Scene written_scene_, silent_scene_;  ///< the scene with the time tolerance of each kind of run
   std::vector<scene::Discretization> ladder_;
 
   // Contents of the checkpoint.
-  std::size_t position_ = 0;  ///< of the run in hand
-  bool settled_ = false;      ///< the present run is final and its error is known, so it is written
-  int n_failures_ = 0;        ///< successive runs that ended early, before the present one
+  std::size_t position_ = 0;  ///< index of the present run in the ladder
+  bool settled_ = false;      ///< true if the present run is the final one and writes the results
+  int n_failures_ = 0;        ///< number of successive runs before the present one that ended early
   analysis::SpaceErrorLadder errors_;
-  double relative_to_largest_ = 0;  ///< |Q − Q'|/|Q| over the largest entry of the last difference
-  DeformationTrace trace_;          ///< the last run that reached its end
-  DeformationTrace trace_before_;   ///< of the last but one
+  double relative_to_largest_ = 0;  ///< ratio of |Q − Q'|/|Q| to the largest entry of Q − Q'
+  DeformationTrace trace_;          ///< history of Q in the last run that reached its end
+  DeformationTrace trace_before_;   ///< history of Q in the last such run but one
   std::optional<Stepping> first_stepping_;
   double first_resolution_ = 0, search_work_ = 0;
 };

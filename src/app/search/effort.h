@@ -1,13 +1,14 @@
 #pragma once
-/// The effort of a run of the continuum, estimated before anything is built, as text and as a guard: unknowns, memory,
-/// and the largest stable step of small motions about rest,
+/// Estimate of the effort of a finite-element run before anything is built: unknowns, memory, and the largest stable
+/// step. It is shown to the user, and runs that exceed the memory are refused. The stable step of RATTLE for small
+/// motions about rest is
 ///
-///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (RATTLE, μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
+///   h = 0.38/(k (k + 0.4)) · 0.493^r / √(μ + 0.296 λ)      (μ, λ Lamé's moduli at rest, ρ = 1, radius 1)
 ///
-/// for degree k and r refinements of the builtin mesh. If volume is preserved, λ is that of the law without its
-/// function of J, which is 0 for neo-Hookean balls. Fitted to the largest frequencies that Lanczos' method finds:
-/// within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ = 0.1 … 100. A viscosity η makes steps dearer, by the
-/// largest rate of damping
+/// for degree k and r refinements of the builtin mesh. λ includes the volumetric stiffness. For an incompressible body,
+/// the law contributes to λ without its function of J; this part is 0 for neo-Hookean balls. The formula is fitted to
+/// the largest frequencies that Lanczos' method finds: within 2 % for k = 2 … 8, r = 0 … 2, and within 3 % for λ/μ =
+/// 0.1 … 100. A viscosity η makes steps more expensive, depending on the largest damping rate
 ///
 ///   γ = 4 η (0.38/(k (k + 0.4)) · 0.493^r)⁻²      (at rest, viscous force and stiffness are proportional).
 
@@ -21,28 +22,30 @@
 
 namespace pseudorigid::app {
 
-/// Estimates; bytes are within a third of the measured ones.
+/// Estimated size of a run. The bytes are within a third of the measured memory.
 struct Effort {
   double n_unknowns, n_multipliers, bytes;
-  double checkpoint_bytes;     ///< with the memory of the method; complete on the first rank
-  double n_points_of_picture;  ///< points of the whole ball; elements do not share points
+  double checkpoint_bytes;     ///< with the memory of the method, on the first rank
+  double n_points_of_picture;  ///< points of the whole ball; each element has its own points
 };
 
-/// `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
+/// `n_coarse_cells`: number of cells in the mesh file, 0 for the builtin mesh.
 Effort effort_of(const scene::Scene& scene, const scene::Discretization& discretization, std::size_t n_coarse_cells);
 
-/// "12 kB", "9000 MB", "12 GB".
+/// A size as text, for example "12 kB", "9000 MB", "12 GB".
 std::string in_bytes(double bytes);
 
-/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time; methods that the
-/// program chooses are counted as RATTLE.
+/// The largest stable step of the scene's method on the builtin mesh, in the user's unit of time. If the program
+/// chooses the method, it is the step of RATTLE.
 double stable_step(const scene::Scene& scene, const scene::Discretization& discretization);
 
-/// scene::needs, with lines about the effort of the continuum and a warning of a step that is not stable.
+/// The result of scene::needs with lines about the effort of the finite-element run, and with a warning if the step is
+/// not stable.
 scene::Needs needs_with_effort(const scene::Scene& scene);
 
-/// Why a discretisation cannot be built here: it takes more memory than there is for each of the ranks, or more
-/// unknowns than have numbers. `n_coarse_cells`: of the mesh file; 0 for the builtin mesh.
+/// The reason why a discretisation cannot be built here; empty if it can. Either it needs more memory than this machine
+/// has, or there are more unknowns than a 32-bit index can number. `n_coarse_cells` is the number of cells in the mesh
+/// file, 0 for the builtin mesh. `share` is the part of the run's memory that the ranks on this machine need.
 std::optional<std::string> exceeds_memory(const scene::Scene& scene, const scene::Discretization& discretization,
                                           std::size_t n_coarse_cells, double share);
 

@@ -31,7 +31,7 @@ ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissi
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points) {
   // Coordinates that are not periodic are lengths in the system's own unit (systems/*_scene.h). The search starts in a
-  // box of twice that size. Points outside, or on a much smaller scale, are found only if Newton's iteration leads
+  // box of twice this unit. Other points, or points on a much smaller scale, are found only if Newton's iteration leads
   // there. The log therefore calls the result a search.
   constexpr double radius = 2;
   mechanics::CriticalPoints found;

@@ -1,9 +1,10 @@
 #pragma once
-/// Analysis = equilibrium: the critical points of a system's potential (mechanics/equilibria/critical_points.h) as
-/// equilibria.csv.
+/// Runs `Analysis = equilibrium` for a system: finds the critical points of its potential
+/// (mechanics/equilibria/critical_points.h) and writes them into equilibria.csv.
 ///
-/// One row per point, in the order of rising potential, with the rates of the system as it is. For the counts
-/// n_unstable and n_stable a system without dissipation gets the force −M v / (unit of time), so that 5.8.3 applies.
+/// The file has a row for each point, by rising potential, with the rates of small motions of the system itself. For
+/// the counts n_unstable and n_stable, a system without dissipation gets the force −M v / (unit of time). The result of
+/// Oliva, Geometric Mechanics, 5.8.3 then applies.
 
 #include <vector>
 
@@ -17,8 +18,8 @@ namespace pseudorigid::app {
 /// The columns for a system with these coordinates and n_modes degrees of freedom.
 std::vector<scene::Column> equilibria_columns(const std::vector<scene::Column>& coordinates, int n_modes);
 
-/// Finds and writes them. `coordinates` are the names of the coordinates, and `scales` belong to the landscape.
-/// `points`, with the system's own rates, are for callers that continue from them.
+/// Finds and writes the critical points. `coordinates` are the columns of the coordinates, and `scales` are the units
+/// of the landscape. If `points` is given, it receives the points with the rates of the system itself.
 ModelOutcome run_equilibria(const mechanics::AnyLandscape& landscape, bool dissipative,
                             const std::vector<scene::Column>& coordinates, const systems::Scales& scales,
                             const RunContext& context, mechanics::CriticalPoints* points = nullptr);

@@ -21,8 +21,9 @@ using mechanics::CriticalPoint;
 using mechanics::PhaseVector;
 using mechanics::Status;
 
-/// Distances of the start from the critical point: along single directions, and around it along the slowest one; where
-/// a motion has arrived at a point; where it has left one.
+/// Distances from a critical point. A motion starts at `start_along` on a single direction, or around the point at
+/// `start_around` in the slowest direction. It has arrived at a point within `arrival_distance`, and it has left its
+/// own point beyond `departure_distance`.
 constexpr double start_along = 1e-5, start_around = 1e-3, arrival_distance = 1e-6, departure_distance = 1e-2;
 constexpr double local_tolerance = 1e-13;
 
@@ -31,14 +32,15 @@ struct Curve {
   bool stable;
 };
 
-/// Where a motion ends.
+/// The end of a motion.
 struct End {
-  int to = 0;  ///< index of the critical point, 0: none
+  int to = 0;  ///< number of the critical point, 0 for none
   double distance = HUGE_VAL, time = 0;
-  Status step{};  ///< status of the last step: the reason why the motion ended
+  Status step{};  ///< status of the last step; a failure ends the motion
 };
 
-/// A row of manifolds.csv: the number of the motion, its critical point, its side, then the columns of the system.
+/// Columns of manifolds.csv: the number of the motion, its critical point, its manifold, the time, and the columns of
+/// the system.
 std::vector<scene::Column> curve_columns(const std::vector<scene::Column>& of_system) {
   std::vector<scene::Column> columns{{"curve", "", ""}, {"point", "", ""}, {"stable", "", ""}, {"time", "time", ""}};
   columns.insert(columns.end(), of_system.begin(), of_system.end());
@@ -59,7 +61,7 @@ class ManifoldRun {
         ends_(context.directory.csv("connections"), connections_columns(), scales),
         outcome_(outcome) {
     if (points.empty()) return;
-    const double depth = points.back().V - points.front().V;  // by rising V
+    const double depth = points.back().V - points.front().V;  // points are sorted by V
     if (depth > 0) highest_energy_ = points.back().V + depth;
   }
 
@@ -117,8 +119,8 @@ class ManifoldRun {
     return {};
   }
 
-  /// The motion from the start on, backwards on a stable manifold, until it has arrived or left the heights of the
-  /// critical points far below.
+  /// Integrates a motion from its start, backwards in time on a stable manifold. It stops at a critical point or after
+  /// the time of the scene. On a stable manifold it also stops if its energy is far above all critical points.
   template <class Form>
   Status follow(const Form& form, systems::AnyModel& at_rest, const Curve& curve, const PhaseVector& start, End& end) {
     using Method = mechanics::DormandPrince8;
@@ -139,7 +141,7 @@ class ManifoldRun {
       if (context_.interrupted()) return Status::failure("interrupted");
       if (Status status = Method::step(field, t_end, state, w); !status) {
         end.time = state.t;
-        if (!curve.stable) end.step = std::move(status);  // backwards a motion may grow without bounds
+        if (!curve.stable) end.step = std::move(status);  // backwards in time a motion can grow without bound
         break;
       }
       for (; std::abs(interval * static_cast<double>(k)) <= std::abs(state.t); ++k) {
@@ -154,7 +156,7 @@ class ManifoldRun {
     return {};
   }
 
-  /// Whether the state is at a critical point; one that it has not left does not count.
+  /// True if the state is at a critical point. The start point counts only after the motion has left it.
   template <class State>
   bool arrives(const Curve& curve, const State& state, bool& has_left, End& end) {
     end = {};
@@ -194,13 +196,13 @@ class ManifoldRun {
   const std::vector<CriticalPoint>& points_;
   mechanics::AnyLandscape landscape_;
   Eigen::VectorXd periods_,
-      offset_;  ///< periods and offsets of the landscape's coordinates relative to those of the motion
+      offset_;  ///< periods of the landscape's coordinates, and landscape minus motion coordinates
   double length_, highest_energy_ = HUGE_VAL;
   std::vector<double> row_;
   io::ColumnTable rows_, ends_;
-  ModelOutcome& outcome_;  ///< gets the results
+  ModelOutcome& outcome_;  ///< receives the results
   int n_curves_ = 0;
-  Status stopped_;  ///< the first motion that cannot be followed
+  Status stopped_;  ///< failure of the first motion that cannot be continued
 };
 
 }  // namespace

@@ -1,13 +1,14 @@
 #pragma once
-/// Analysis = manifolds: motions on the unstable and the stable manifolds of a system's critical points (Oliva,
-/// Geometric Mechanics, 5.8), and which points they join. In addition to equilibria.csv it writes
+/// Runs `Analysis = manifolds` for a system: computes motions on the unstable and the stable manifolds of its critical
+/// points (Oliva, Geometric Mechanics, 5.8). The motions show which points are connected. In addition to equilibria.csv
+/// the run writes
 ///
 ///   manifolds.csv     the motions: curve, point, stable, time, and the columns of the system;
-///   connections.csv   a row each: its end.
+///   connections.csv   a row for the end of each motion.
 ///
-/// Those on a stable manifold are followed backwards in time. A motion ends at a critical point where it comes to
-/// within 1e-6 of it, in (q, q̇) and the scene's units: what two manifolds that are nearer than that have in common is
-/// not told apart from a connection.
+/// Motions on a stable manifold are computed backwards in time. A motion ends when its distance from a critical point
+/// in (q, q̇), in the scene's units, is below 1e-6. A motion that passes a critical point at a smaller distance is
+/// therefore also reported as a connection.
 
 #include <vector>
 

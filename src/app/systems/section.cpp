@@ -26,7 +26,7 @@ using mechanics::Status;
 using Method = mechanics::DormandPrince8;
 
 constexpr int looks_per_step = 8, steps_between_interrupts = 256;
-/// The piece of motion on which a crossing is located: the shortest that the method accepts.
+/// Local tolerance of the motion on which a crossing is located; it is close to the least that the method accepts.
 constexpr double tolerance_of_location = 1e-15;
 
 template <class Form>
@@ -70,7 +70,7 @@ class SectionRun {
   }
 
  private:
-  /// The local tolerance that Time/Tolerance asks for.
+  /// The local tolerance that Time/Tolerance requires.
   double choose_tolerance(std::map<std::string, double>& counters) {
     const double tolerance = context_.scene.time.tolerance;
     const mechanics::StepRequest request{.end = end_,
@@ -113,7 +113,7 @@ class SectionRun {
         double after = 0;
         if (Status status = level(between, after); !status) return status;
         if (Status status = take(start, early, late, before, after); !status) return status;
-        // A start on the surface is a crossing of neither kind.
+        // A motion that starts on the surface does not cross it at its start.
         before = after;
         early = late;
       }
@@ -126,7 +126,7 @@ class SectionRun {
     return {};
   }
 
-  /// How far the state is above the nearest value of the section.
+  /// Sets `distance` to the signed distance of the column from the nearest value of the section.
   Status level(const State& state, double& distance) {
     if (Status status = motion_.row(state.t * context_.units.time, state, workspace_, row_); !status) return status;
     if (!std::all_of(row_.begin(), row_.end(), [](double x) { return std::isfinite(x); }))
@@ -158,7 +158,7 @@ class SectionRun {
     };
     const auto crossing = mechanics::bracketed_root(level_after, early - start.t, late - start.t);
     if (!status) return status;
-    if (!crossing) return {};  // the dense output is beyond the surface by round-off, and the motion is not
+    if (!crossing) return {};  // only the dense output crosses the surface, by round-off
     const double distance = std::abs(level_after(*crossing));
     if (!status) return status;
     const bool jumps = distance > 1e-3 * (std::abs(before) + std::abs(after)) && distance > 1e-9;

@@ -1,8 +1,11 @@
 #pragma once
-/// Analysis = section: the points where the motion of a system crosses a surface of section (Poincaré), a column of its
-/// file = a value, as section.csv with the columns of the motion. Between steps crossings are looked for at eight times
-/// of the dense output; each is then located to round-off on a motion that is integrated anew from the start of its
-/// step. If a column jumps, as an angle does at a full turn, nothing is crossed.
+/// Runs `Analysis = section` for a system: computes the points at which its motion crosses a surface of section
+/// (Poincaré). The surface is given by a value of one column of the system's file. The points are the rows of
+/// section.csv, with the columns of the motion.
+///
+/// Within each step the dense output is evaluated at eight times. If the column crosses the value between two of them,
+/// the crossing is located to round-off. For this purpose the motion is integrated again from the start of the step. A
+/// jump of a column is not a crossing, for example the jump of an angle after a full rotation.
 
 #include "app/run/run_context.h"
 #include "systems/any_system_scene.h"

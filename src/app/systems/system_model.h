@@ -13,7 +13,7 @@
 
 namespace pseudorigid::app {
 
-/// Keeps a reference; the model must outlive it.
+/// Keeps a reference to the model, which must outlive this object.
 template <class Form>
 class SystemModel final : public RunnableModelOf<Form> {
   using Base = RunnableModelOf<Form>;
@@ -34,8 +34,8 @@ class SystemModel final : public RunnableModelOf<Form> {
   State initial_state() const override { return model_.start(); }
   Eigen::MatrixXd configuration(const State& state) const override { return state.q; }
   double rate(const State& state) const override { return model_.rate(state); }
-  /// For most runs the window is the whole run, which takes a fraction of a second: a shorter window does not contain
-  /// the later motion.
+  /// For most runs the pilot run has the duration of the whole run, which takes a fraction of a second. A shorter pilot
+  /// run would not contain the later motion.
   double pilot_window(double end) const override { return std::min(end, 1000.0); }
 
   std::vector<std::string> columns() const override { return columns_.names; }
@@ -49,7 +49,7 @@ class SystemModel final : public RunnableModelOf<Form> {
   }
 
  private:
-  /// The time of a row is in the user's units.
+  /// The columns with the time in front. The time of a row is in the user's units already, so its unit is empty.
   static std::vector<scene::Column> time_and(std::vector<scene::Column> columns) {
     columns.insert(columns.begin(), {"time", "", ""});
     return columns;
