@@ -120,8 +120,9 @@ struct ModelDescription {
   /// It moves in other ways than x = QX: sectors and the columns `nonaffine` concern it. A model that does not is the
   /// pseudo-rigid body, whose exact results hold for it.
   Required<bool> has_nonaffine;
-  bool has_modes = false, has_equilibria = false;  ///< Analysis = modes, equilibrium are offered
-  EquilibriaTable equilibria{};                    ///< if they are offered
+  /// Analysis = modes, love numbers, equilibrium are offered.
+  bool has_modes = false, has_love_numbers = false, has_equilibria = false;
+  EquilibriaTable equilibria{};  ///< if they are offered
   /// Columns of equilibria.csv for equilibria at rest, Equilibrium/Family = static, of a body with so many degrees of
   /// freedom; null if the model does not find them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;

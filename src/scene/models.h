@@ -26,6 +26,8 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
       return true;
     case Analysis::modes:
       return model.has_modes;
+    case Analysis::love_numbers:
+      return model.has_love_numbers;
     case Analysis::equilibrium:
       return model.has_equilibria;
     case Analysis::manifolds:

@@ -251,9 +251,8 @@ Eigen::VectorXd ParitySector::solve_elastic(Eigen::VectorXd f, int n_corrections
 }
 
 Eigen::VectorXd ParitySector::apply_gravity(const Eigen::VectorXd& u) const {
-  Vector field = problem_.space.make_vector(), force = problem_.space.make_vector();
-  for (std::size_t i = 0; i < n_unknowns_; ++i)
-    field.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  const Vector field = field_of(u);
+  Vector force = problem_.space.make_vector();
   problem_.gravity->add_rate(problem_.space.reference_positions(), field, parity_.sign, force);
   for (const auto& [point, spring] : problem_.springs) {
     const double stretch = spring.dot(point.value(field));
@@ -321,10 +320,24 @@ mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) c
     if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
   }
   if (problem_.gravity) stiffness += u.dot(apply_gravity(u));
-  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
-  for (std::size_t i = 0; i < n_unknowns_; ++i)
-    mode.u.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), field_of(u)};
   return {};
+}
+
+mechanics::Status ParitySector::respond(const Vector& f, Vector& u) const {
+  Eigen::VectorXd force(static_cast<Eigen::Index>(n_unknowns_)), response;
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    force[static_cast<Eigen::Index>(i)] = f.local_element(entry_of_unknown_[i]);
+  if (auto status = solve(force, n_corrections_of_mode, response); !status) return status;
+  u = field_of(response);
+  return {};
+}
+
+Vector ParitySector::field_of(const Eigen::VectorXd& u) const {
+  Vector field = problem_.space.make_vector();
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    field.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  return field;
 }
 
 }  // namespace pseudorigid::continuum

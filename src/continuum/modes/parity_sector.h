@@ -57,7 +57,7 @@ struct RestProblem {
   const BallSpace& space;
   RestElasticity elasticity;
   bool incompressible;
-  double shift;                             ///< s
+  double shift;                             ///< s; 0 is for sectors without rigid motions, of a stable ball
   double penalty;                           ///< γ
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
@@ -88,6 +88,9 @@ class ParitySector {
   /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
+  /// u = T f for a force on the octant.
+  mechanics::Status respond(const Vector& f, Vector& u) const;
+
   /// ω² and the field of an approximate eigenvector y, after a step of inverse iteration: ω² = uᵀKu / uᵀMu.
   struct Mode {
     double omega_squared;
@@ -108,6 +111,7 @@ class ParitySector {
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const;
   /// K_g u less the force of the springs.
   Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const;
+  Vector field_of(const Eigen::VectorXd& u) const;
 
   const RestProblem& problem_;
   Parity parity_;
