@@ -41,7 +41,7 @@ inline LoveNumbers exact_love_numbers(int n, double gamma) {
 }
 
 inline LoveNumbers pseudo_rigid_love_numbers(int n, double gamma) {
-  const double h = n == 2 ? 2.5 / (1 + 12.5 / gamma) : 0;
+  const double h = n == 2 ? 2.5 / (1 + 12.5 / gamma) : 0.0;
   return {n, h, h / 2};
 }
 

@@ -162,11 +162,6 @@ inline bool finds_static_equilibria(const Scene& scene) {
 /// Largest degree of Love numbers.
 inline constexpr int largest_love_degree = 24;
 
-/// The degrees of the Love numbers that Analysis = love numbers writes.
-inline std::vector<int> love_degrees(const Scene& scene) {
-  return scene.love.degrees.empty() ? std::vector<int>{2, 3, 4, 5, 6, 7, 8} : scene.love.degrees;
-}
-
 /// Whether small displacements about rest are looked for.
 inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 

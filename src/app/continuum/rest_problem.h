@@ -3,7 +3,6 @@
 /// from.
 
 #include <memory>
-#include <optional>
 
 #include "app/continuum/stored_energy.h"
 #include "app/run/scene_to_model.h"
@@ -18,7 +17,8 @@ class BallAtRestOnMesh {
       : stored_(stored_energy(scene)),
         space_(continuum::BallMesh({{true, true, true}}, discretization.refinements), discretization.degree),
         kernels_(continuum::make_cell_kernels(space_, stored_)),
-        problem_(space_, *kernels_, stored_, scene.body.incompressible, gravity(scene)) {}
+        problem_(space_, *kernels_, stored_, scene.body.incompressible,
+                 loads::constant_forcing(internal_loads(scene)).gravity_constant) {}
   BallAtRestOnMesh(const BallAtRestOnMesh&) = delete;
   BallAtRestOnMesh& operator=(const BallAtRestOnMesh&) = delete;
 
@@ -26,13 +26,6 @@ class BallAtRestOnMesh {
   const continuum::RestProblem& problem() const { return problem_; }
 
  private:
-  std::optional<continuum::SurfaceGravityForces> gravity(const scene::Scene& scene) const {
-    const double G = loads::constant_forcing(internal_loads(scene)).gravity_constant;
-    if (G <= 0) return {};
-    return continuum::SurfaceGravityForces(
-        G, space_, scene.continuum.gravity_points.value_or(continuum::n_gravity_points(space_, false)));
-  }
-
   continuum::StoredEnergy stored_;
   continuum::BallSpace space_;
   std::unique_ptr<continuum::CellKernels> kernels_;

@@ -1,6 +1,5 @@
 #include "app/continuum/run_love_numbers.h"
 
-#include <algorithm>
 #include <chrono>
 
 #include "app/continuum/rest_problem.h"
@@ -17,7 +16,7 @@ mechanics::Status find(const scene::Scene& scene, const scene::Discretization& d
   return continuum::love_numbers(ball.problem(), scene::love_degrees(scene), numbers);
 }
 
-/// The error is that of the mesh: the difference to the companion, or the spread over the harmonics of a degree.
+/// The error is that of the mesh: of the difference to the companion, and the spread over the harmonics of a degree.
 std::vector<LoveRow> rows_of(const std::vector<continuum::BallLoveNumbers>& numbers,
                              const std::vector<continuum::BallLoveNumbers>& other) {
   const auto means = [](const auto& all) {
@@ -27,8 +26,8 @@ std::vector<LoveRow> rows_of(const std::vector<continuum::BallLoveNumbers>& numb
   };
   std::vector<LoveRow> rows = with_errors(means(numbers), means(other));
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].h_error = std::max(rows[i].h_error, numbers[i].spread_of_h);
-    rows[i].l_error = std::max(rows[i].l_error, numbers[i].spread_of_l);
+    rows[i].h_error += numbers[i].spread_of_h;
+    rows[i].l_error += numbers[i].spread_of_l;
   }
   return rows;
 }

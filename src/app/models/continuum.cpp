@@ -47,7 +47,8 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (!scene::fixed_discretization(scene))
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
-                   "auto is offered for motions; give a number (the table has an error of the mesh)"};
+                   "auto is offered for motions; for modes give a number, and for Love numbers (their tables have an "
+                   "error of the mesh)"};
   if (scene.continuum.grading != 1)
     return Refusal{
         "Continuum/Grading", "small displacements are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};

@@ -80,7 +80,10 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
 std::optional<Refusal> refuses_modes(const Scene& scene) {
   if (!scene::is_linear(scene.analysis)) return {};
   if (scene.polynomial.degrees.empty())
-    return Refusal{"Polynomial/Degree", "auto is offered for motions; give a degree"};
+    return Refusal{"Polynomial/Degree", "auto is offered for motions; for modes give a number, and for Love numbers"};
+  if (scene.analysis == scene::Analysis::love_numbers &&
+      scene::love_degrees(scene).back() >= scene::largest_polynomial_degree)
+    return Refusal{"Love numbers/Degrees", "a polynomial body, whose degree is up to 13, has those of 2 to 12"};
   if (scene.analysis == scene::Analysis::modes && scene.polynomial.degrees.size() != 1)
     return Refusal{"Polynomial/Degree", "modes are those of one body: expected one whole number from 1 to 13"};
   if (scene.body.semi_axes != std::vector<double>{1, 1, 1})

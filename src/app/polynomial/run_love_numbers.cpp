@@ -1,5 +1,6 @@
 #include "app/polynomial/run_love_numbers.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "app/models/ball_models.h"
@@ -15,8 +16,12 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  const int companion = scene::companion_degree(degree);
-  if (auto status = polynomial::love_numbers(body_setup(scene, {}, companion), degrees, other); !status) return status;
+  // A companion that responds to every tide.
+  const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
+  if (auto status =
+          polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);
+      !status)
+    return status;
   rows = with_errors(numbers, other);
   return {};
 }
@@ -26,8 +31,8 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
 ModelOutcome run_polynomial_love_numbers(const RunContext& context) {
   const auto start = std::chrono::steady_clock::now();
   ModelOutcome outcome;
-  const scene::ModelDescription& model = *context.scene.catalogue->model("polynomial");
-  const std::vector<scene::ModelRun> runs = scene::runs_of(model, context.scene);
+  const auto model = std::ranges::find(context.needs.models, "polynomial", &scene::ModelDescription::name);
+  const std::vector<scene::ModelRun> runs = scene::runs_of(**model, context.scene);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     if (context.interrupted()) {
       outcome.end = mechanics::Outcome::interrupted;

@@ -13,9 +13,13 @@ namespace pseudorigid::app {
 
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other) {
+  constexpr double factor = 5, round_off = 1e-10;
   std::vector<LoveRow> rows;
+  const auto bound = [](double value, double other_value) {
+    return factor * std::abs(value - other_value) + round_off * std::abs(value);
+  };
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    rows.push_back({numbers[i], 2 * std::abs(numbers[i].h - other[i].h), 2 * std::abs(numbers[i].l - other[i].l)});
+    rows.push_back({numbers[i], bound(numbers[i].h, other[i].h), bound(numbers[i].l, other[i].l)});
   return rows;
 }
 
@@ -33,8 +37,9 @@ std::vector<scene::Column> love_columns() {
           {"l_load", "", "l', as l for this mass"},
           {"k_load", "", "k', as k for this mass"},
           {"h_error", "",
-           "bound of the error of h that the discretisation makes: twice the difference to another degree; the errors "
-           "of k, h' and k' are in proportion; 0 for the pseudo-rigid body, which has no discretisation"},
+           "bound of the error of h that the discretisation makes: five times the difference to another degree, and "
+           "for finite elements the spread over the harmonics; the errors of k, h' and k' are in proportion; 0 for the "
+           "pseudo-rigid body, which has no discretisation"},
           {"l_error", "", "the same for l, and in proportion l'"},
           {"h_exact", "", "h of the homogeneous incompressible sphere"},
           {"l_exact", "", "l of this sphere"},

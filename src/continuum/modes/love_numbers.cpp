@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 
 #include "continuum/modes/surface_harmonics.h"
 
@@ -51,7 +50,7 @@ mechanics::Status numbers_of_degree(const TidalSector& tidal, int n, double g, B
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers) {
   problem.shift = 0;
-  const double g = 4 * std::numbers::pi / 3 * problem.gravity->constant();
+  const double g = problem.weight_of_density;
   std::map<bool, TidalSector> sectors;
   numbers.clear();
   for (const int n : degrees) {

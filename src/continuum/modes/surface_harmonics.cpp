@@ -1,6 +1,7 @@
 #include "continuum/modes/surface_harmonics.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -47,7 +48,18 @@ bool same(const Parity& a, const Parity& b, int sign) {
 
 }  // namespace
 
-SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree) : space_(space) {
+int largest_resolved_degree(const BallSpace& space) {
+  constexpr int n_edges = 2, most = 64;  // edges of the unrefined mesh on a quarter of a great circle
+  const auto n_levels = space.mesh().triangulation().n_global_levels();
+  return std::min(2 * n_edges * static_cast<int>(space.degree() << (n_levels - 1)), most);
+}
+
+std::vector<FacePoint> harmonic_quadrature(const BallSpace& space, const CellFace& face) {
+  return quadrature_on(space, face, space.reference_cell().n + 3);
+}
+
+SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree)
+    : space_(space), max_degree_(max_degree) {
   find_points();
   for (int n = 0; n <= max_degree; ++n)
     for (int m = 0; m <= n; ++m)
@@ -57,7 +69,7 @@ SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity,
 
 void SurfaceHarmonics::find_points() {
   for (const CellFace& face : free_surface(space_))
-    for (FacePoint& point : quadrature_on(space_, face, space_.reference_cell().n)) {
+    for (FacePoint& point : harmonic_quadrature(space_, face)) {
       const FacePoint::Jet X = point.jet(space_.reference_positions());
       const double area = n_octants * point.weight * X.by_p.cross(X.by_q).norm();
       points_.push_back({std::move(point), X.u.normalized(), area});

@@ -13,7 +13,7 @@
 
 #include "continuum/mesh/ball_space.h"
 #include "continuum/mesh/surface_faces.h"
-#include "continuum/modes/parity_sector.h"
+#include "continuum/modes/parity.h"
 
 namespace pseudorigid::continuum {
 
@@ -26,10 +26,18 @@ struct ModeClass {
   double share = 0;  ///< of the squared surface displacement
 };
 
+/// The highest degree with a point of the mesh for every half wave on a great circle; at most 64.
+int largest_resolved_degree(const BallSpace& space);
+
+/// A Gauss rule with more points than the elements have nodes, for products with harmonics.
+std::vector<FacePoint> harmonic_quadrature(const BallSpace& space, const CellFace& face);
+
 class SurfaceHarmonics {
  public:
   /// For fields on an octant with this parity; degrees up to `max_degree`. The space must outlive this object.
   SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree);
+
+  int max_degree() const { return max_degree_; }
 
   /// The kind and degree with the largest share.
   ModeClass classify(const Vector& u) const;
@@ -56,6 +64,7 @@ class SurfaceHarmonics {
   void add_row(ModeKind kind, int degree, const Eigen::Matrix3Xd& field);
 
   const BallSpace& space_;
+  int max_degree_;
   std::vector<Point> points_;
   std::vector<Row> rows_;
   std::vector<Eigen::Matrix3Xd> fields_;  ///< a row's field at the points, times their weights
