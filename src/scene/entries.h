@@ -154,7 +154,8 @@ void visit_love_numbers(S& scene, Visit& visit) {
   visit(scene.love.degrees, AutoOrIntegers{{1, largest_love_degree}},
         About{"Love numbers/Degrees", "",
               "Degrees n of the tides for which Analysis = love numbers writes Love numbers, one row each. With auto, "
-              "they are 2 to 8. Degree 1 is refused: it moves the ball as a whole."});
+              "they are 2 to 8, as far as the finite elements resolve them: up to Degree times 2^Refinements. Degree 1 "
+              "is refused: it moves the ball as a whole."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -6,6 +6,7 @@
 #include "app/run/love_table.h"
 #include "continuum/modes/love_numbers.h"
 #include "scene/discretization.h"
+#include "scene/models.h"
 
 namespace pseudorigid::app {
 namespace {

@@ -49,6 +49,12 @@ std::optional<Refusal> refuses_modes(const Scene& scene) {
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
                    "auto is offered for motions; for modes give a number, and for Love numbers (their tables have an "
                    "error of the mesh)"};
+  if (scene.analysis == scene::Analysis::love_numbers &&
+      scene::love_degrees(scene).back() > scene::resolved_degree(scene))
+    return Refusal{"Love numbers/Degrees",
+                   fmt::format("a mesh of degree k, refined r times, resolves tides up to the degree k 2^r = {}; raise "
+                               "Continuum/Degree or Continuum/Refinements",
+                               scene::resolved_degree(scene))};
   if (scene.continuum.grading != 1)
     return Refusal{
         "Continuum/Grading", "small displacements are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};

@@ -8,6 +8,7 @@
 #include "app/run/love_table.h"
 #include "polynomial/love_numbers.h"
 #include "scene/discretization.h"
+#include "scene/models.h"
 
 namespace pseudorigid::app {
 namespace {

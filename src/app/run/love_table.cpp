@@ -8,6 +8,7 @@
 #include "app/run/scene_to_model.h"
 #include "io/column_table.h"
 #include "materials/rest_moduli.h"
+#include "scene/models.h"
 
 namespace pseudorigid::app {
 
