@@ -63,7 +63,8 @@ bool owns(std::string_view name, std::span<const std::string> movers) {
   const auto is_of = [&](const std::string& mover) {
     return name == mover + ".csv" || name == mover + ".pvd" || name == "shapes-" + mover + ".csv" ||
            name == "comparison-" + mover + ".csv" || name == "modes-" + mover + ".csv" ||
-           name == "equilibria-" + mover + ".csv" || name == "comparison-" + mover + ".json";
+           name == "equilibria-" + mover + ".csv" || name == "love-" + mover + ".csv" ||
+           name == "comparison-" + mover + ".json";
   };
   return std::ranges::find(owned_names, name) != owned_names.end() || std::ranges::any_of(movers, is_of) ||
          matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");

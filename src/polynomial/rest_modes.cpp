@@ -4,17 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
-#include "materials/rest_moduli.h"
 #include "mechanics/core/dense_algebra.h"
 #include "mechanics/equilibria/mode_groups.h"
-#include "polynomial/compressible_body.h"
-#include "polynomial/incompressible_body.h"
-#include "polynomial/octant_quadrature.h"
-#include "polynomial/parity_parts.h"
-#include "polynomial/turns.h"
+#include "polynomial/rest_problem.h"
 
 namespace pseudorigid::polynomial {
 namespace {
@@ -25,49 +19,14 @@ struct Mode {
   Eigen::VectorXd shape;
 };
 
-/// Rows ∮(u·n) Y_nm dS, each times the root of its stiffness ρg (1 − 3/(2n + 1)); those of n ≤ 1 are 0.
-Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
-  const int N = space.degree(), n_harmonics = (N + 2) * (N + 2);
-  const double weight_of_density = 4 * std::numbers::pi / 3 * gravity_constant;
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(n_harmonics, space.n_unknowns());
-  for (const SurfacePoint& point : octant_surface_points((N + 3) / 2))  // exact for the degree 2N + 2
-    for (int image = 0; image < n_parities; ++image) {
-      std::array<double, 3> xi = point.xi;
-      for (int i = 0; i < 3; ++i)
-        if (image >> i & 1) xi[i] = -xi[i];
-      const std::vector<Jet> functions = space.functions_at(xi);
-      Eigen::RowVectorXd normal(space.n_unknowns());
-      for (int i = 0; i < 3; ++i)
-        for (int a = 0; a < space.n_functions(); ++a) normal[space.place(i, a)] = xi[i] * functions[a].value;
-      const auto harmonics = solid_harmonics(N + 1, xi);
-      for (int n = 2; n <= N + 1; ++n)
-        for (int m = 0; m <= 2 * n; ++m)
-          rows.row(n * n + m) +=
-              point.weight * std::sqrt(weight_of_density * (1 - 3 / (2.0 * n + 1))) * harmonics[n][m].value * normal;
-    }
-  return rows;
-}
-
-/// The rigid motions, a row each; one that is turned or shifted has a parity.
-Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, const Eigen::VectorXd& X) {
-  Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(6, space.n_unknowns());
-  for (int i = 0; i < 3; ++i) {
-    rigid(i, space.place(i, 0)) = 1;
-    rigid.row(3 + i) = turns.of_space(i, X).normalized();
-  }
-  return rigid;
-}
-
-/// The modes of a parity: of K on the motions that `excluded`, rows of constraints and rigid motions, leaves.
+/// The modes of a parity.
 class ModesOfParity {
  public:
   ModesOfParity(const Turns& turns, Parity parity, const std::vector<int>& unknowns)
       : turns_(turns), unknowns_(unknowns), n_odd_(std::popcount(parity)) {}
 
-  void add(const Eigen::MatrixXd& K, const Eigen::MatrixXd& excluded, std::vector<Mode>& modes) const {
-    Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(K.rows(), K.cols());
-    constexpr double dependent = 1e-8;  // the least singular value of G is 3.14 at any degree
-    if (excluded.rows() > 0) basis = mechanics::null_space(excluded, dependent);
+  /// Those of K among the motions that are the columns of `basis`, orthonormal.
+  void add(const Eigen::MatrixXd& K, const Eigen::MatrixXd& basis, std::vector<Mode>& modes) const {
     if (basis.cols() == 0) return;
     const mechanics::SymmetricSpectrum degrees = mechanics::symmetric_spectrum(basis.transpose() * square(basis));
     const auto spectrum = mechanics::symmetric_spectrum(basis.transpose() * K * basis);
@@ -126,61 +85,15 @@ mechanics::Status grouped(std::vector<Mode> modes, std::vector<RestFrequency>& f
   return {};
 }
 
-/// λ at rest, and the remainder of the force of the law.
-template <class Body>
-mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
-  const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());
-  Eigen::VectorXd f = body.make_vector();
-  auto workspace = body.make_workspace();
-  if (auto status = body.force(0, X, body.make_vector(), workspace, f); !status) return status;
-  if constexpr (!mechanics::unconstrained<Body>) {
-    lambda = body.make_multiplier();
-    const mechanics::State<Body> rest{0, X, body.make_vector()};
-    if (auto status = mechanics::multiplier_of_motion(body, rest, workspace, lambda); !status) return status;
-    body.add_reaction(X, lambda, f);
-  }
-  constexpr double balanced = 1e-6;  // relative to the modulus: a stress at rest is of the order of the modulus, and
-                                     // smaller values are round-off
-  if (f.template lpNorm<Eigen::Infinity>() > balanced * std::abs(shear_modulus))
-    return mechanics::Status::failure("the body is in no equilibrium at rest: its law is not free of stress there");
-  return {};
-}
-
 template <class Body>
 mechanics::Status find(const Body& body, double gravity_constant, std::vector<RestFrequency>& frequencies) {
-  const PolynomialSpace& space = body.space();
-  const bool incompressible = !mechanics::unconstrained<Body>;
-  const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());
-  Eigen::VectorXd lambda;
-  if (auto status = at_rest(body, materials::moduli_at_rest(body.law(), incompressible).shear, lambda); !status)
-    return status;
-  const Eigen::MatrixXd K = stiffness_by_parity(space, [&](const Eigen::VectorXd& u) {
-    Eigen::VectorXd rate = body.make_vector();
-    body.add_force_rate(X, u, rate);
-    if constexpr (!mechanics::unconstrained<Body>) body.add_reaction_rate(X, u, lambda, rate);
-    return rate;
-  });
-  const Turns turns(space);
-  const Eigen::MatrixXd rigid = rigid_motions(space, turns, X);
-  const Eigen::MatrixXd gravity = gravity_rows(space, gravity_constant);
-  Eigen::MatrixXd G;
-  if constexpr (!mechanics::unconstrained<Body>) G = constraint_matrix(space, X);
-  const auto unknowns = unknowns_by_parity(space), pressures = pressures_by_parity(space);
+  const Turns turns(body.space());
+  RestProblem problem;
+  if (auto status = make_rest_problem(body, turns, gravity_constant, problem); !status) return status;
   std::vector<Mode> modes;
-  for (Parity parity = 0; parity < n_parities; ++parity) {
-    const std::vector<int>& of_parity = unknowns[parity];
-    std::vector<int> of_rigid;
-    for (int i = 0; i < 6; ++i)
-      if (!rigid.row(i)(of_parity).isZero(0)) of_rigid.push_back(i);
-    const auto n_constraints = static_cast<Eigen::Index>(incompressible ? pressures[parity].size() : 0);
-    Eigen::MatrixXd excluded(n_constraints + static_cast<Eigen::Index>(of_rigid.size()),
-                             static_cast<Eigen::Index>(of_parity.size()));
-    if (incompressible) excluded.topRows(n_constraints) = G(pressures[parity], of_parity);
-    excluded.bottomRows(excluded.rows() - n_constraints) = rigid(of_rigid, of_parity);
-    const Eigen::MatrixXd of_gravity = gravity(Eigen::all, of_parity);
-    ModesOfParity(turns, parity, of_parity)
-        .add(K(of_parity, of_parity) + of_gravity.transpose() * of_gravity, excluded, modes);
-  }
+  for (Parity parity = 0; parity < n_parities; ++parity)
+    ModesOfParity(turns, parity, problem.unknowns[parity])
+        .add(problem.stiffness_of(parity), problem.motions_of(parity), modes);
   return grouped(std::move(modes), frequencies);
 }
 

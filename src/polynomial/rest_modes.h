@@ -1,19 +1,14 @@
 #pragma once
 /// Small motions of a polynomial ball about rest,
 ///
-///   K u = ω² u on ker G,   K = D²V − Σ_b λ_b D²g_b   at x = X with its multiplier λ,
+///   K u = ω² u on ker G     (rest_problem.h),
 ///
-/// from dense matrices, a problem for each of the eight parities (parity_parts.h) on an orthonormal basis of ker G
-/// without the six rigid motions. All other frequencies of the body are found, those of unstable motions among them.
+/// a problem for each of the eight parities on an orthonormal basis of ker G without the six rigid motions. All other
+/// frequencies of the body are found, those of unstable motions among them.
 ///
 /// Kind and degree of a mode are measured: P_N is invariant under turns, and the square of a turn of the whole field
 /// (turns.h) splits a parity into motions of one degree n each. A mode has the degree of which its share is largest. It
 /// is spheroidal if its inversion X ↦ −X has the sign (−1)^(n+1), and otherwise toroidal.
-///
-/// Self-gravity at rest is exact: its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
-/// (continuum/modes/parity_sector.h). The quadrature of a motion's gravity (body_gravity.h) errs in the highest
-/// harmonics by more than all elasticity if γ = ρgr/μ is large: it mixed kinds from γ = 400 on at N = 3, from 4000
-/// on at N = 8.
 
 #include <vector>
 

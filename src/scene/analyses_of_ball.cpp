@@ -1,7 +1,10 @@
 #include "scene/analyses_of_ball.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "entries/matrix3.h"
@@ -75,38 +78,68 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
-/// Modes are those of small motions about rest, and take the symmetry of the ball themselves.
-std::optional<Refusal> refuses_modes(const Scene& scene) {
-  if (has_mesh_file(scene))
-    return Refusal{"Continuum/Mesh", "modes are those of the ball", {{{"Continuum/Mesh", "builtin"}}}};
-  if (std::ranges::none_of(models_of(scene), &ModelDescription::has_modes))
-    return Refusal{"Analysis", "modes are", {}, names_where(scene, &ModelDescription::has_modes)};
+/// Modes and Love numbers are about small displacements from rest, and take the symmetry of the ball themselves.
+std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
-  if (state.equilibrium != Family::none)
-    return Refusal{"Initial state/Equilibrium", "modes are small motions about rest; leave the entry out"};
-  if (state.deformation != identity3)
-    return Refusal{"Initial state/Deformation", "modes are small motions about rest, Q0 = 1; leave the entry out"};
-  if (largest_entry(state.velocity) != 0)
-    return Refusal{"Initial state/Velocity", "modes are small motions about rest; leave the entry out"};
+  const std::string start =
+      fmt::format("{} are about small displacements from rest, Q0 = 1; leave the entry out", what);
+  if (state.equilibrium != Family::none) return Refusal{"Initial state/Equilibrium", start};
+  if (state.deformation != identity3) return Refusal{"Initial state/Deformation", start};
+  if (largest_entry(state.velocity) != 0) return Refusal{"Initial state/Velocity", start};
   if (!scene.body.incompressible && materials::pressure_at_rest(law_of(scene)) != 0)
-    return Refusal{"Material/Law", scene.material.law +
-                                       " is stressed at rest, so a compressible ball does not stay "
-                                       "there and has no modes about rest"};
+    return Refusal{"Material/Law", fmt::format("{} is stressed at rest, so a compressible ball does not stay there and "
+                                               "has no {} about rest",
+                                               scene.material.law, what)};
   const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
   loads::Forcing others = loads::constant_forcing(scene.loads);
   others.gravity_constant = 0;
   if (others.present() || loads::depend_on_time(scene.loads) || !centered)
-    return Refusal{"Analysis",
-                   "modes are those of the ball alone, with self-gravity or without; leave out other loads, "
-                   "viscosity, drag and motions of the centre"};
+    return Refusal{"Analysis", fmt::format("{} are those of the ball alone; leave out loads other than self-gravity, "
+                                           "viscosity, drag and motions of the centre",
+                                           what)};
+  return {};
+}
+
+std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
+                                               bool ModelDescription::*is_offered) {
+  if (has_mesh_file(scene))
+    return Refusal{"Continuum/Mesh", fmt::format("{} are those of the ball", what), {{{"Continuum/Mesh", "builtin"}}}};
+  if (std::ranges::none_of(models_of(scene), is_offered))
+    return Refusal{"Analysis", fmt::format("{} are", what), {}, names_where(scene, is_offered)};
+  if (auto refusal = refuses_displaced_start(scene, what)) return refusal;
   if (scene.continuum.symmetry != Symmetry::automatic && scene.continuum.symmetry != Symmetry::octant)
     return Refusal{"Continuum/Symmetry",
-                   "modes are computed on one octant, with every choice of signs at its planes",
+                   fmt::format("{} are computed on one octant, with every choice of signs at its planes", what),
                    {{{"Continuum/Symmetry", "auto"}}}};
   if (is_fluid(scene))
     return Refusal{"Material/Law",
-                   "modes are those of an elastic ball: a fluid has infinitely many motions of frequency 0"};
+                   fmt::format("{} are those of an elastic ball: in a fluid nothing resists inner motions", what)};
   return {};
+}
+
+std::optional<Refusal> refuses_modes(const Scene& scene) {
+  return refuses_linear_analysis(scene, "modes", &ModelDescription::has_modes);
+}
+
+std::optional<Refusal> refuses_love_numbers(const Scene& scene) {
+  if (!scene.body.incompressible)
+    return Refusal{"Body/Incompressible",
+                   "Love numbers are those of an incompressible ball, whose density stays uniform",
+                   {{{"Body/Incompressible", "true"}}}};
+  if (!loads::present(scene.loads.get<loads::SelfGravity>()))
+    return Refusal{"Gravity/Constant",
+                   "Love numbers compare displacements with V/g of self-gravity; give a constant > 0"};
+  if (love_degrees(scene).front() == 1)
+    return Refusal{"Love numbers/Degrees",
+                   "expected degrees from 2: a tide of degree 1 moves the ball as a whole, and its numbers depend on "
+                   "the frame"};
+  if (scene.body.semi_axes != std::vector<double>{1, 1, 1} || scene.body.inertia)
+    return Refusal{"Body/Semi-axes",
+                   "Love numbers are those of a ball",
+                   {{{"Body/Semi-axes", "1, 1, 1"}, {"Body/Inertia", "auto"}}}};
+  if (scene.output.graphics != Graphics::none)
+    return Refusal{"Output/Graphics", "Love numbers are a table without pictures", {{{"Output/Graphics", "none"}}}};
+  return refuses_linear_analysis(scene, "Love numbers", &ModelDescription::has_love_numbers);
 }
 
 }  // namespace
@@ -117,7 +150,8 @@ std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene) {
   // Whatever is looked for, the initial state may be a member of a family.
   if (scene.initial_state.equilibrium != Family::none)
     if (auto refusal = refuses_relative_equilibrium(scene)) return refusal;
-  return scene.analysis == Analysis::modes ? refuses_modes(scene) : std::nullopt;
+  if (scene.analysis == Analysis::modes) return refuses_modes(scene);
+  return scene.analysis == Analysis::love_numbers ? refuses_love_numbers(scene) : std::nullopt;
 }
 
 }  // namespace pseudorigid::scene

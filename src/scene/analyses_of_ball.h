@@ -1,5 +1,5 @@
 #pragma once
-/// Requirements of equilibria and modes on a scene of the ball.
+/// Requirements of equilibria, modes and Love numbers on a scene of the ball.
 
 #include <optional>
 

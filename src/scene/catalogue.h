@@ -121,8 +121,9 @@ struct ModelDescription {
   /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
   /// models. A model without them is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
-  bool has_modes = false, has_equilibria = false;  ///< whether Analysis = modes, equilibrium are offered
-  EquilibriaTable equilibria{};                    ///< used if has_equilibria
+  /// Whether Analysis = modes, love numbers, equilibrium are offered.
+  bool has_modes = false, has_love_numbers = false, has_equilibria = false;
+  EquilibriaTable equilibria{};  ///< used if has_equilibria
   /// Columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with `n_modes`
   /// degrees of freedom. Null if the model does not compute them.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;

@@ -14,6 +14,7 @@ namespace pseudorigid::scene {
 inline constexpr auto analysis_kind = choice<Analysis>({
     {"motion", Analysis::motion},
     {"modes", Analysis::modes},
+    {"love numbers", Analysis::love_numbers},
     {"equilibrium", Analysis::equilibrium},
     {"manifolds", Analysis::manifolds},
     {"section", Analysis::section},

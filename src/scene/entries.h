@@ -43,7 +43,10 @@ void visit_problem(S& scene, Visit& visit) {
         About{"Analysis", "",
               "The kind of computation. With motion, it is the motion that follows from the initial state. With modes, "
               "it is the lowest frequencies of small motions about rest, of the continuum or of a polynomial body "
-              "(modes.csv); see Modes/Number. With equilibrium, it is for the ball a family of relative equilibria "
+              "(modes.csv); see Modes/Number. With love numbers, it is the static response of the ball with "
+              "self-gravity to tides and to masses on its surface (love-reduced.csv, love-polynomial.csv, "
+              "love-continuum.csv); see Love numbers/Degrees. With equilibrium, it is for the ball a family of "
+              "relative equilibria "
               "with their stability, or its equilibria at rest; see Equilibrium/Family. The reduced model writes "
               "equilibria.csv. Polynomial bodies write equilibria-polynomial.csv, if the family turns as a whole. For "
               "another system (equilibria.csv): the critical "
@@ -144,6 +147,15 @@ void visit_modes(S& scene, Visit& visit) {
               "sphere; reduced: omega of the pseudo-rigid ball, or 0 if it has no such mode. Rigid motions are "
               "left out. Graphics shows one mode of each row (modes.pvd), for the first Frames rows, with a "
               "largest displacement of one radius."});
+}
+
+template <SceneOrConst S, class Visit>
+void visit_love_numbers(S& scene, Visit& visit) {
+  visit(scene.love.degrees, AutoOrIntegers{{1, largest_love_degree}},
+        About{"Love numbers/Degrees", "",
+              "Degrees n of the tides for which Analysis = love numbers writes Love numbers, one row each. With auto, "
+              "they are 2 to 8, as far as the finite elements resolve them: up to Degree times 2^Refinements. Degree 1 "
+              "is refused: it moves the ball as a whole."});
 }
 
 template <SceneOrConst S, class Visit>
@@ -388,6 +400,7 @@ void visit_entries(S& scene, Visit&& visit) {
   visit_initial_state(scene, visit);
   visit_equilibria(scene, visit);
   visit_modes(scene, visit);
+  visit_love_numbers(scene, visit);
   visit_manifolds(scene, visit);
   visit_section(scene, visit);
   visit_systems(scene, visit);

@@ -26,6 +26,8 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
       return true;
     case Analysis::modes:
       return model.has_modes;
+    case Analysis::love_numbers:
+      return model.has_love_numbers;
     case Analysis::equilibrium:
       return model.has_equilibria;
     case Analysis::manifolds:
@@ -46,6 +48,21 @@ inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
 /// Whether a model of the scene has finite elements.
 inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
+}
+
+/// The highest degree of a tide that the finite elements of the scene resolve, k 2^r.
+inline int resolved_degree(const Scene& scene) {
+  return scene.continuum.degree.value_or(1) << scene.continuum.refinements.value_or(0);
+}
+
+/// The degrees of the Love numbers that Analysis = love numbers writes.
+inline std::vector<int> love_degrees(const Scene& scene) {
+  if (!scene.love.degrees.empty()) return scene.love.degrees;
+  constexpr int last = 8;
+  std::vector<int> degrees;
+  for (int n = 2; n <= (is_discretized(scene) ? std::min(last, resolved_degree(scene)) : last); ++n)
+    degrees.push_back(n);
+  return degrees;
 }
 
 /// Whether a model of the scene has motions other than x = QX, Q a matrix.

@@ -96,8 +96,8 @@ void describe_models(const Scene& scene, Needs& needs) {
 }
 
 void describe_output(const Scene& scene, Needs& needs) {
-  if (scene.analysis == Analysis::modes) {
-    needs.skipped.push_back("time loop, initial state and observables: modes are small motions about rest");
+  if (is_linear(scene.analysis)) {
+    needs.skipped.push_back("time loop, initial state and observables: only small displacements about rest are found");
     sort_out(needs, needs.graphics, fmt::format("graphics: up to {} shapes (vtu)", scene.output.frames),
              "graphics: Output/Graphics is none; no folder is made");
     return;
@@ -208,6 +208,9 @@ Needs needs(const Scene& scene) {
       fmt::format("modes: the {} lowest frequencies about rest, of all eight parities at the planes of the octant",
                   scene.modes.number),
       fmt::format("modes: Analysis is {}; no stiffness, no eigenvalue solver", analysis_kind.print(scene.analysis)));
+  sort_out(needs, scene.analysis == Analysis::love_numbers,
+           fmt::format("Love numbers: {} degrees of the tide", love_degrees(scene).size()),
+           fmt::format("Love numbers: Analysis is {}", analysis_kind.print(scene.analysis)));
   describe_output(scene, needs);
   describe_report(scene, needs);
   if (auto warning = warning_of_law(scene)) needs.warnings.push_back(*std::move(warning));

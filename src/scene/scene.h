@@ -16,7 +16,7 @@
 
 namespace pseudorigid::scene {
 
-enum class Analysis { motion, modes, equilibrium, manifolds, section };
+enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, section };
 /// The direction of the crossings of a section that count: the column increases, decreases, or both.
 enum class Crossings { up, down, both };
 /// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` means the equilibria at rest,
@@ -96,6 +96,9 @@ struct Scene {
   struct Modes {
     int number = 8;
   } modes;
+  struct Love {
+    std::vector<int> degrees;  ///< rising; empty: auto (love_degrees)
+  } love;
   struct Manifolds {
     int starts = 24;
   } manifolds;
@@ -155,6 +158,12 @@ struct Scene {
 inline bool finds_static_equilibria(const Scene& scene) {
   return scene.analysis == Analysis::equilibrium && scene.equilibria.family == Family::at_rest;
 }
+
+/// Largest degree of Love numbers.
+inline constexpr int largest_love_degree = 24;
+
+/// Whether small displacements about rest are looked for.
+inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }
 

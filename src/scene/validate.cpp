@@ -110,8 +110,9 @@ class Validator {
 
   void check_system(const SystemDescription& system) {
     scene_.models.clear();
-    if (scene_.analysis == Analysis::modes)
-      refuse("Analysis", fmt::format("modes are offered for the ball, not for System = {}", system.name));
+    if (is_linear(scene_.analysis))
+      refuse("Analysis", fmt::format("{} are offered for the ball, not for System = {}",
+                                     analysis_kind.print(scene_.analysis), system.name));
     const bool wants_critical_points =
         scene_.analysis == Analysis::equilibrium || scene_.analysis == Analysis::manifolds;
     if (wants_critical_points && !system.has_equilibria)

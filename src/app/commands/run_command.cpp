@@ -11,6 +11,7 @@
 #include "app/commands/sweep.h"
 #include "app/ranks/failure.h"
 #include "app/ranks/on_all_ranks.h"
+#include "app/run/love_table.h"
 #include "app/run/model_files.h"
 #include "app/run/run_models.h"
 #include "app/run/scene_to_model.h"
@@ -42,11 +43,11 @@ ModelOutcome run_model(std::string_view name, RunModel run, const RunContext& co
 
 bool is_resumable(const RunContext& context) { return !checkpoints(context.directory, context.scene).empty(); }
 
-/// The context in which a model runs. All ranks share a finite-element run, except the analysis of modes: a single
-/// process computes them in one octant.
+/// The context in which a model runs. All ranks share a finite-element run, except the analyses of modes and Love
+/// numbers: a single process computes them in one octant.
 RunContext context_of(const scene::ModelDescription& model, const RunContext& context, const Executable& executable) {
   RunContext of_model = context;
-  if (model.discretized && context.scene.analysis != scene::Analysis::modes && executable.ranks->of_first(true))
+  if (model.discretized && !scene::is_linear(context.scene.analysis) && executable.ranks->of_first(true))
     of_model.ranks = executable.ranks;
   return of_model;
 }
@@ -148,6 +149,10 @@ io::Manifest manifest_of(const scene::Scene& scene, const scene::Needs& needs, c
   else if (scene.analysis == scene::Analysis::equilibrium)
     for (const scene::ModelDescription* model : needs.models)
       content.columns[std::string(model->equilibria.file) + ".csv"] = model->equilibria.columns;
+  else if (scene.analysis == scene::Analysis::love_numbers)
+    for (const scene::ModelDescription* model : needs.models)
+      for (const scene::ModelRun& run : scene::runs_of(*model, scene))
+        content.columns["love-" + run.name + ".csv"] = love_columns();
   else
     for (const scene::ModelDescription* model : needs.models)
       for (const scene::ModelRun& run : scene::runs_of(*model, scene))

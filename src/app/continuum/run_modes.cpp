@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
-#include <numbers>
-#include <optional>
 #include <utility>
 
-#include "app/continuum/stored_energy.h"
+#include "app/continuum/rest_problem.h"
+#include "app/run/love_table.h"
 #include "app/run/mode_table.h"
 #include "continuum/modes/modes.h"
 #include "continuum/output/nodal_fields.h"
@@ -20,11 +19,6 @@ namespace {
 
 using continuum::BallFrequency, continuum::ModeKind;
 using Clock = std::chrono::steady_clock;
-
-/// γ = ρgr/μ with g = (4/3)πGρr.
-double gravity_of(const continuum::RestProblem& problem) {
-  return problem.gravity ? 4 * std::numbers::pi / 3 * problem.gravity->constant() / problem.elasticity.moduli.shear : 0;
-}
 
 std::vector<ModeFrequency> rows_of(const std::vector<BallFrequency>& frequencies) {
   std::vector<ModeFrequency> rows;
@@ -63,14 +57,9 @@ void write_shapes(const std::vector<BallFrequency>& frequencies, const continuum
 ModelOutcome run_modes(const RunContext& context) {
   const scene::Scene& scene = context.scene;
   const auto start = Clock::now();
-  const continuum::StoredEnergy stored = stored_energy(scene);
-  const continuum::BallSpace space(continuum::BallMesh({{true, true, true}}, *scene.continuum.refinements),
-                                   *scene.continuum.degree);
-  const auto kernels = continuum::make_cell_kernels(space, stored);
-  std::optional<continuum::SurfaceGravityForces> gravity;
-  if (const double G = loads::constant_forcing(internal_loads(scene)).gravity_constant; G > 0)
-    gravity.emplace(G, space, scene.continuum.gravity_points.value_or(continuum::n_gravity_points(space, false)));
-  const continuum::RestProblem problem(space, *kernels, stored, scene.body.incompressible, std::move(gravity));
+  const BallAtRestOnMesh ball(scene, *scene::fixed_discretization(scene));
+  const continuum::BallSpace& space = ball.space();
+  const continuum::RestProblem& problem = ball.problem();
   std::vector<BallFrequency> frequencies;
   continuum::ModesReport report;
   ModelOutcome outcome;
@@ -95,8 +84,8 @@ ModelOutcome run_modes(const RunContext& context) {
     outcome.end = context.interrupted() ? mechanics::Outcome::interrupted : mechanics::Outcome::failed;
     return outcome;
   }
-  write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_of(problem)}, context, "modes",
-                   outcome);
+  write_mode_table(rows, {problem.elasticity.moduli, problem.incompressible, gravity_to_elasticity(scene)}, context,
+                   "modes", outcome);
   if (const std::string copies = differing_copies(rows); !copies.empty())
     context.log->warn("{}, which is an error of the mesh; {}", copies, remedy);
   if (context.needs.graphics) write_shapes(frequencies, space, context);

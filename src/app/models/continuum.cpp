@@ -29,7 +29,7 @@ std::string continuum_needed(const Scene& scene) {
                          : fmt::format("degree {}, refinements {}: the cheapest with an estimated error of Q up to {}",
                                        found(scene.continuum.degree), found(scene.continuum.refinements),
                                        scene::print_number(scene.continuum.tolerance))) +
-         (scene.analysis == scene::Analysis::modes ? ", one octant in all its parities"
+         (scene::is_linear(scene.analysis) ? ", one octant in all its parities"
           : scene::has_mesh_file(scene)
               ? ", the whole body"
               : fmt::format(", {}, one of {} ({})", sector.name(), sector.n_images(), sector.reason));
@@ -42,15 +42,22 @@ std::optional<std::string> continuum_companion(const Scene& scene) {
 
 std::string continuum_skipped(const Scene&) { return "continuum: not among Models; no mesh, no deal.II, MPI or PETSc"; }
 
-/// Refuses modes without a given discretisation, or on a graded mesh.
+/// Refuses modes and Love numbers without a given discretisation, or on a graded mesh.
 std::optional<Refusal> refuses_modes(const Scene& scene) {
-  if (scene.analysis != scene::Analysis::modes) return {};
+  if (!scene::is_linear(scene.analysis)) return {};
   if (!scene::fixed_discretization(scene))
     return Refusal{scene.continuum.degree ? "Continuum/Refinements" : "Continuum/Degree",
-                   "auto is offered for motions; for modes give a number (the column spread measures the error of "
-                   "the mesh)"};
+                   "auto is offered for motions; for modes give a number, and for Love numbers (their tables have an "
+                   "error of the mesh)"};
+  if (scene.analysis == scene::Analysis::love_numbers &&
+      scene::love_degrees(scene).back() > scene::resolved_degree(scene))
+    return Refusal{"Love numbers/Degrees",
+                   fmt::format("a mesh of degree k, refined r times, resolves tides up to the degree k 2^r = {}; raise "
+                               "Continuum/Degree or Continuum/Refinements",
+                               scene::resolved_degree(scene))};
   if (scene.continuum.grading != 1)
-    return Refusal{"Continuum/Grading", "modes are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
+    return Refusal{
+        "Continuum/Grading", "small displacements are computed on the even mesh", {{{"Continuum/Grading", "1"}}}};
   return {};
 }
 
@@ -136,6 +143,7 @@ BallModel continuum_model() {
            .discretized = true,
            .has_nonaffine = true,
            .has_modes = true,
+           .has_love_numbers = true,
            .columns = io::documented_columns<Observables>(),
            .header = [](const scene::Quantities& q) { return io::Trajectory<Observables>(q).names(); },
            .companion = continuum_companion,

@@ -27,7 +27,7 @@ std::string polynomial_needed(const Scene& scene) {
   if (degrees.empty())
     of_degree = fmt::format("the lowest degree with an estimated error of Q up to {}",
                             scene::print_number(scene.polynomial.tolerance));
-  if (scene.analysis == scene::Analysis::modes)
+  if (scene::is_linear(scene.analysis))
     return fmt::format("polynomial body: {}, the whole ball in all its parities", of_degree);
   if (scene.analysis == scene::Analysis::equilibrium)
     return fmt::format("polynomial body: {}, figures in one octant, small motions of the whole ball", of_degree);
@@ -78,8 +78,13 @@ std::optional<Refusal> refuses_body(const Scene& scene) {
 }
 
 std::optional<Refusal> refuses_modes(const Scene& scene) {
-  if (scene.analysis != scene::Analysis::modes) return {};
-  if (scene.polynomial.degrees.size() != 1)
+  if (!scene::is_linear(scene.analysis)) return {};
+  if (scene.polynomial.degrees.empty())
+    return Refusal{"Polynomial/Degree", "auto is offered for motions; for modes give a number, and for Love numbers"};
+  if (scene.analysis == scene::Analysis::love_numbers &&
+      scene::love_degrees(scene).back() >= scene::largest_polynomial_degree)
+    return Refusal{"Love numbers/Degrees", "a polynomial body, whose degree is up to 13, has those of 2 to 12"};
+  if (scene.analysis == scene::Analysis::modes && scene.polynomial.degrees.size() != 1)
     return Refusal{"Polynomial/Degree", "modes are those of one body: expected one whole number from 1 to 13"};
   if (scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes", "modes are those of the ball; leave the entry out"};
@@ -106,6 +111,7 @@ BallModel polynomial_model() {
        .discretized = false,
        .has_nonaffine = true,
        .has_modes = true,
+       .has_love_numbers = true,
        .has_equilibria = true,
        .equilibria = {"equilibria-polynomial",
                       "This is a family of figures of polynomial bodies that turn as a whole (Equilibrium/Family), for "

@@ -54,6 +54,7 @@ BallModel reduced_model() {
            .by_default = true,
            .discretized = false,
            .has_nonaffine = false,
+           .has_love_numbers = true,
            .has_equilibria = true,
            .equilibria = {"equilibria",
                           "This is a family of relative equilibria of the ball (Equilibrium/Family), a row each.",

@@ -1,10 +1,10 @@
 #include "app/polynomial/run_modes.h"
 
 #include <chrono>
-#include <numbers>
 #include <vector>
 
 #include "app/polynomial/body_setup.h"
+#include "app/run/love_table.h"
 #include "app/run/mode_table.h"
 #include "materials/rest_moduli.h"
 #include "polynomial/rest_modes.h"
@@ -34,8 +34,7 @@ ModelOutcome run_polynomial_modes(const RunContext& context) {
     return outcome;
   }
   const materials::RestModuli moduli = materials::moduli_at_rest(setup.law, scene.body.incompressible);
-  const double gravity_constant = loads::constant_forcing(setup.loads).gravity_constant;
-  const double gamma = 4 * std::numbers::pi / 3 * gravity_constant / moduli.shear;
+  const double gamma = gravity_to_elasticity(scene);
   const bool is_alone = context.needs.models.size() == 1;
   write_mode_table(rows, {moduli, scene.body.incompressible, gamma}, context, is_alone ? "modes" : "modes-polynomial",
                    outcome);

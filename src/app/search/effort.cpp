@@ -196,7 +196,7 @@ void require_memory(const scene::Scene& scene, const scene::Origins& origins, st
   if (!scene::is_discretized(scene) || scene.analysis == scene::Analysis::equilibrium) return;
   constexpr const char* entry = "Continuum/Refinements";
   const auto fixed = scene::fixed_discretization(scene);
-  const double own_share = scene.analysis == scene::Analysis::modes ? 1 : share;  // a single process finds the modes
+  const double own_share = scene::is_linear(scene.analysis) ? 1 : share;  // a single process finds them
   if (const auto problem =
           exceeds_memory(scene, fixed ? *fixed : scene::ladder(scene).front(), n_coarse_cells, own_share))
     throw UserError(fmt::format("{}: {}: {}", origins.of(entry), entry, *problem));

@@ -13,6 +13,9 @@
 #include <numbers>
 #include <utility>
 
+#include "continuum/mesh/surface_faces.h"
+#include "continuum/modes/surface_harmonics.h"
+
 namespace pseudorigid::continuum {
 namespace {
 
@@ -32,27 +35,15 @@ using SparseCholesky = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
 
 }  // namespace
 
-std::string Parity::name() const {
-  std::string name;
-  for (const int s : sign) name += s > 0 ? '+' : '-';
-  return name;
-}
-
-Parity parity_of_sector(int number) {
-  Parity parity;
-  for (int j = 0; j < 3; ++j) parity.sign[j] = number >> j & 1 ? -1 : 1;
-  return parity;
-}
-
 RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels, const StoredEnergy& stored,
-                         bool is_incompressible, std::optional<SurfaceGravityForces> self_gravity)
+                         bool is_incompressible, double gravity_constant)
     : space(ball_space),
       elasticity(stored, is_incompressible),
       incompressible(is_incompressible),
       shift(elasticity.moduli.shear),
       penalty(is_incompressible ? 1e4 * elasticity.moduli.shear : 0),
       n_cells_at_node(ball_space.n_nodes(), 0),
-      gravity(std::move(self_gravity)) {
+      weight_of_density(4 * std::numbers::pi / 3 * gravity_constant) {
   if (incompressible)
     kernels.constraint_rows(space.reference_positions(), [&](unsigned int, std::span<const double> rows) {
       using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -68,23 +59,21 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
     stiffness.push_back(std::move(K));
     for (const unsigned int node : space.cell_nodes(cell)) ++n_cells_at_node[node];
   }
-  if (gravity) add_springs();
+  if (weight_of_density > 0) add_springs();
 }
 
 void RestProblem::add_springs() {
-  const double weight_of_density = 4 * std::numbers::pi / 3 * gravity->constant();  // ρg
   for (const CellFace& face : free_surface(space)) {
     const auto& nodes = space.cell_nodes(face.cell);
     Eigen::MatrixXd& K = stiffness[face.cell];
-    for (FacePoint& point : quadrature_on(space, face, space.reference_cell().n)) {
+    for (const FacePoint& point : harmonic_quadrature(space, face)) {
       const FacePoint::Jet X = point.jet(space.reference_positions());
-      const Eigen::Vector3d N = point.weight * X.by_p.cross(X.by_q);
-      const Eigen::Vector3d spring = std::sqrt(weight_of_density * N.norm()) * N.normalized();
+      const double area = point.weight * X.by_p.cross(X.by_q).norm();
+      const Eigen::Vector3d spring = std::sqrt(weight_of_density * area) * X.u.normalized();
       Eigen::VectorXd row = Eigen::VectorXd::Zero(K.rows());
       for (const FacePoint::Node& n : point.nodes)
         row.segment<3>(3 * (std::ranges::find(nodes, n.node) - nodes.begin())) += n.value * spring;
       K += row * row.transpose();
-      springs.push_back({std::move(point), spring});
     }
   }
 }
@@ -106,6 +95,7 @@ struct ParitySector::Interface {
 ParitySector::ParitySector(const RestProblem& problem, const Parity& parity)
     : problem_(problem), parity_(parity), interface_(std::make_unique<Interface>()) {
   number_unknowns();
+  if (problem.weight_of_density > 0) find_attraction();
 }
 ParitySector::~ParitySector() = default;
 ParitySector::ParitySector(ParitySector&&) noexcept = default;
@@ -250,24 +240,21 @@ Eigen::VectorXd ParitySector::solve_elastic(Eigen::VectorXd f, int n_corrections
   return f;
 }
 
-Eigen::VectorXd ParitySector::apply_gravity(const Eigen::VectorXd& u) const {
-  Vector field = problem_.space.make_vector(), force = problem_.space.make_vector();
-  for (std::size_t i = 0; i < n_unknowns_; ++i)
-    field.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
-  problem_.gravity->add_rate(problem_.space.reference_positions(), field, parity_.sign, force);
-  for (const auto& [point, spring] : problem_.springs) {
-    const double stretch = spring.dot(point.value(field));
-    for (const FacePoint::Node& n : point.nodes)
-      for (int c = 0; c < 3; ++c) force.local_element(3 * n.node + c) += n.value * stretch * spring[c];
-  }
-  Eigen::VectorXd result(u.size());
-  for (std::size_t i = 0; i < n_unknowns_; ++i)
-    result[static_cast<Eigen::Index>(i)] = -force.local_element(entry_of_unknown_[i]);
-  return result;
+void ParitySector::find_attraction() {
+  const SurfaceHarmonics harmonics(problem_.space, parity_, largest_resolved_degree(problem_.space));
+  std::vector<Eigen::VectorXd> rows;
+  for (int n = 0; n <= harmonics.max_degree(); ++n)
+    for (const std::size_t field : harmonics.radial_fields(n)) {
+      const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
+      // A product of two integrals over the whole sphere, of which this is an octant.
+      rows.push_back(std::sqrt(8 * share * problem_.weight_of_density) * entries_of(harmonics.force(field)));
+    }
+  attraction_.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(n_unknowns_));
+  for (std::size_t i = 0; i < rows.size(); ++i) attraction_.row(static_cast<Eigen::Index>(i)) = rows[i];
 }
 
 mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const {
-  if (!problem_.gravity) {
+  if (attraction_.rows() == 0) {
     u = solve_elastic(f, n_corrections);
     return {};
   }
@@ -281,8 +268,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
     const double curvature = p.dot(A_p);
     if (iteration == n_iterations_with_gravity || !(curvature > 0) || !std::isfinite(rz))
       return mechanics::Status::failure(
-          "the stiffness with self-gravity cannot be inverted: the quadrature of gravity is too coarse for this "
-          "elasticity, or the ball at rest is unstable");
+          "the stiffness with self-gravity cannot be inverted: the ball at rest is unstable");
     const double step = rz / curvature;
     u += step * p;
     r -= step * A_p;
@@ -320,11 +306,30 @@ mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) c
     stiffness += local.dot(problem_.stiffness[c] * local);
     if (problem_.incompressible) stiffness -= problem_.penalty * (problem_.constraint[c] * local).squaredNorm();
   }
-  if (problem_.gravity) stiffness += u.dot(apply_gravity(u));
-  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), problem_.space.make_vector()};
-  for (std::size_t i = 0; i < n_unknowns_; ++i)
-    mode.u.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  if (attraction_.rows() > 0) stiffness -= (attraction_ * u).squaredNorm();
+  mode = {stiffness / u.dot(mass_.cwiseProduct(u)), field_of(u)};
   return {};
+}
+
+mechanics::Status ParitySector::respond(const Vector& f, Vector& u) const {
+  Eigen::VectorXd response;
+  if (auto status = solve(entries_of(f), n_corrections_of_mode, response); !status) return status;
+  u = field_of(response);
+  return {};
+}
+
+Eigen::VectorXd ParitySector::entries_of(const Vector& field) const {
+  Eigen::VectorXd entries(static_cast<Eigen::Index>(n_unknowns_));
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    entries[static_cast<Eigen::Index>(i)] = field.local_element(entry_of_unknown_[i]);
+  return entries;
+}
+
+Vector ParitySector::field_of(const Eigen::VectorXd& u) const {
+  Vector field = problem_.space.make_vector();
+  for (std::size_t i = 0; i < n_unknowns_; ++i)
+    field.local_element(entry_of_unknown_[i]) = u[static_cast<Eigen::Index>(i)];
+  return field;
 }
 
 }  // namespace pseudorigid::continuum

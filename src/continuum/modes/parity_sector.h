@@ -15,61 +15,44 @@
 /// u ← u − B⁻¹γGᵀG u reduces G u by a factor of the order of 1/γ. B is factorised after condensation: first the
 /// unknowns of one cell alone (dense, cell by cell), then those between cells.
 ///
-/// Self-gravity adds its second variation K_g = D²Ê at rest, which couples all nodes of the surface with one another.
-/// On the sphere and a surface displacement u·n of degree n it is ρg (1 − 3/(2n + 1)) ∮(u·n)² dS, g = (4/3)πGρr: the
-/// first term, a spring at each point, is part of K in B, and conjugate gradients with T of that B as preconditioner
-/// solve (K + K_g + s M) u − Gᵀλ = f in some ten iterations, whatever the mesh and the strength of gravity.
+/// Self-gravity adds its second variation, which couples all nodes of the surface with one another. On the sphere it is
+///
+///   uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm (3/(2n + 1)) (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   1 in place of 3 for n = 0:
+///
+/// the first term, a spring at each point, is part of K in B. The second is an attraction of the harmonics that the
+/// mesh resolves; those beyond it would soften the surface by 3/(2n + 1) of its springs at most. Conjugate gradients
+/// with T of that B as preconditioner solve (K + K_g + s M) u − Gᵀλ = f in some ten iterations, whatever the mesh and
+/// the strength of gravity. (The surface integrals of a motion, gravity/surface_gravity.h, err by more: l of a tide by
+/// 1e-6 to 1e-5.)
 
 #include <Eigen/Core>
-#include <array>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "continuum/body/surface_gravity_forces.h"
 #include "continuum/kernels/cell_kernels.h"
 #include "continuum/mesh/ball_space.h"
+#include "continuum/modes/parity.h"
 #include "continuum/modes/rest_stiffness.h"
 #include "mechanics/core/status.h"
 
 namespace pseudorigid::continuum {
 
-struct Parity {
-  std::array<int, 3> sign{1, 1, 1};
-
-  /// Whether a component is 0 on the plane x_j = 0.
-  bool holds(int component, int plane) const { return (component == plane) == (sign[plane] > 0); }
-  /// "++-"
-  std::string name() const;
-};
-
-/// Bits of the number are the negative signs: 0 is the symmetric motion.
-Parity parity_of_sector(int number);
-
 /// Shared by all sectors: space, stiffness and constraint of every cell. The space must be that of an octant.
 struct RestProblem {
-  /// Self-gravity is that of an incompressible body.
+  /// Self-gravity is that of an incompressible body; its constant G is in internal units, ρ = r = 1.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
-              std::optional<SurfaceGravityForces> gravity = std::nullopt);
+              double gravity_constant = 0);
 
   const BallSpace& space;
   RestElasticity elasticity;
   bool incompressible;
-  double shift;                             ///< s
+  double shift;                             ///< s; 0 is for sectors without rigid motions, of a stable ball
   double penalty;                           ///< γ
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
   std::vector<int> n_cells_at_node;
-  std::optional<SurfaceGravityForces> gravity;
-
-  /// The springs at the points of the surface: √(ρgw) n, w the weight of the point's area.
-  struct Spring {
-    FacePoint point;
-    Eigen::Vector3d root_stiffness;
-  };
-  std::vector<Spring> springs;
+  double weight_of_density;  ///< ρg
 
  private:
   void add_springs();
@@ -87,6 +70,9 @@ class ParitySector {
 
   /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
+
+  /// u = T f for a force on the octant.
+  mechanics::Status respond(const Vector& f, Vector& u) const;
 
   /// ω² and the field of an approximate eigenvector y, after a step of inverse iteration: ω² = uᵀKu / uᵀMu.
   struct Mode {
@@ -106,8 +92,13 @@ class ParitySector {
   /// T f by n_corrections of the divergence, without self-gravity and with it.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const;
+  void find_attraction();
   /// K_g u less the force of the springs.
-  Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const {
+    return -(attraction_.transpose() * (attraction_ * u));
+  }
+  Vector field_of(const Eigen::VectorXd& u) const;
+  Eigen::VectorXd entries_of(const Vector& field) const;
 
   const RestProblem& problem_;
   Parity parity_;
@@ -115,6 +106,7 @@ class ParitySector {
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
   Eigen::VectorXd mass_, root_mass_;
+  Eigen::MatrixXd attraction_;  ///< a row for each harmonic: √(3ρg/(2n + 1)) ∮(u·n) Y_nm dS of the sector's unknowns
   std::unique_ptr<Interface> interface_;
 };
 

@@ -1,12 +1,15 @@
 #include "continuum/modes/surface_harmonics.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
 namespace pseudorigid::continuum {
 namespace {
+
+constexpr double n_octants = 8;
 
 /// Y_nm with cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient there.
 struct Harmonic {
@@ -45,19 +48,29 @@ bool same(const Parity& a, const Parity& b, int sign) {
 
 }  // namespace
 
-SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree) {
-  find_points(space);
+int largest_resolved_degree(const BallSpace& space) {
+  constexpr int n_edges = 2, most = 64;  // edges of the unrefined mesh on a quarter of a great circle
+  const auto n_levels = space.mesh().triangulation().n_global_levels();
+  return std::min(2 * n_edges * static_cast<int>(space.degree() << (n_levels - 1)), most);
+}
+
+std::vector<FacePoint> harmonic_quadrature(const BallSpace& space, const CellFace& face) {
+  return quadrature_on(space, face, space.reference_cell().n + 3);
+}
+
+SurfaceHarmonics::SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree)
+    : space_(space), max_degree_(max_degree) {
+  find_points();
   for (int n = 0; n <= max_degree; ++n)
     for (int m = 0; m <= n; ++m)
       for (const bool sine : {false, true})
         if (m > 0 || !sine) add_harmonic(n, m, sine, parity);
 }
 
-void SurfaceHarmonics::find_points(const BallSpace& space) {
-  constexpr double n_octants = 8;
-  for (const CellFace& face : free_surface(space))
-    for (FacePoint& point : quadrature_on(space, face, space.reference_cell().n)) {
-      const FacePoint::Jet X = point.jet(space.reference_positions());
+void SurfaceHarmonics::find_points() {
+  for (const CellFace& face : free_surface(space_))
+    for (FacePoint& point : harmonic_quadrature(space_, face)) {
+      const FacePoint::Jet X = point.jet(space_.reference_positions());
       const double area = n_octants * point.weight * X.by_p.cross(X.by_q).norm();
       points_.push_back({std::move(point), X.u.normalized(), area});
     }
@@ -101,6 +114,29 @@ ModeClass SurfaceHarmonics::classify(const Vector& u) const {
   for (const auto& [key, square] : shares)
     if (square > best.share * whole) best = {static_cast<ModeKind>(key.first), key.second, square / whole};
   return best;
+}
+
+std::vector<std::size_t> SurfaceHarmonics::radial_fields(int n) const {
+  std::vector<std::size_t> found;
+  for (std::size_t r = 0; r + 1 < rows_.size(); ++r)
+    if (rows_[r].kind == ModeKind::spheroidal && rows_[r].degree == n) found.push_back(r++);
+  return found;
+}
+
+double SurfaceHarmonics::integral(std::size_t field, const Vector& u) const {
+  double sum = 0;
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    sum += fields_[field].col(static_cast<Eigen::Index>(p)).dot(points_[p].on_face.value(u));
+  return sum;
+}
+
+Vector SurfaceHarmonics::force(std::size_t field) const {
+  Vector f = space_.make_vector();
+  for (std::size_t p = 0; p < points_.size(); ++p)
+    for (const FacePoint::Node& node : points_[p].on_face.nodes)
+      for (unsigned int c = 0; c < 3; ++c)
+        f.local_element(3 * node.node + c) += node.value * fields_[field](c, static_cast<Eigen::Index>(p)) / n_octants;
+  return f;
 }
 
 }  // namespace pseudorigid::continuum

@@ -10,6 +10,10 @@ function inWords() {
     const c = tables.modes.columns, off = Math.max(...c.omega.map((w, i) => Math.abs(w / c.exact[i] - 1))), [{ball}] = ballsOf("modes");
     return `The ${tables.modes.n} lowest frequencies of the ${ball} about rest lie from ${show(c.omega[0], 6)} to ${show(c.omega[tables.modes.n - 1], 6)}; they differ from the exact ones of the sphere by at most ${show(off, 2)}, relatively.`;
   }
+  if (loveTables().length) {
+    const [{ball, table}] = loveTables().slice(-1);
+    return `The Love numbers of the ${ball}: h = ${show(table.at("h", 0), 6)}, k = ${show(table.at("k", 0), 6)}, l = ${show(table.at("l", 0), 6)} for degree ${table.at("degree", 0)}; the exact sphere has h = ${show(table.at("h_exact", 0), 6)}.`;
+  }
   if (tables.connections) return `${tables.connections.n} motions on the manifolds of ${tables.equilibria.n} critical points of the potential.`;
   if (tables.section) return `${tables.section.n} crossings of ${scene["Section/Column"]} = ${scene["Section/Value"]}.`;
   if (tables.equilibria && !tables.equilibria.has("kind")) return `${tables.equilibria.n} critical points of the potential.`;
@@ -127,6 +131,20 @@ function modesOf(t, ball, heading) {
     make("div", {class: "legend"}, series.map(s => { const svg = document.createElementNS(SVG, "svg"); svg.setAttribute("width", 16); svg.setAttribute("height", 16); marker(svg, s.style, 8, 8); return make("span", {}, svg, s.name === "pseudo-rigid" ? "pseudo-rigid ball" : `${ball}, ${s.name}`); })),
     make("div", {class: "charts wide"}, chart({title: "Frequencies by degree", series, xLabel: "degree of the mode", wholeX: true, yLabel: withUnit("ω", "1/time"), xRange: [-0.3, most + 0.3], height: 320})),
     tableOf(["mode", "kind", "copies", withUnit("ω", "1/time"), "exact sphere", "difference", "spread", "pseudo-rigid ball"], rows));
+}
+
+// Love numbers of each run, love-<run>.csv.
+const loveTables = () => (manifest.ball || []).map(b => ({ball: `${adjectiveOf(b)} ball`, affine: b.affine, table: tables[`love-${b.name}`]})).filter(({table}) => table);
+
+function loveSections() {
+  const all = loveTables();
+  if (!all.length) return [];
+  const {table: last} = all.at(-1), values = (t, c) => ({x: [...t.columns.degree], y: [...t.columns[c]]});
+  const series = all.map(({ball, affine, table}, i) => ({...values(table, "h"), name: ball, style: affine ? "pseudo-rigid" : i === all.length - 1 ? "elastic" : "other", points: true}));
+  const rows = all.flatMap(({ball, table: t}) => Array.from({length: t.n}, (_, i) => [ball, t.at("degree", i), show(t.at("h", i), 8), t.at("h_error", i) ? `± ${show(t.at("h_error", i), 2)}` : "", show(t.at("h_exact", i), 8), ...["k", "l", "h_load", "k_load", "l_load"].map(c => show(t.at(c, i), 6))]));
+  return section("Love numbers", "Static response to tides of degree n (h, k, l) and to masses on the surface (h′, k′, l′). The line is the exact homogeneous sphere; ± bounds the error of the discretisation.",
+    make("div", {class: "charts wide"}, chart({title: "h by degree", series: [{...values(last, "h_exact"), name: "exact sphere", style: "elastic"}, ...series], xLabel: "degree n of the tide", wholeX: true, yLabel: "h", height: 320})),
+    tableOf(["body", "n", "h", "error", "exact h", "k", "l", "h′", "k′", "l′"], rows));
 }
 
 // An angle that counts its turns, in a range that has 0 and π in its inside.
@@ -263,6 +281,6 @@ function more(title, nodes) {
 const behindMore = [differenceSections(), bodiesSections(), deformationSections(), nonaffineSections(), energySections()];
 const isFieldModel = MODELS.some(m => m.shapes);
 document.getElementById("report").append(...[head(), setupSections(), overviewOfRun(), isFieldModel ? [] : behindMore.splice(1, 1), systemSections(), keySections(),
-  more("More charts: differences, bodies, deformation, energies, momenta", behindMore), modesSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
+  more("More charts: differences, bodies, deformation, energies, momenta", behindMore), modesSections(), loveSections(), manifoldsSections(), sectionSections(), equilibriaSections(),
   sweepSections(), sceneSections(), costSections(), needsSections(), originSections()].flat(Infinity).filter(Boolean));
 redraws.forEach(redraw => redraw());

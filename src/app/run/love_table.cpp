@@ -1,0 +1,81 @@
+#include "app/run/love_table.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "app/run/scene_to_model.h"
+#include "io/column_table.h"
+#include "materials/rest_moduli.h"
+#include "scene/models.h"
+
+namespace pseudorigid::app {
+
+std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
+                                 const std::vector<gravity::LoveNumbers>& other) {
+  constexpr double factor = 5, round_off = 1e-10;
+  std::vector<LoveRow> rows;
+  const auto bound = [](double value, double other_value) {
+    return factor * std::abs(value - other_value) + round_off * std::abs(value);
+  };
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    rows.push_back({numbers[i], bound(numbers[i].h, other[i].h), bound(numbers[i].l, other[i].l)});
+  return rows;
+}
+
+double gravity_to_elasticity(const scene::Scene& scene) {
+  const double G = loads::constant_forcing(internal_loads(scene)).gravity_constant;
+  return 4 * std::numbers::pi / 3 * G / materials::moduli_at_rest(internal_law(scene), scene.body.incompressible).shear;
+}
+
+std::vector<scene::Column> love_columns() {
+  return {{"degree", "", "degree n of the tide"},
+          {"h", "", "radial displacement of the surface, in V/g of the tidal potential V there, g = (4/3) pi G rho r"},
+          {"l", "", "tangential displacement, in r grad V/g"},
+          {"k", "", "potential that the displaced mass adds at the surface, in V"},
+          {"h_load", "", "h', as h for a mass on the surface that has the potential V"},
+          {"l_load", "", "l', as l for this mass"},
+          {"k_load", "", "k', as k for this mass"},
+          {"h_error", "",
+           "bound of the error of h that the discretisation makes: five times the difference to another degree, and "
+           "for finite elements the spread over the harmonics; the errors of k, h' and k' are in proportion; 0 for the "
+           "pseudo-rigid body, which has no discretisation"},
+          {"l_error", "", "the same for l, and in proportion l'"},
+          {"h_exact", "", "h of the homogeneous incompressible sphere"},
+          {"l_exact", "", "l of this sphere"},
+          {"k_exact", "", "k of this sphere"}};
+}
+
+void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, std::string_view ball,
+                      const RunContext& context, ModelOutcome& outcome) {
+  io::ColumnTable table(context.directory.csv(fmt::format("love-{}", run)), love_columns(), context.scales());
+  const double gamma = gravity_to_elasticity(context.scene);
+  add_result(outcome, context, fmt::format("Love numbers of the {} ball, gamma = rho g r/mu = {:.6g}", ball, gamma));
+  add_result(outcome, context,
+             fmt::format("{:>3} {:>16} {:>9} {:>14} {:>14} {:>14} {:>14} {:>14} {:>14} {:>14}", "n", "h", "+-",
+                         "exact h", "l", "exact l", "k", "h'", "l'", "k'"));
+  for (const auto& [numbers, h_error, l_error] : rows) {
+    const auto& [n, h, l] = numbers;
+    const double k = numbers.k(), load = numbers.load_factor();
+    const gravity::LoveNumbers exact = gravity::exact_love_numbers(n, gamma);
+    table.append(
+        {static_cast<double>(n), h, l, k, load * h, load * l, load * k, h_error, l_error, exact.h, exact.l, exact.k()});
+    add_result(outcome, context,
+               fmt::format("{:>3} {:>16.10g} {:>9.1e} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} "
+                           "{:>14.9g}",
+                           n, h, h_error, exact.h, l, exact.l, k, load * h, load * l, load * k));
+  }
+  table.flush();
+}
+
+ModelOutcome run_reduced_love_numbers(const RunContext& context) {
+  std::vector<LoveRow> rows;
+  const double gamma = gravity_to_elasticity(context.scene);
+  for (const int n : scene::love_degrees(context.scene)) rows.push_back({gravity::pseudo_rigid_love_numbers(n, gamma)});
+  ModelOutcome outcome;
+  write_love_table(rows, "reduced", "pseudo-rigid", context, outcome);
+  return outcome;
+}
+
+}  // namespace pseudorigid::app

@@ -1,0 +1,48 @@
+#pragma once
+/// Love numbers of a homogeneous incompressible elastic ball under its own gravity, g = (4/3)πGρr. A tidal potential
+/// V = V_n (|x|/r)^n Y_n raises the surface by u_r = h_n V/g, moves it along itself by l_n r∇V/g, and the displaced
+/// mass adds k_n V to the potential at the surface. Inside, a pressure balances the force ρ∇V, so that it acts on the
+/// surface alone: its work on a displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r, whose potential is
+/// 3/(2n + 1) g u_r:
+///
+///   k_n = 3/(2n + 1) h_n.
+///
+/// A mass on the surface that has the potential V presses there with (2n + 1)/3 ρV, so its work is −(2/3)(n − 1) times
+/// that of the tide, and so are its numbers (Farrell, Rev. Geophys. 10, 1972):
+///
+///   h'_n = −(2/3)(n − 1) h_n,    and likewise l'_n, k'_n.
+///
+/// Exact (Thomson 1863; Munk and MacDonald, The Rotation of the Earth, 5.6), γ = ρgr/μ:
+///
+///   h_n = (2n + 1)/(2(n − 1)) / (1 + m_n/γ),    l_n = 3/(n(2n + 1)) h_n,    m_n = (2n² + 4n + 3)/n.
+///
+/// The displacement is a polynomial of degree n + 1. The pseudo-rigid ball has only that of degree 2 as x = QX permits,
+///
+///   h₂ = (5/2)/(1 + 25/(2γ)),    l₂ = h₂/2,
+///
+/// and no response in other degrees. Degree 1 moves the ball as a whole: its numbers depend on the frame.
+
+namespace pseudorigid::gravity {
+
+/// Numbers of one degree n ≥ 2. Dimensionless.
+struct LoveNumbers {
+  int degree;
+  double h, l;
+
+  double k() const { return 3 / (2.0 * degree + 1) * h; }
+  /// The factor of h', l', k' of a mass on the surface.
+  double load_factor() const { return -2 * (degree - 1) / 3.0; }
+};
+
+inline LoveNumbers exact_love_numbers(int n, double gamma) {
+  const double m = (2.0 * n * n + 4 * n + 3) / n;
+  const double h = (2.0 * n + 1) / (2 * (n - 1)) / (1 + m / gamma);
+  return {n, h, 3 / (n * (2.0 * n + 1)) * h};
+}
+
+inline LoveNumbers pseudo_rigid_love_numbers(int n, double gamma) {
+  const double h = n == 2 ? 2.5 / (1 + 12.5 / gamma) : 0.0;
+  return {n, h, h / 2};
+}
+
+}  // namespace pseudorigid::gravity

@@ -1,0 +1,65 @@
+#include "polynomial/love_numbers.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+#include "polynomial/rest_problem.h"
+
+namespace pseudorigid::polynomial {
+namespace {
+
+/// The parity of the displacement that the tide V = Y_nm raises: that of V (u_i is odd in x_i if V is even in it).
+Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
+
+/// u = B (BᵀKB)⁻¹ Bᵀ f with the motions B of a parity.
+class RestResponse {
+ public:
+  RestResponse(const RestProblem& problem, Parity parity)
+      : unknowns_(problem.unknowns[parity]),
+        motions_(problem.motions_of(parity)),
+        factor_(motions_.transpose() * problem.stiffness_of(parity) * motions_) {}
+
+  bool is_stable() const { return factor_.info() == Eigen::Success; }
+  /// `radial`, `tangential`: the rows of the harmonic. Returns both integrals of the response to f = radialᵀ.
+  Eigen::Vector2d operator()(const Eigen::RowVectorXd& radial, const Eigen::RowVectorXd& tangential) const {
+    const Eigen::VectorXd f = radial(unknowns_).transpose();
+    const Eigen::VectorXd u = motions_ * factor_.solve(motions_.transpose() * f);
+    return {f.dot(u), tangential(unknowns_).dot(u)};
+  }
+
+ private:
+  const std::vector<int>& unknowns_;
+  Eigen::MatrixXd motions_;
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+};
+
+}  // namespace
+
+mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
+                               std::vector<gravity::LoveNumbers>& numbers) {
+  setup.reflect = {};
+  const double gravity_constant = loads::constant_forcing(setup.loads).gravity_constant;
+  setup.loads.get<loads::SelfGravity>().constant = 0;
+  const IncompressibleBody body(setup);
+  const Turns turns(body.space());
+  RestProblem problem;
+  if (auto status = make_rest_problem(body, turns, gravity_constant, problem); !status) return status;
+  const double g = 4 * std::numbers::pi / 3 * gravity_constant;
+  const SurfaceRows rows = surface_rows(body.space(), std::ranges::max(degrees));
+  std::map<Parity, RestResponse> responses;
+  numbers.clear();
+  for (const int n : degrees) {
+    constexpr int zonal = 0;
+    const Parity parity = parity_of_tide(n, zonal);
+    const auto response = responses.try_emplace(parity, problem, parity).first;
+    if (!response->second.is_stable()) return mechanics::Status::failure("the ball at rest is unstable");
+    const int row = n * n + n + zonal;
+    const Eigen::Vector2d u = response->second(rows.radial.row(row), rows.tangential.row(row));
+    numbers.push_back({n, g * u[0], g * u[1] / (n * (n + 1.0))});
+  }
+  return {};
+}
+
+}  // namespace pseudorigid::polynomial
