@@ -36,6 +36,12 @@ inline constexpr int n_lane_groups = gauss::n_stages / native_lanes;
 [[gnu::always_inline]] inline void store_lanes(StageLanes x, double* p) { std::memcpy(p, &x.v, sizeof x.v); }
 /// s in every lane. Unlike 0 + s, which differs from s = −0, it is one instruction.
 [[gnu::always_inline]] inline StageLanes in_all_lanes(double s) { return StageLanes(s - StageLanes::Native{}); }
+/// Puts x into a register. Otherwise the compiler loads a coefficient again for each use, and loads are the bottleneck.
+[[gnu::always_inline]] inline void put_into_register([[maybe_unused]] StageLanes& x) {
+#if defined(__x86_64__)
+  asm("" : "+v"(x.v));
+#endif
+}
 [[gnu::always_inline]] inline StageLanes absolute_lanes(StageLanes x) {
   typename StageLanes::NativeBits bits;
   std::memcpy(&bits, &x.v, sizeof bits);
@@ -81,27 +87,27 @@ template <class Native>
 #endif
 }
 
-/// Σ_j x_j column_j, of n_columns = 8, added to `sum`.
-template <class Columns>
-[[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns,
-                                               StageLanes (&sum)[n_lane_groups]) {
+/// The first lanes of Σ_j x_j column_j, of n_columns = 8, added to `sum`.
+template <int n_groups, class Columns>
+[[gnu::always_inline]] inline void add_columns(const OfStages& x, const Columns& columns, StageLanes (&sum)[n_groups]) {
 #pragma GCC unroll 8
   for (int j = 0; j < gauss::n_stages; ++j) {
     const StageLanes x_j = in_all_lanes(x[j]);
 #pragma GCC unroll 4
-    for (int g = 0; g < n_lane_groups; ++g) sum[g] += x_j * load_lanes(columns[j].data() + g * native_lanes);
+    for (int g = 0; g < n_groups; ++g) sum[g] += x_j * load_lanes(columns[j].data() + g * native_lanes);
   }
 }
 
-/// out ← Σ_j x_j column_j
-template <class Columns>
+/// out ← Σ_j x_j column_j; the lanes after the first groups are 0.
+template <int n_groups = n_lane_groups, class Columns>
 [[gnu::always_inline]] inline void combine_columns(const OfStages& x, const Columns& columns, OfStages& out) {
-  StageLanes sum[n_lane_groups];
+  StageLanes sum[n_groups];
 #pragma GCC unroll 4
-  for (int g = 0; g < n_lane_groups; ++g) sum[g] = in_all_lanes(0);
+  for (int g = 0; g < n_groups; ++g) sum[g] = in_all_lanes(0);
   add_columns(x, columns, sum);
 #pragma GCC unroll 4
-  for (int g = 0; g < n_lane_groups; ++g) store_lanes(sum[g], out.data() + g * native_lanes);
+  for (int g = 0; g < n_lane_groups; ++g)
+    store_lanes(g < n_groups ? sum[g % n_groups] : in_all_lanes(0), out.data() + g * native_lanes);
 }
 
 /// When the iteration ends.
@@ -156,9 +162,11 @@ class GaussMonitor {
 struct StageStarts {
   OfStages *q, *v;
 };
-template <int n_fixed>
-[[gnu::always_inline]] inline void begin_stages(GaussStages& s, StageStarts start) {
-  const int n = n_fixed > 0 ? n_fixed : s.n;
+/// Apart from the iteration, for any number of entries: it is not compiled again for each field. A template only
+/// because there is one for each kind of vector.
+template <class Vector = StageLanes>
+[[gnu::noinline]] void begin_stages(GaussStages& s, StageStarts start) {
+  const int n = s.n;
   const GaussTables& tables = *s.tables;
   // Rounded coefficients define another method, whose energy drifts. If the stages are iterated to round-off, the
   // rounding errors of the coefficients are added, times the guess: these errors are so small that the guess suffices.
@@ -183,45 +191,74 @@ template <int n_fixed>
   }
 }
 
-/// q_i and v_i of all stages and entries. Their increments are summed apart from q and v, which are so much larger that
-/// the rounding errors of the coefficients would be lost in the sum.
-template <int n_fixed>
-[[gnu::always_inline]] inline void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
-  const int n = n_fixed > 0 ? n_fixed : s.n;
-  const auto& tables = *s.tables;
-#pragma GCC unroll 12
-  for (int k = 0; k < n; ++k) {
-    StageLanes of_q[n_lane_groups], of_v[n_lane_groups];
+/// q_i and v_i of n_together entries, which share the coefficients. Their increments are summed apart from q and v,
+/// which are so much larger that the rounding errors of the coefficients would be lost in the sum.
+template <int n_together>
+[[gnu::always_inline]] inline void states_of_entries(const GaussStages& s, int k, StageStarts start, OfStages* q,
+                                                     OfStages* v) {
+  const GaussTables& tables = *s.tables;
+  StageLanes of_q[n_together][n_lane_groups], of_v[n_together][n_lane_groups];
+#pragma GCC unroll 2
+  for (int e = 0; e < n_together; ++e)
 #pragma GCC unroll 4
     for (int g = 0; g < n_lane_groups; ++g) {
-      of_q[g] = load_lanes(start.q[k].data() + g * native_lanes);
-      of_v[g] = load_lanes(start.v[k].data() + g * native_lanes);
+      of_q[e][g] = load_lanes(start.q[k + e].data() + g * native_lanes);
+      of_v[e][g] = load_lanes(start.v[k + e].data() + g * native_lanes);
     }
 #pragma GCC unroll 8
-    for (int j = 0; j < gauss::n_stages; ++j) {
-      const StageLanes a_j = in_all_lanes(s.a[k][j]);
-#pragma GCC unroll 4
-      for (int g = 0; g < n_lane_groups; ++g) {
-        of_v[g] += a_j * load_lanes(tables.a[j].data() + g * native_lanes);
-        of_q[g] += a_j * load_lanes(tables.a_squared[j].data() + g * native_lanes);
-      }
-    }
+  for (int j = 0; j < gauss::n_stages; ++j) {
+    StageLanes to_q[n_lane_groups], to_v[n_lane_groups];
 #pragma GCC unroll 4
     for (int g = 0; g < n_lane_groups; ++g) {
-      store_lanes(in_all_lanes(s.q[k]) + of_q[g], q[k].data() + g * native_lanes);
-      store_lanes(in_all_lanes(s.v[k]) + of_v[g], v[k].data() + g * native_lanes);
+      to_v[g] = load_lanes(tables.a[j].data() + g * native_lanes);
+      to_q[g] = load_lanes(tables.a_squared[j].data() + g * native_lanes);
+      if constexpr (n_together > 1) {
+        put_into_register(to_v[g]);
+        put_into_register(to_q[g]);
+      }
+    }
+#pragma GCC unroll 2
+    for (int e = 0; e < n_together; ++e) {
+      const StageLanes a_j = in_all_lanes(s.a[k + e][j]);
+#pragma GCC unroll 4
+      for (int g = 0; g < n_lane_groups; ++g) {
+        of_v[e][g] += a_j * to_v[g];
+        of_q[e][g] += a_j * to_q[g];
+      }
     }
   }
+#pragma GCC unroll 2
+  for (int e = 0; e < n_together; ++e)
+#pragma GCC unroll 4
+    for (int g = 0; g < n_lane_groups; ++g) {
+      store_lanes(in_all_lanes(s.q[k + e]) + of_q[e][g], q[k + e].data() + g * native_lanes);
+      store_lanes(in_all_lanes(s.v[k + e]) + of_v[e][g], v[k + e].data() + g * native_lanes);
+    }
 }
+
+/// Of all entries, for any number of them. With two lanes the registers hold the sums of one entry.
+template <class Vector = StageLanes>
+[[gnu::noinline]] void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
+  int k = 0;
+  if constexpr (native_lanes > 2)
+    for (; k + 1 < s.n; k += 2) states_of_entries<2>(s, k, start, q, v);
+  for (; k < s.n; ++k) states_of_entries<1>(s, k, start, q, v);
+}
+
+/// Groups of lanes with the sums that are not those of rounding errors.
+inline constexpr int n_groups_without_low = (velocity_low + native_lanes - 1) / native_lanes;
 
 /// The increments of the step, and the size of the highest Legendre coefficients of the stages' polynomial. The maxima
 /// may pass over numbers that are not finite; then the step has not converged.
-template <int n_fixed>
-[[gnu::always_inline]] inline void finish_stages(GaussStages& s, double noise) {
-  const int n = n_fixed > 0 ? n_fixed : s.n;
+template <class Vector = StageLanes>
+[[gnu::noinline]] void finish_stages(GaussStages& s, double noise) {
+  const int n = s.n;
   double tail = 0, size = 0;
   for (int k = 0; k < n; ++k) {
-    combine_columns(s.a[k], s.tables->sums, s.sums[k]);
+    if (s.tolerance == 0)
+      combine_columns(s.a[k], s.tables->sums, s.sums[k]);
+    else
+      combine_columns<n_groups_without_low>(s.a[k], s.tables->sums, s.sums[k]);
     tail = std::max({tail, std::abs(s.sums[k][legendre_6]), std::abs(s.sums[k][legendre_7])});
     size += std::abs(s.sums[k][velocity]) + std::abs(s.sums[k][position]);
   }
@@ -235,13 +272,13 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
   constexpr int n = Field::n;
   alignas(64) OfStages start_q[n], start_v[n], q[n], v[n];
   const StageStarts start{start_q, start_v};
-  begin_stages<n>(s, start);
+  begin_stages(s, start);
   GaussMonitor monitor(s, s.scale);
   s.converged = false;
   for (bool first = true;; first = false) {
-    states_of_stages<n>(s, start, q, v);
+    states_of_stages(s, start, q, v);
     StageLanes change = in_all_lanes(0), reserve = in_all_lanes(HUGE_VAL);
-#pragma GCC unroll 4
+#pragma GCC unroll 1  // the code of the field once
     for (int g = 0; g < n_lane_groups; ++g) {
       StageLanes q_i[n], v_i[n], a_i[n];
 #pragma GCC unroll 12
@@ -270,18 +307,18 @@ void iterate_in_lanes(const Field& field, GaussStages& s) {
     if (verdict == GaussMonitor::stuck || !(reserve.least(native_lanes) > 0)) return;
     break;
   }
-  finish_stages<n>(s, monitor.noise());
+  finish_stages(s, monitor.noise());
 }
 
 /// The same for a field whose stages are evaluated one after the other.
 inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
   const StageStarts start{s.scratch, s.scratch + s.n};
   OfStages *const q = start.v + s.n, *const v = q + s.n, *const a = v + s.n;
-  begin_stages<0>(s, start);
+  begin_stages(s, start);
   GaussMonitor monitor(s, s.scale);
   s.converged = false;
   for (bool first = true;; first = false) {
-    states_of_stages<0>(s, start, q, v);
+    states_of_stages(s, start, q, v);
     ++s.n_iterations;
     if (!field.evaluate(s, q, v, a)) return;
     double change = 0, size = 0;
@@ -296,7 +333,7 @@ inline void iterate_by_calls(const GaussField& field, GaussStages& s) {
     if (verdict == GaussMonitor::stuck) return;
     if (verdict == GaussMonitor::done) break;
   }
-  finish_stages<0>(s, monitor.noise());
+  finish_stages(s, monitor.noise());
 }
 
 }  // namespace pseudorigid::mechanics::detail

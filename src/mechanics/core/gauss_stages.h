@@ -14,9 +14,10 @@ namespace pseudorigid::mechanics {
 
 /// Lanes of the sums at the end of a step. With the stages a_j of an entry the step is
 ///   v += Σ h b_j a_j,   q += h v + Σ h² b_j (1 − c_j) a_j.
-/// `velocity` and `position` are the two sums; `…_low` are the same sums with the rounding errors of the coefficients.
-/// `legendre_…` are the Legendre coefficients of order 6 and 7 of the polynomial through the stages.
-enum GaussSum : std::size_t { velocity, velocity_low, position, position_low, legendre_6, legendre_7 };
+/// `velocity` and `position` are the two sums; `…_low` are the same sums with the rounding errors of the coefficients,
+/// which may be 0 unless the stages are iterated to round-off. `legendre_…` are the Legendre coefficients of order 6
+/// and 7 of the polynomial through the stages.
+enum GaussSum : std::size_t { velocity, position, legendre_6, legendre_7, velocity_low, position_low };
 
 /// A number of each stage.
 struct alignas(64) OfStages : std::array<double, gauss::n_stages> {};
