@@ -76,24 +76,24 @@ class LoveNumbers(ProgramTest):
 
 
 class RefusedLoveNumbers(RefusedInputTest):
-    def refused(self, entries, entry, keyword):
+    def refuses(self, entries, entry, keyword):
         self.refused_entries({**LOVE, **entries}, entry, keyword)
 
     def test_refused(self):
-        self.refused({"Gravity/Constant": 0}, "Gravity/Constant", "self-gravity")
-        self.refused({"Love numbers/Degrees": "1, 2"}, "Love numbers/Degrees", "degree 1")
-        self.refused({"Love numbers/Degrees": "2, 13"}, "Love numbers/Degrees", "12")
-        self.refused({"Love numbers/Degrees": "2, 5", "Models": "continuum"}, "Love numbers/Degrees", "4")
-        self.refused({"Love numbers/Degrees": "25"}, "Love numbers/Degrees", "24")
-        self.refused({"Body/Incompressible": "false", "Material/Lame lambda": 1}, "Body/Incompressible", "incompressible")
-        self.refused({"Material/Law": "none"}, "Material/Law", "elastic")
-        self.refused({"Material/Viscosity": 0.1}, "Analysis", "viscosity")
-        self.refused({"Initial state/Velocity": "1, 0, 0; 0, -1, 0; 0, 0, 0"}, "Initial state/Velocity", "rest")
-        self.refused({"Polynomial/Degree": "auto"}, "Polynomial/Degree", "number")
-        self.refused({"Continuum/Degree": "auto"}, "Continuum/Degree", "number")
-        self.refused({"Output/Graphics": "vtu"}, "Output/Graphics", "table")
-        self.refused({"Models": "reduced", "Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "ball")
-        self.refused({"Sweep/Parameters": "p: 1, 2", "Material/Shear modulus": "$(p)"}, "Analysis", "sweep")
+        self.refuses({"Gravity/Constant": 0}, "Gravity/Constant", "self-gravity")
+        self.refuses({"Love numbers/Degrees": "1, 2"}, "Love numbers/Degrees", "degree 1")
+        self.refuses({"Love numbers/Degrees": "2, 13"}, "Love numbers/Degrees", "12")
+        self.refuses({"Love numbers/Degrees": "2, 5", "Models": "continuum"}, "Love numbers/Degrees", "4")
+        self.refuses({"Love numbers/Degrees": "25"}, "Love numbers/Degrees", "24")
+        self.refuses({"Body/Incompressible": "false", "Material/Lame lambda": 1}, "Body/Incompressible", "incompressible")
+        self.refuses({"Material/Law": "none"}, "Material/Law", "elastic")
+        self.refuses({"Material/Viscosity": 0.1}, "Analysis", "viscosity")
+        self.refuses({"Initial state/Velocity": "1, 0, 0; 0, -1, 0; 0, 0, 0"}, "Initial state/Velocity", "rest")
+        self.refuses({"Polynomial/Degree": "auto"}, "Polynomial/Degree", "number")
+        self.refuses({"Continuum/Degree": "auto"}, "Continuum/Degree", "number")
+        self.refuses({"Output/Graphics": "vtu"}, "Output/Graphics", "table")
+        self.refuses({"Models": "reduced", "Body/Semi-axes": "1, 1, 2"}, "Body/Semi-axes", "ball")
+        self.refuses({"Sweep/Parameters": "p: 1, 2", "Material/Shear modulus": "$(p)"}, "Analysis", "sweep")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,9 @@
 #include "app/continuum/run_love_numbers.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numeric>
 
 #include "app/continuum/rest_problem.h"
 #include "app/run/love_table.h"
@@ -12,23 +15,39 @@ namespace pseudorigid::app {
 namespace {
 
 mechanics::Status find(const scene::Scene& scene, const scene::Discretization& discretization,
-                       std::vector<continuum::BallLoveNumbers>& numbers) {
+                       const std::vector<int>& degrees, std::vector<continuum::BallLoveNumbers>& numbers) {
   const BallAtRestOnMesh ball(scene, discretization);
-  return continuum::love_numbers(ball.problem(), scene::love_degrees(scene), numbers);
+  return continuum::love_numbers(ball.problem(), degrees, numbers);
 }
 
-/// The error is that of the mesh: of the difference to the companion, and the spread over the harmonics of a degree.
-std::vector<LoveRow> rows_of(const std::vector<continuum::BallLoveNumbers>& numbers,
+/// A mesh resolves tides of a low degree better, so the relative error is at least that of all lower degrees. Without
+/// this rule a small difference to the companion may be an accident.
+struct RisingBound {
+  double relative = 0;
+
+  double operator()(double value, double error) {
+    relative = std::max(relative, error / std::abs(value));
+    return relative * std::abs(value);
+  }
+};
+
+/// `numbers` and `other` have all degrees from 2 to the last of the scene.
+std::vector<LoveRow> rows_of(const scene::Scene& scene, const std::vector<continuum::BallLoveNumbers>& numbers,
                              const std::vector<continuum::BallLoveNumbers>& other) {
   const auto means = [](const auto& all) {
     std::vector<gravity::LoveNumbers> means;
     for (const continuum::BallLoveNumbers& one : all) means.push_back(one.mean);
     return means;
   };
-  std::vector<LoveRow> rows = with_errors(means(numbers), means(other));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    rows[i].h_error += numbers[i].spread_of_h;
-    rows[i].l_error += numbers[i].spread_of_l;
+  const std::vector<int> wanted = scene::love_degrees(scene);
+  std::vector<LoveRow> rows;
+  RisingBound of_h, of_l;
+  const std::vector<LoveRow> all = with_errors(means(numbers), means(other));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto& [n, h, l] = all[i].numbers;
+    const LoveRow row{all[i].numbers, of_h(h, all[i].h_error + numbers[i].spread_of_h),
+                      of_l(l, all[i].l_error + numbers[i].spread_of_l)};
+    if (std::ranges::find(wanted, n) != wanted.end()) rows.push_back(row);
   }
   return rows;
 }
@@ -41,8 +60,10 @@ ModelOutcome run_continuum_love_numbers(const RunContext& context) {
   const scene::Discretization discretization = *scene::fixed_discretization(scene);
   ModelOutcome outcome;
   std::vector<continuum::BallLoveNumbers> numbers, other;
-  mechanics::Status status = find(scene, discretization, numbers);
-  if (status && !context.interrupted()) status = find(scene, scene::companion(discretization), other);
+  std::vector<int> degrees(static_cast<std::size_t>(scene::love_degrees(scene).back() - 1));
+  std::iota(degrees.begin(), degrees.end(), 2);
+  mechanics::Status status = find(scene, discretization, degrees, numbers);
+  if (status && !context.interrupted()) status = find(scene, scene::companion(discretization), degrees, other);
   outcome.statistics.timers["run"] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (context.interrupted()) {
     outcome.end = mechanics::Outcome::interrupted;
@@ -51,7 +72,7 @@ ModelOutcome run_continuum_love_numbers(const RunContext& context) {
     outcome.end = mechanics::Outcome::failed;
     outcome.message = status.reason();
   } else {
-    write_love_table(rows_of(numbers, other), "continuum", "elastic", context, outcome);
+    write_love_table(rows_of(scene, numbers, other), "continuum", "elastic", context, outcome);
   }
   return outcome;
 }

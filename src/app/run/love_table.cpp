@@ -14,7 +14,7 @@ namespace pseudorigid::app {
 
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other) {
-  constexpr double factor = 5, round_off = 1e-10;
+  constexpr double factor = 2, round_off = 1e-10;
   std::vector<LoveRow> rows;
   const auto bound = [](double value, double other_value) {
     return factor * std::abs(value - other_value) + round_off * std::abs(value);
@@ -38,8 +38,9 @@ std::vector<scene::Column> love_columns() {
           {"l_load", "", "l', as l for this mass"},
           {"k_load", "", "k', as k for this mass"},
           {"h_error", "",
-           "bound of the error of h that the discretisation makes: five times the difference to another degree, and "
-           "for finite elements the spread over the harmonics; the errors of k, h' and k' are in proportion; 0 for the "
+           "bound of the error of h that the discretisation makes: twice the difference to another degree; "
+           "for finite elements with the spread over the harmonics, and relatively at least that of lower degrees; the "
+           "errors of k, h' and k' are in proportion; 0 for the "
            "pseudo-rigid body, which has no discretisation"},
           {"l_error", "", "the same for l, and in proportion l'"},
           {"h_exact", "", "h of the homogeneous incompressible sphere"},

