@@ -1,26 +1,29 @@
 #pragma once
-/// Love numbers of a homogeneous incompressible elastic ball under its own gravity, g = (4/3)πGρr. A tidal potential
-/// V = V_n (|x|/r)^n Y_n raises the surface by u_r = h_n V/g, moves it along itself by l_n r∇V/g, and the displaced
-/// mass adds k_n V to the potential at the surface. Inside, a pressure balances the force ρ∇V, so that it acts on the
-/// surface alone: its work on a displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r, whose potential is
-/// 3/(2n + 1) g u_r:
+/// Love numbers of a homogeneous incompressible elastic ball of radius r under its own gravity, g = (4/3)πGρr. The
+/// surface answers to a tidal potential V = V_n (|x|/r)^n Y_n with
+///
+///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V,
+///
+/// its radial and its tangential displacement, and the potential that the displaced mass adds. Inside, a pressure
+/// balances the force ρ∇V, so the tide acts at the surface alone. Its work on a displacement is ρ∮V u_r dS. The
+/// displaced mass is a layer ρu_r with the potential 3/(2n + 1) g u_r:
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///
-/// A mass on the surface that has the potential V presses there with (2n + 1)/3 ρV, so its work is −(2/3)(n − 1) times
-/// that of the tide, and so are its numbers (Farrell, Rev. Geophys. 10, 1972):
+/// A mass on the surface that has the potential V presses there with (2n + 1)/3 ρV. The work of attraction and pressure
+/// is −(2/3)(n − 1) times that of the tide. The load Love numbers have this factor (Farrell, Rev. Geophys. 10, 1972):
 ///
 ///   h'_n = −(2/3)(n − 1) h_n,    and likewise l'_n, k'_n.
 ///
-/// Exact (Thomson 1863; Munk and MacDonald, The Rotation of the Earth, 5.6), γ = ρgr/μ:
+/// The exact numbers are, with γ = ρgr/μ (Thomson 1863; Munk and MacDonald, The Rotation of the Earth, 5.6),
 ///
 ///   h_n = (2n + 1)/(2(n − 1)) / (1 + m_n/γ),    l_n = 3/(n(2n + 1)) h_n,    m_n = (2n² + 4n + 3)/n.
 ///
-/// The displacement is a polynomial of degree n + 1. The pseudo-rigid ball has only that of degree 2 as x = QX permits,
+/// The displacement is a polynomial of degree n + 1. The pseudo-rigid ball, x = QX, answers to degree 2 only:
 ///
-///   h₂ = (5/2)/(1 + 25/(2γ)),    l₂ = h₂/2,
+///   h₂ = (5/2)/(1 + 25/(2γ)),    l₂ = h₂/2.
 ///
-/// and no response in other degrees. Degree 1 moves the ball as a whole: its numbers depend on the frame.
+/// Degree 1 moves the ball as a whole, so its numbers depend on the frame.
 
 namespace pseudorigid::gravity {
 

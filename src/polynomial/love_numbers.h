@@ -1,10 +1,10 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of a polynomial ball: the static response K u = f, u in ker G, to the force
-/// f·w = ρ∮V (w·n) dS of a tide V = Y_nm at the surface,
+/// Love numbers (gravity/love_numbers.h) of a polynomial ball. The tide V = Y_nm exerts the force f·w = ρ∮V (w·n) dS on
+/// a displacement w. The static response u solves K u = f on ker G (rest_problem.h):
 ///
 ///   h_n = g ∮(u·n) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS.
 ///
-/// P_N has the exact response if N > n. It is invariant under turns, so one m is enough.
+/// P_N contains the exact response if N > n. It is invariant under rotations, so one m is enough.
 
 #include <vector>
 

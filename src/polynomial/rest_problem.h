@@ -6,9 +6,9 @@
 /// as dense matrices of the whole ball, taken apart by parity (parity_parts.h).
 ///
 /// Self-gravity at rest is exact: its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
-/// (continuum/modes/parity_sector.h). The quadrature of a motion's gravity (body_gravity.h) errs in the highest
-/// harmonics by more than all elasticity if γ = ρgr/μ is large: it mixed kinds from γ = 400 on at N = 3, from 4000
-/// on at N = 8.
+/// (continuum/modes/parity_sector.h). The quadrature of gravity during a motion (body_gravity.h) is not used. Its error
+/// in the highest harmonics exceeds the elasticity if γ = ρgr/μ is large: it mixed kinds of modes from γ = 400 on for
+/// N = 3, and from 4000 on for N = 8.
 
 #include <Eigen/Core>
 #include <array>

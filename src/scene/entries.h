@@ -39,23 +39,25 @@ void visit_problem(S& scene, Visit& visit) {
         About{"System", "",
               "The system that moves: the elastic ball, or one of the finite-dimensional systems of mechanics, each of "
               "which has a subsection and a CSV file of its own."});
-  visit(scene.analysis, analysis_kind,
-        About{"Analysis", "",
-              "The kind of computation. With motion, it is the motion that follows from the initial state. With modes, "
-              "it is the lowest frequencies of small motions about rest, of the continuum or of a polynomial body "
-              "(modes.csv); see Modes/Number. With love numbers, it is the static response of the ball with "
-              "self-gravity to tides and to masses on its surface (love-reduced.csv, love-polynomial.csv, "
-              "love-continuum.csv); see Love numbers/Degrees. With equilibrium, it is for the ball a family of "
-              "relative equilibria "
-              "with their stability, or its equilibria at rest; see Equilibrium/Family. The reduced model writes "
-              "equilibria.csv. Polynomial bodies write equilibria-polynomial.csv, if the family turns as a whole. For "
-              "another system (equilibria.csv): the critical "
-              "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
-              "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
-              "has none, under a unit friction. With manifolds, it is for these systems the motions on the unstable "
-              "and stable manifolds of the critical points, and their ends (manifolds.csv, connections.csv); see "
-              "Manifolds/Starts. With section, it is the crossings of the motion with a surface of section "
-              "(section.csv); see Section/Column."});
+  visit(
+      scene.analysis, analysis_kind,
+      About{
+          "Analysis", "",
+          "The kind of computation. With motion, it is the motion that follows from the initial state. With modes, "
+          "it is the lowest frequencies of small motions about rest, of the continuum or of a polynomial body "
+          "(modes.csv); see Modes/Number. With love numbers, it is the static response of the ball with "
+          "self-gravity to tides and to masses on its surface; see Love numbers/Degrees. Each model writes a file, for "
+          "example love-reduced.csv. With equilibrium, it is for the ball a family of "
+          "relative equilibria "
+          "with their stability, or its equilibria at rest; see Equilibrium/Family. The reduced model writes "
+          "equilibria.csv. Polynomial bodies write equilibria-polynomial.csv, if the family turns as a whole. For "
+          "another system (equilibria.csv): the critical "
+          "points of the potential with their Morse indices, the rates of small motions, and the dimensions of "
+          "the stable and unstable manifolds. They are those under the system's own dissipation or, where it "
+          "has none, under a unit friction. With manifolds, it is for these systems the motions on the unstable "
+          "and stable manifolds of the critical points, and their ends (manifolds.csv, connections.csv); see "
+          "Manifolds/Starts. With section, it is the crossings of the motion with a surface of section "
+          "(section.csv); see Section/Column."});
 }
 
 template <SceneOrConst S, class Visit>

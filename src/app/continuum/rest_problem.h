@@ -1,6 +1,5 @@
 #pragma once
-/// The finite-element ball at rest of a scene, on one octant of the builtin mesh: what modes and Love numbers start
-/// from.
+/// The finite-element ball at rest of a scene, on one octant of the builtin mesh. Modes and Love numbers start from it.
 
 #include <memory>
 

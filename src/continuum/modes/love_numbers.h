@@ -1,12 +1,13 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of the finite-element ball: the static response (K + K_g) u − Gᵀλ = f, G u = 0
-/// (parity_sector.h with s = 0) to the force f·w = ρ∮V (w·n) dS of a tide V = Y_nm at the surface,
+/// Love numbers (gravity/love_numbers.h) of the finite-element ball. The tide V = Y_nm exerts the force f·w = ρ∮V (w·n)
+/// dS on a displacement w. The static response u solves, with the operators of parity_sector.h and s = 0,
 ///
+///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
 ///
-/// Tides of even n are even at all three planes of the octant, and those of odd n odd: no rigid motion has these
-/// parities. The mesh tells the harmonics of one degree apart, so their mean is taken and their spread is an error of
-/// the mesh.
+/// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
+/// parities. The mesh breaks the symmetry between the harmonics of one degree. Their mean is taken, and their spread is
+/// an error of the mesh.
 
 #include <vector>
 
