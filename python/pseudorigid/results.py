@@ -179,7 +179,8 @@ class Run:
         if not factors:
             raise WrongInput(f"{self.directory}/manifest.json does not say the units of {name}.csv; run the scene again")
         table = table.div([factors.get(column, 1) for column in table.columns], axis=1)
-        table.index = table.index / self.manifest["unit_of_time"]
+        if table.index.name == "time":
+            table.index = table.index / self.manifest["unit_of_time"]
         table.attrs["units"] = dict.fromkeys(table.columns, "")
         return table
 

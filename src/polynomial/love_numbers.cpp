@@ -51,6 +51,10 @@ mechanics::Status love_numbers(BodySetup setup, const std::vector<int>& degrees,
   std::map<Parity, RestResponse> responses;
   numbers.clear();
   for (const int n : degrees) {
+    if (n > setup.degree + 1) {  // the space has no such displacement of the surface
+      numbers.push_back({n, 0, 0});
+      continue;
+    }
     constexpr int zonal = 0;
     const Parity parity = parity_of_tide(n, zonal);
     const auto response = responses.try_emplace(parity, problem, parity).first;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "entries/matrix3.h"
@@ -90,14 +91,19 @@ std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_v
     return Refusal{"Material/Law", fmt::format("{} is stressed at rest, so a compressible ball does not stay there and "
                                                "has no {} about rest",
                                                scene.material.law, what)};
-  const bool centered = state.center == std::vector<double>{0, 0, 0} && state.center_velocity == state.center;
-  loads::Forcing others = loads::constant_forcing(scene.loads);
-  others.gravity_constant = 0;
-  if (others.present() || loads::depend_on_time(scene.loads) || !centered)
-    return Refusal{"Analysis", fmt::format("{} are those of the ball alone; leave out loads other than self-gravity, "
-                                           "viscosity, drag and motions of the centre",
-                                           what)};
-  return {};
+  const std::vector<double> origin{0, 0, 0};
+  const std::string moved = fmt::format("{} are those of a ball at rest in the origin; leave the entry out", what);
+  if (state.center != origin) return Refusal{"Initial state/Center", moved};
+  if (state.center_velocity != origin) return Refusal{"Initial state/Center velocity", moved};
+  std::optional<Refusal> refusal;
+  scene.loads.for_each([&]<class Load>(const Load& load) {
+    if constexpr (!std::is_same_v<Load, loads::SelfGravity>)
+      if (!refusal && loads::present(load))
+        refusal = Refusal{first_entry(load), fmt::format("{} are those of the ball alone, at most with self-gravity; "
+                                                         "leave the entry out",
+                                                         what)};
+  });
+  return refusal;
 }
 
 std::optional<Refusal> refuses_linear_analysis(const Scene& scene, std::string_view what,
@@ -129,10 +135,6 @@ std::optional<Refusal> refuses_love_numbers(const Scene& scene) {
   if (!loads::present(scene.loads.get<loads::SelfGravity>()))
     return Refusal{"Gravity/Constant",
                    "Love numbers compare displacements with V/g of self-gravity; give a constant > 0"};
-  if (love_degrees(scene).front() == 1)
-    return Refusal{"Love numbers/Degrees",
-                   "expected degrees from 2: a tide of degree 1 moves the ball as a whole, and its numbers depend on "
-                   "the frame"};
   if (scene.body.semi_axes != std::vector<double>{1, 1, 1} || scene.body.inertia)
     return Refusal{"Body/Semi-axes",
                    "Love numbers are those of a ball",

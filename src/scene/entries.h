@@ -153,11 +153,11 @@ void visit_modes(S& scene, Visit& visit) {
 
 template <SceneOrConst S, class Visit>
 void visit_love_numbers(S& scene, Visit& visit) {
-  visit(scene.love.degrees, AutoOrIntegers{{1, largest_love_degree}},
+  visit(scene.love.degrees, AutoOrIntegers{{2, largest_love_degree}},
         About{"Love numbers/Degrees", "",
               "Degrees n of the tides for which Analysis = love numbers writes Love numbers, one row each. With auto, "
-              "they are 2 to 8, as far as the finite elements resolve them: up to Degree times 2^Refinements. Degree 1 "
-              "is refused: it moves the ball as a whole."});
+              "they are 2 to 8, or less if the finite elements do not resolve these: up to Degree times 2^Refinements. "
+              "Degree 1 moves the ball as a whole, and its numbers depend on the frame."});
 }
 
 template <SceneOrConst S, class Visit>

@@ -60,7 +60,7 @@ inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;
   std::vector<int> degrees;
-  for (int n = 2; n <= (is_discretized(scene) ? std::min(last, resolved_degree(scene)) : last); ++n)
+  for (int n = 2; n <= (is_discretized(scene) ? std::clamp(resolved_degree(scene), 2, last) : last); ++n)
     degrees.push_back(n);
   return degrees;
 }

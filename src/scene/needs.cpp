@@ -40,7 +40,7 @@ void describe_error_estimate(const Scene& scene, Needs& needs) {
 void describe_stabilization(const Scene& scene, Needs& needs) {
   if (!needs.pressure_space) return;
   const double kappa = volumetric_stiffness(scene);
-  needs.quantities.volumetric = kappa > 0 && needs.quantities.energies;
+  needs.quantities.volumetric = kappa > 0 && needs.quantities.energies && !is_linear(scene.analysis);
   sort_out(needs, kappa > 0,
            fmt::format("volumetric stabilisation: kappa = {:.3g}{}", kappa,
                        needs.quantities.volumetric ? ", its energy in the column volumetric" : ""),
@@ -89,7 +89,9 @@ void describe_models(const Scene& scene, Needs& needs) {
            needs.models.size() == 2 && n_runs_of_models(scene, needs) == 2
                ? "comparison of the two models"
                : fmt::format("comparison of {} runs with the last", n_runs_of_models(scene, needs) - 1),
-           "comparison: only one model runs");
+           scene.analysis == Analysis::motion
+               ? "comparison: only one model runs"
+               : fmt::format("comparison: Analysis is {}", analysis_kind.print(scene.analysis)));
   describe_error_estimate(scene, needs);
   if (needs.quadrature_error)
     needs.needed.push_back("error of the quadrature of polynomial bodies: estimated by pilot runs with another rule");
@@ -203,13 +205,13 @@ Needs needs(const Scene& scene) {
                : fmt::format("relative equilibria: {} of the family {}", scene.equilibria.number,
                              family_kind.print(scene.equilibria.family)),
            fmt::format("relative equilibria: Analysis is {}", analysis_kind.print(scene.analysis)));
-  sort_out(
-      needs, modes,
-      fmt::format("modes: the {} lowest frequencies about rest, of all eight parities at the planes of the octant",
-                  scene.modes.number),
-      fmt::format("modes: Analysis is {}; no stiffness, no eigenvalue solver", analysis_kind.print(scene.analysis)));
+  sort_out(needs, modes,
+           fmt::format("modes: the {} lowest frequencies about rest, of all eight parities at the planes of the octant",
+                       scene.modes.number),
+           fmt::format("modes: Analysis is {}; no eigenvalue solver", analysis_kind.print(scene.analysis)));
   sort_out(needs, scene.analysis == Analysis::love_numbers,
-           fmt::format("Love numbers: {} degrees of the tide", love_degrees(scene).size()),
+           fmt::format("Love numbers: {} degrees of the tide, up to {}", love_degrees(scene).size(),
+                       love_degrees(scene).back()),
            fmt::format("Love numbers: Analysis is {}", analysis_kind.print(scene.analysis)));
   describe_output(scene, needs);
   describe_report(scene, needs);

@@ -10,6 +10,7 @@ MESH = SOURCE / "meshes/ellipsoid.msh"
 GRAVITY = {"Gravity/Constant": 1}
 COMPRESSIBLE = {"Body/Incompressible": "false"}
 MODES = {"Analysis": "modes", "Models": "continuum"}
+LOVE = {"Analysis": "love numbers", "Models": "reduced", **GRAVITY}
 FAMILY = {"Analysis": "equilibrium", "Models": "reduced", **GRAVITY}
 SWEEP = {"Models": "reduced", "Sweep/Parameters": "l: 1, 2", "Material/Shear modulus": "$(l)"}
 SPIN = {"Initial state/Velocity": "0, 0.1, 0; -0.1, 0, 0; 0, 0, 0"}
@@ -53,7 +54,17 @@ CASES = (
     # Sweeps.
     ({**SWEEP, "Output/Graphics": "vtu"}, "Output/Graphics", None),
     ({**SWEEP, **FAMILY}, "Analysis", None),
+    # Love numbers.
+    ({**LOVE, "Body/Incompressible": "false"}, "Body/Incompressible", None),
+    ({**LOVE, "Body/Semi-axes": "1, 1, 1.1"}, "Body/Semi-axes", None),
+    ({**LOVE, "Output/Graphics": "vtu"}, "Output/Graphics", None),
+    ({**LOVE, "Gravity/Constant": 0}, "Gravity/Constant", {"Gravity/Constant": 1}),
+    ({**LOVE, "Models": "polynomial", "Polynomial/Degree": "auto"}, "Polynomial/Degree", {"Polynomial/Degree": 3}),
     # Modes.
+    ({**MODES, "Material/Drag": 0.1}, "Material/Drag", {"Material/Drag": None}),
+    ({**MODES, "Initial state/Center": "1, 0, 0"}, "Initial state/Center", {"Initial state/Center": None}),
+    ({**MODES, "Initial state/Center velocity": "1, 0, 0"}, "Initial state/Center velocity",
+     {"Initial state/Center velocity": None}),
     ({**MODES, "Continuum/Mesh": MESH}, "Continuum/Mesh", None),
     ({**MODES, "Continuum/Symmetry": "none"}, "Continuum/Symmetry", None),
     ({**MODES, "Initial state/Deformation": "2, 0, 0; 0, 1, 0; 0, 0, 0.5"}, "Initial state/Deformation",
@@ -61,7 +72,7 @@ CASES = (
     ({**MODES, **GRAVITY, "Initial state/Equilibrium": "maclaurin"}, "Initial state/Equilibrium",
      {"Initial state/Equilibrium": None}),
     ({**MODES, **SPIN}, "Initial state/Velocity", {"Initial state/Velocity": None}),
-    ({**MODES, "Material/Viscosity": 1, **TIDE, "Initial state/Center": "1, 0, 0"}, "Analysis",
+    ({**MODES, "Material/Viscosity": 1, **TIDE, "Initial state/Center": "1, 0, 0"}, "Initial state/Center",
      {"Material/Viscosity": None, "Loads/Tidal matrix": None, "Initial state/Center": None}),
     ({**MODES, "Models": "polynomial", "Body/Semi-axes": "1.1, 1, 1"}, "Body/Semi-axes", {"Body/Semi-axes": None}),
     ({**MODES, "Models": "polynomial", "Polynomial/Degree": "1, 3"}, "Polynomial/Degree", {"Polynomial/Degree": 13}),

@@ -79,7 +79,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"scene.prm:2: Loads/Nominal traction: expected values up to 1e+12 in the body's own units"}},
         Refused{"modes_under_loads",
                 "set Models = continuum\nset Analysis = modes\nsubsection Material\nset Drag = 1\nend",
-                {"scene.prm:2: Analysis: modes are those of the ball alone"}},
+                {"scene.prm:4: Material/Drag: modes are those of the ball alone"}},
         Refused{"compressible_modes_of_a_law_without_rest",
                 "set Models = continuum\nset Analysis = modes\nsubsection Body\nset Incompressible = false\nend\n"
                 "subsection Material\nset Law = saint-venant-kirchhoff (as printed)\nend",

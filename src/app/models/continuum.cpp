@@ -119,7 +119,7 @@ std::optional<Refusal> refuses_symmetry(const Scene& scene) {
 }
 
 std::optional<Refusal> refuses(const Scene& scene) {
-  for (const auto judge : {refuses_modes, refuses_discretization, refuses_body, refuses_symmetry, refuses_motion})
+  for (const auto judge : {refuses_discretization, refuses_modes, refuses_body, refuses_symmetry, refuses_motion})
     if (auto refusal = judge(scene)) return refusal;
   return {};
 }

@@ -54,18 +54,20 @@ void write_love_table(const std::vector<LoveRow>& rows, std::string_view run, st
   const double gamma = gravity_to_elasticity(context.scene);
   add_result(outcome, context, fmt::format("Love numbers of the {} ball, gamma = rho g r/mu = {:.6g}", ball, gamma));
   add_result(outcome, context,
-             fmt::format("{:>3} {:>16} {:>9} {:>14} {:>14} {:>14} {:>14} {:>14} {:>14} {:>14}", "n", "h", "+-",
-                         "exact h", "l", "exact l", "k", "h'", "l'", "k'"));
+             fmt::format("{:>3} {:>16} {:>9} {:>14} {:>10} {:>14} {:>14} {:>14} {:>14} {:>14} {:>14}", "n", "h", "+-",
+                         "exact h", "difference", "l", "exact l", "k", "h'", "l'", "k'"));
   for (const auto& [numbers, h_error, l_error] : rows) {
     const auto& [n, h, l] = numbers;
-    const double k = numbers.k(), load = numbers.load_factor();
+    const double k = numbers.k();
+    const auto of_load = [&](double number) { return numbers.load_factor() * number + 0.0; };  // no negative zero
     const gravity::LoveNumbers exact = gravity::exact_love_numbers(n, gamma);
-    table.append(
-        {static_cast<double>(n), h, l, k, load * h, load * l, load * k, h_error, l_error, exact.h, exact.l, exact.k()});
+    table.append({static_cast<double>(n), h, l, k, of_load(h), of_load(l), of_load(k), h_error, l_error, exact.h,
+                  exact.l, exact.k()});
     add_result(outcome, context,
-               fmt::format("{:>3} {:>16.10g} {:>9.1e} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} "
-                           "{:>14.9g}",
-                           n, h, h_error, exact.h, l, exact.l, k, load * h, load * l, load * k));
+               fmt::format("{:>3} {:>16.10g} {:>9} {:>14.9g} {:>10.1e} {:>14.9g} {:>14.9g} {:>14.9g} {:>14.9g} "
+                           "{:>14.9g} {:>14.9g}",
+                           n, h, h_error > 0 ? fmt::format("{:.1e}", h_error) : "", exact.h, h / exact.h - 1, l,
+                           exact.l, k, of_load(h), of_load(l), of_load(k)));
   }
   table.flush();
 }

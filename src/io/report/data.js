@@ -28,7 +28,7 @@ const scene = manifest.entries || {};  // {"Section/Entry": "value"}
 const comparison = parseJson("comparison.json");
 const systemFile = manifest.system;
 const tables = Object.fromEntries(["comparison", "shapes", "modes", "equilibria", "sweep", "manifolds", "connections", "section"]
-  .concat(systemFile || [], (manifest.ball || []).flatMap(({name}) => [name, `shapes-${name}`, `frames-${name}`, `comparison-${name}`, `modes-${name}`, `equilibria-${name}`])).map(name => [name, parseCsv(`${name}.csv`)]));
+  .concat(systemFile || [], (manifest.ball || []).flatMap(({name}) => [name, `shapes-${name}`, `frames-${name}`, `comparison-${name}`, `modes-${name}`, `love-${name}`, `equilibria-${name}`])).map(name => [name, parseCsv(`${name}.csv`)]));
 
 // As a ball is called; the run may have found its degree.
 function adjectiveOf(model) {

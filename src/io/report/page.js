@@ -141,10 +141,12 @@ function loveSections() {
   if (!all.length) return [];
   const {table: last} = all.at(-1), values = (t, c) => ({x: [...t.columns.degree], y: [...t.columns[c]]});
   const series = all.map(({ball, affine, table}, i) => ({...values(table, "h"), name: ball, style: affine ? "pseudo-rigid" : i === all.length - 1 ? "elastic" : "other", points: true}));
-  const rows = all.flatMap(({ball, table: t}) => Array.from({length: t.n}, (_, i) => [ball, t.at("degree", i), show(t.at("h", i), 8), t.at("h_error", i) ? `± ${show(t.at("h_error", i), 2)}` : "", show(t.at("h_exact", i), 8), ...["k", "l", "h_load", "k_load", "l_load"].map(c => show(t.at(c, i), 6))]));
-  return section("Love numbers", "Static response to tides of degree n (h, k, l) and to masses on the surface (h′, k′, l′). The line is the exact homogeneous sphere; ± bounds the error of the discretisation.",
+  const errorOf = (t, c, i) => t.at(c, i) ? `± ${show(t.at(c, i), 2)}` : "";
+  const rows = all.flatMap(({ball, table: t}) => Array.from({length: t.n}, (_, i) => [ball, t.at("degree", i), show(t.at("h", i), 8), errorOf(t, "h_error", i), show(t.at("h_exact", i), 8), show(t.at("l", i), 8), errorOf(t, "l_error", i), show(t.at("l_exact", i), 8), ...["k", "k_exact", "h_load", "l_load", "k_load"].map(c => show(t.at(c, i), 6))]));
+  return section("Love numbers", "Static response to tides of degree n (h, l, k) and to masses on the surface (h′, l′, k′). The line is the exact homogeneous sphere; ± bounds the error of the discretisation.",
+    make("div", {class: "legend"}, series.map(s => { const svg = document.createElementNS(SVG, "svg"); svg.setAttribute("width", 16); svg.setAttribute("height", 16); marker(svg, s.style, 8, 8); return make("span", {}, svg, s.name); })),
     make("div", {class: "charts wide"}, chart({title: "h by degree", series: [{...values(last, "h_exact"), name: "exact sphere", style: "elastic"}, ...series], xLabel: "degree n of the tide", wholeX: true, yLabel: "h", height: 320})),
-    tableOf(["body", "n", "h", "error", "exact h", "k", "l", "h′", "k′", "l′"], rows));
+    tableOf(["body", "n", "h", "error", "exact h", "l", "error", "exact l", "k", "exact k", "h′", "l′", "k′"], rows));
 }
 
 // An angle that counts its turns, in a range that has 0 and π in its inside.
