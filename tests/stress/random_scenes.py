@@ -128,7 +128,26 @@ def ball(rng, with_continuum):
         bend(rng, entries)
     choose_method(rng, entries, 1 / rate, reduced_only)
     ranks = 2 if not reduced_only and rng.random() < 0.15 and shutil.which("mpirun") else 1
+    if rng.random() < 0.06:
+        stay_at_rest(rng, entries, rate**2 / density, with_continuum)
     return entries, ranks
+
+
+def stay_at_rest(rng, entries, unit_of_gravity, with_continuum):
+    """Modes or Love numbers in place of the motion. Most of these have nothing that they refuse."""
+    entries.update({"Analysis": rng.choice(("modes", "love numbers")), "Polynomial/Degree": rng.choice(("1", "3", "5", "8")),
+                    "Continuum/Degree": rng.randint(2, 4), "Modes/Number": rng.randint(1, 6)})
+    entries["Models"] = rng.choice(("polynomial", "continuum", "reduced, polynomial, continuum") if with_continuum else
+                                   ("polynomial", "reduced, polynomial"))
+    if rng.random() < 0.9:
+        refused = ("Loads/", "Material/Viscosity", "Material/Drag", "Body/Semi-axes", "Initial state/", "Output/Graphics",
+                   "Output/Frames", "Continuum/Symmetry", "Time/Method")
+        for path in [path for path in entries if path.startswith(refused)]:
+            del entries[path]
+    if rng.random() < (0.95 if entries["Analysis"] == "love numbers" else 0.3):
+        entries.update({"Body/Incompressible": "true", "Gravity/Constant": repr(unit_of_gravity * 10 ** rng.uniform(-3, 3))})
+    if rng.random() < 0.3:
+        entries["Love numbers/Degrees"] = rng.choice(("2", "2, 3", "3, 4", "4", "2, 7"))
 
 
 def put_planes(rng, entries, radius, rate, modulus, Q):
@@ -263,6 +282,20 @@ def energy_drift(run):
     return drifts
 
 
+def faults_of_love_numbers(run):
+    """The exact sphere is within the bounds of every discretisation."""
+    found = []
+    for path in run.files(".csv"):
+        if not path.stem.startswith("love-") or path.stem == "love-reduced":
+            continue
+        table = run.table(path.stem)
+        for name in "hl":
+            for value, exact, error in zip(*(table.column(f"{name}{suffix}") for suffix in ("", "_exact", "_error"))):
+                if abs(value - exact) > error + 1e-10 * exact:
+                    found.append(f"{path.stem}: {name} = {value} +- {error}, and the sphere has {exact}")
+    return found
+
+
 def is_conservative(entries):
     return not any(path in entries for path in ("Material/Viscosity", "Material/Drag", "Mass points/Drag",
                                                 "Mass points/Dashpots", "Torus/Damping", "Spherical pendulum/Drag", "Fixed axis/Friction"))
@@ -290,7 +323,10 @@ def one(program, seed, number, with_continuum=True):
     record = {"number": number, "kind": entries.get("System", entries.get("Models", "ball")), "ranks": ranks,
               "code": run.code, "seconds": round(run.seconds, 2), "too_long": bool(run.too_long), "resumed": "", "reason": ""}
     if run.code == DONE and not found:
-        found = faults_of_energy(entries, run)
+        found = faults_of_energy(entries, run) + faults_of_love_numbers(run)
+    elif run.code == STOPPED and entries.get("Analysis") in ("modes", "love numbers"):  # they have no time to stop at
+        record["reason"] = reason_without_numbers(run.stderr.split("error: ", 1)[-1].strip())
+        found = [] if "error: " in run.stderr else ["exit code 3 without a reason"]
     elif run.code == STOPPED and found_nothing(run):
         record["reason"] = "no equilibrium was found"
     elif run.code == STOPPED and not found and not run.too_long and "Analysis" not in entries:
