@@ -178,8 +178,10 @@ def sections(data):
           "tests/app/skipping_test.py."],
          lambda f, d, i: f.draw_skipping(d, i), ["skipped_parts", "skipping"]),
         ("A million periods", "long-run",
-         ["The pseudo-rigid ball of the first section over 2·10⁶ units of time: largest relative errors at 1000 "
-          "samples, drift of the energy with its standard error as that of a random walk. Dots are samples, lines the "
-          "largest error in each twentieth of the time.", drift_of_the_long_run(data)],
+         ["The pseudo-rigid ball and the rigid body of the first sections over 2·10⁶ units of time: largest relative "
+          "errors at 1000 samples, drift of the energy with its standard error as that of a random walk, exponents of "
+          "the time with which energy and coordinates grow. The motion of the ball is chaotic: its coordinates are "
+          "lost. Dots are samples, lines the largest error in each twentieth of the time.",
+          drift_of_the_long_run(data)],
          lambda f, d, i: f.draw_long_run(d, i), ["long_run"]),
     ]
