@@ -339,11 +339,13 @@ def draw_long_run(data, images):
             draw_errors_of_long_run(axes, own, column, axes.loglog if side else axes.semilogy)
             axes.set_ylabel(f"|error| of\n{label}")
     # The growth of a random walk.
-    all_axes[2, 1].loglog((1e-2, 1), (1e-13, 1e-12), color="#777777", linewidth=0.9, linestyle="--")
-    all_axes[2, 1].annotate("time$^{1/2}$", (0.1, 3e-13), xytext=(4, -12), textcoords="offset points", color="#555555", fontsize=9)
+    all_axes[0, 1].loglog((1e-2, 1), (1e-13, 1e-12), color="#777777", linewidth=0.9, linestyle="--")
+    all_axes[0, 1].annotate("time$^{1/2}$", (0.1, 3e-13), xytext=(4, -12), textcoords="offset points", color="#555555", fontsize=9)
     all_axes[0, 0].set_title("pseudo-rigid ball", fontsize=11)
     all_axes[0, 1].set_title("rigid body", fontsize=11)
-    figure.legend(*all_axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=5, frameon=False, fontsize=10)
-    all_axes[-1, 0].set_xlabel("time (millions of pulsations; one takes 2 units of time)")
+    named = {label: line for axes in all_axes[0] for line, label in zip(*axes.get_legend_handles_labels())}
+    figure.get_layout_engine().set(rect=(0, 0, 1, 0.95))
+    figure.legend(named.values(), named.keys(), loc="upper center", ncols=5, frameon=False, fontsize=10)
+    all_axes[-1, 0].set_xlabel("time (millions of pulsations)")
     all_axes[-1, 1].set_xlabel("time / (2·10⁶)")
     return save(figure, images / "benchmark_long_run.png")

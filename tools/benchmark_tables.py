@@ -56,7 +56,7 @@ def methods_together(data, level="1e-10"):
 
 
 def two_digits(x):
-    return f"{x:.1f}" if 0.95 <= x < 9.95 else number(x, 2)
+    return f"{x:.0f}" if x >= 9.95 else f"{x:#.2g}"
 
 
 def fastest(points, level, of_libraries):
@@ -70,7 +70,7 @@ def least_error(points):
     """What the libraries reach, where they do not reach a level."""
     seconds, error, method = min(((*front(p)[-1], method) for method, p in points.items() if method.startswith(LIBRARIES)),
                                  key=lambda found: found[1])
-    return f"{NONE} ({method} has {error:.0e} in {two_digits(1e3 * seconds)})"
+    return f"{NONE} ({method} has {error:.1e} in {two_digits(1e3 * seconds)})"
 
 
 def times_as_fast(data, problem, level):
@@ -358,7 +358,7 @@ def long_run(data):
               "their exponent", "s"]
 
     def line(r):
-        chaotic = float(r["error"]) > 0.1
+        chaotic = not float(r["error"]) <= 0.1
         return [f"{r['method']}, 1/{r['steps_per_unit']}{' (rigid body)' if r['problem'] == 'rigid_body' else ''}",
                 f"{float(r['energy_error']):.1e}", with_error(float(r["energy_drift"]), float(r["drift_error"])),
                 r["energy_growth"], *(f"{float(r[name]):.1e}" if float(r[name]) else NONE
@@ -375,7 +375,7 @@ def long_run_growth(data):
         return None
 
     def line(r):
-        chaotic = float(r["error"]) > 0.1
+        chaotic = not float(r["error"]) <= 0.1
         return [PROBLEMS[r["problem"]], f"{r['method']}, 1/{r['steps_per_unit']}", f"{float(r['energy_error']):.0e}",
                 r["energy_growth"], f"{float(r['J_error']):.0e}",
                 *([NONE, NONE] if chaotic else [f"{float(r['error']):.0e}", r["error_growth"]])]
@@ -448,7 +448,7 @@ def summary(data):
         rival = min((r for r in rows if r[3] != NONE and r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
         library, _, method = rival[0].partition(" ")
         lines.append([f"{title}, error 1e-10", f"{best[3]} ms ({best[0]})",
-                      f"{rival[3]} ms ({library} {library_version(data, 'methods', library)}, {method})"])
+                      f"{rival[3]} ms ({library} {library_version(data, 'small-systems', library)}, {method})"])
     for level in (3e-4, 1e-4, 1e-5):
         own, peer = release_times(data, level)
         if own and peer:
