@@ -44,13 +44,14 @@ class JobList {
  public:
   explicit JobList(std::string problem) : problem_(std::move(problem)), reference_(read_reference(problem_)) {}
 
-  /// run(form, parameter) → Recording, for every parameter.
+  /// run(form, parameter) → Recording, for every parameter; a parameter that is not a tolerance is the number of steps
+  /// between two samples.
   template <class System, class Run>
   void add(const Form<System>& form, const std::string& method, bool tolerance, const std::vector<double>& parameters,
-           Run run) {
+           Run run, const std::string& name_of_tolerance = "tolerance") {
     for (const double p : parameters)
       jobs.push_back({problem_, form.name.empty() ? method : method + " (" + form.name + ")",
-                      tolerance ? "tolerance" : "step", tolerance ? p : end_time / n_samples / p,
+                      tolerance ? name_of_tolerance : "step", tolerance ? p : end_time / n_samples / p,
                       [form, run, p, reference = reference_] { return judge(form, reference, run(form, p)); }});
   }
   template <class Method, class System>
@@ -59,13 +60,14 @@ class JobList {
   }
   template <class System>
   void add_rivals(const Form<System>& form) {
-    [[maybe_unused]] const auto tolerances = powers(1e-6, 1e-14);
+    // The tightest ones are below round-off: they show the least error of a library.
+    [[maybe_unused]] const auto tolerances = powers(1e-6, 1e-14), down_to_round_off = powers(1e-6, 1e-16);
 #ifdef PSEUDORIGID_HAS_GSL
-    add(form, "GSL rk8pd", true, tolerances, run_gsl<System>);
+    add(form, "GSL rk8pd", true, down_to_round_off, run_gsl<System>);
 #endif
 #ifdef PSEUDORIGID_HAS_ODEINT
-    add(form, "odeint rkf78", true, tolerances, run_odeint_rkf78<System>);
-    add(form, "odeint Bulirsch-Stoer", true, tolerances, run_odeint_bulirsch_stoer<System>);
+    add(form, "odeint rkf78", true, down_to_round_off, run_odeint_rkf78<System>);
+    add(form, "odeint Bulirsch-Stoer", true, down_to_round_off, run_odeint_bulirsch_stoer<System>);
     add(form, "odeint Bulirsch-Stoer dense", true, tolerances, run_odeint_bulirsch_stoer_dense<System>);
 #endif
 #ifdef PSEUDORIGID_HAS_SUNDIALS
@@ -93,17 +95,17 @@ inline const std::vector<double> steps_of_order_2{40, 160, 640}, steps_of_order_
     steps_of_order_6{4, 6, 8, 12, 16, 24, 32, 48, 64}, steps_of_order_8{4, 6, 8, 12, 16, 20, 24, 32, 40},
     steps_of_multistep{20, 24, 28, 32, 36, 40, 48, 56, 64, 72, 80, 96, 112, 128, 160, 192, 256};
 
-/// To round-off, which keeps momenta, and to the tolerances that others are given.
+/// The stages iterated to round-off, which keeps momenta, and to a tolerance.
 template <class System>
 void add_gauss(JobList& list, const Form<System>& form) {
   const std::vector<double> n_steps{1, 2, 3, 4, 5, 6, 8};
-  const auto add = [&](const std::string& name, double tolerance) {
-    list.add(form, name, false, n_steps, [tolerance](const auto& f, double n) { return run_gauss(f, n, tolerance); });
-  };
-  add("gauss-16", 0);
-  add("gauss-16 iterated to 1e-8", 1e-8);
-  add("gauss-16 iterated to 1e-10", 1e-10);
-  add("gauss-16 iterated to 1e-12", 1e-12);
+  const std::string name = mechanics::Gauss16::name;
+  list.add(form, name, false, n_steps, [](const auto& f, double n) { return run_gauss(f, n, 0); });
+  for (const double n : n_steps)
+    list.add(
+        form, name, true, JobList::powers(1e-5, 1e-13),
+        [n](const auto& f, double tolerance) { return run_gauss(f, n, tolerance); },
+        "tolerance with step 1/" + std::to_string(std::lround(n)));
 }
 
 template <class System>

@@ -32,7 +32,7 @@ struct Result {
 
 /// A run that can be repeated.
 struct Job {
-  std::string problem, method, parameter_name;  // parameter: "tolerance", or "step"
+  std::string problem, method, parameter_name;  // parameter: "tolerance …", or "step"
   double parameter;
   std::function<Result()> run;
 };

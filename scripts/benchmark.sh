@@ -4,7 +4,8 @@
 # Installs what is missing (Debian 12; as root or with sudo), builds the benchmarks in build/release, measures, and
 # writes data, pictures and docs/benchmarks/index.html, and the tables of README.md and of pages of docs/. About 25 minutes
 # on 2 cores in addition to installing and building. Parts (default: all but long-run):
-#   methods     the reduced model, a rigid body, a double pendulum: all methods, GSL, odeint, SUNDIALS; single calls
+#   small-systems  the reduced model, a rigid body, a double pendulum, a fluid: all methods, GSL, odeint, SUNDIALS
+#   methods     single calls of forces and of self-gravity
 #   release     nonlinear release of the ball: methods, degrees, refinements, tolerances
 #   ladder      the release by polynomial bodies and finite elements, whole processes
 #   gravity     the release under the ball's own gravity; what the pairs of surface points cost
@@ -25,7 +26,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-all_parts=(methods release ladder gravity lamb frequency auto kernels steps scaling skipping peers)
+all_parts=(small-systems methods release ladder gravity lamb frequency auto kernels steps scaling skipping peers)
 parts=()
 quick=()
 output=
@@ -69,8 +70,9 @@ into() {
   return 1
 }
 
+measure_small_systems() { "$bin/work_precision" "${quick[@]}" --output "$data/work_precision.csv"; }
+
 measure_methods() {
-  "$bin/work_precision" "${quick[@]}" --output "$data/work_precision.csv"
   local options=(--benchmark_format=csv --benchmark_report_aggregates_only=true --benchmark_repetitions=5)
   if ((${#quick[@]})); then options=("${options[@]:0:2}" --benchmark_repetitions=3 --benchmark_min_time=0.02); fi
   # Calls only: Google Benchmark's CSV wants the same counters in all, and steps have their own. It describes the machine

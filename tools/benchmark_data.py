@@ -35,12 +35,24 @@ def read_runs(folder):
     return json.loads(path.read_text())
 
 
-def work_precision(folder):
-    """problem -> method -> [(seconds, error)]; SciPy's runs belong to the part `peers`."""
-    problems = defaultdict(lambda: defaultdict(list))
+def work_precision(folder, run=None):
+    """problem -> method -> [(seconds, error)], times of one run or medians over the runs. SciPy's runs belong to the part
+    `peers`."""
+    times, errors = defaultdict(list), {}
     for row in read_rows(folder, "work_precision.csv") + read_rows(folder, "scipy_small_systems.csv"):
-        problems[row["problem"]][row["method"]].append((float(row["seconds"]), float(row["error"])))
+        if run is None or row.get("run", run) == run:
+            job = row["problem"], row["method"], row["parameter_name"], row["parameter"]
+            times[job].append(float(row["seconds"]))
+            errors[job] = float(row["error"])
+    problems = defaultdict(lambda: defaultdict(list))
+    for (problem, method, *job), seconds in times.items():
+        problems[problem][method].append((statistics.median(seconds), errors[problem, method, *job]))
     return problems
+
+
+def runs_of_work_precision(folder):
+    """The names of the runs."""
+    return sorted({row["run"] for row in read_rows(folder, "work_precision.csv") if "run" in row}) or [None]
 
 
 def errors_of(folder, name):

@@ -21,9 +21,6 @@ STYLES = {
     "symmetric-12": ("#56B4E9", "s", "-"),
     "explicit-8": ("#009E73", "D", "-"),
     "gauss-16": ("#A50F15", "o", "-"),
-    "gauss-16 iterated to 1e-8": ("#CB181D", "<", "-"),
-    "gauss-16 iterated to 1e-10": ("#EF3B2C", "s", "-"),
-    "gauss-16 iterated to 1e-12": ("#FB6A4A", "D", "-"),
     "rattle-8": ("#000000", "^", "-"),
     "rattle-6": ("#555555", "v", "-"),
     "rattle-4": ("#777777", "<", "-"),
@@ -314,25 +311,41 @@ def largest_of_intervals(times, values):
     return [statistics.mean(times[part]) for part in parts], [max(values[part]) for part in parts]
 
 
+def draw_errors_of_long_run(axes, rows, column, draw_line):
+    """Dots for the samples, a line for the largest error of each interval."""
+    for method, (colour, marker, line) in LONG_RUN.items():
+        own = [r for r in rows if r["method"] == method]
+        if not own:
+            continue
+        times = [float(r["time"]) / 2e6 for r in own]
+        errors = [max(abs(float(r[column])), 1e-17) for r in own]
+        draw_line(times, errors, ".", markersize=1.6, color=colour, alpha=0.4, rasterized=True)
+        draw_line(*largest_of_intervals(times, errors), color=colour, marker=marker, markersize=4.5, linestyle=line,
+                  linewidth=1.1, label=method)
+    axes.grid(color="#dddddd", linewidth=0.6)
+
+
 def draw_long_run(data, images):
     rows = read_rows(data, "long_run.csv")
     if not rows:
         return None
-    quantities = [("energy_error", "energy"), ("J_error", "angular\nmomentum"), ("Z_error", "circulation")]
+    body, rigid = ([r for r in rows if r.get("problem", "sl3") == problem] for problem in ("sl3", "rigid_body"))
     plt.rcParams.update({"font.size": 11})
-    figure, all_axes = plt.subplots(len(quantities), 1, sharex=True, figsize=(7.5, 7), layout="constrained")
-    for axes, (column, label) in zip(all_axes, quantities):
-        for method, (colour, marker, line) in LONG_RUN.items():
-            own = [r for r in rows if r.get("problem", "sl3") == "sl3" and r["method"] == method]  # earlier data have one problem
-            if not own:
-                continue
-            times = [float(r["time"]) / 2e6 for r in own]
-            errors = [max(abs(float(r[column])), 1e-17) for r in own]
-            axes.semilogy(times, errors, ".", markersize=1.6, color=colour, alpha=0.4, rasterized=True)
-            axes.semilogy(*largest_of_intervals(times, errors), color=colour, marker=marker, markersize=4.5,
-                          linestyle=line, linewidth=1.1, label=method)
-        axes.set_ylabel(f"|error| of\n{label}\n(relative)")
-        axes.grid(color="#dddddd", linewidth=0.6)
-    all_axes[0].legend(loc="lower center", bbox_to_anchor=(0.5, 1), ncols=4, frameon=False, fontsize=10)
-    all_axes[-1].set_xlabel("time (millions of pulsations; one takes 2 units of time)")
+    figure, all_axes = plt.subplots(3, 2, sharex="col", figsize=(11, 7.2), layout="constrained")
+    columns = [(body, [("energy_error", "energy"), ("J_error", "angular\nmomentum"), ("Z_error", "circulation")]),
+               (rigid, [("energy_error", "energy"), ("J_error", "angular\nmomentum"), ("error", "coordinates")])]
+    for side, (own, quantities) in enumerate(columns):
+        for axes, (column, label) in zip(all_axes[:, side], quantities):
+            draw_errors_of_long_run(axes, own, column, axes.loglog if side else axes.semilogy)
+            axes.set_ylabel(f"|error| of\n{label}")
+    # The growth of a random walk.
+    all_axes[0, 1].loglog((1e-2, 1), (1e-13, 1e-12), color="#777777", linewidth=0.9, linestyle="--")
+    all_axes[0, 1].annotate("time$^{1/2}$", (0.1, 3e-13), xytext=(4, -12), textcoords="offset points", color="#555555", fontsize=9)
+    all_axes[0, 0].set_title("pseudo-rigid ball", fontsize=11)
+    all_axes[0, 1].set_title("rigid body", fontsize=11)
+    named = {label: line for axes in all_axes[0] for line, label in zip(*axes.get_legend_handles_labels())}
+    figure.get_layout_engine().set(rect=(0, 0, 1, 0.95))
+    figure.legend(named.values(), named.keys(), loc="upper center", ncols=5, frameon=False, fontsize=10)
+    all_axes[-1, 0].set_xlabel("time (millions of pulsations)")
+    all_axes[-1, 1].set_xlabel("time / (2·10⁶)")
     return save(figure, images / "benchmark_long_run.png")

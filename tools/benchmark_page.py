@@ -32,6 +32,7 @@ TABLES = {
     "methods_together": tables.methods_together,
     "gravitating": lambda data: tables.methods(data, "gravitating"),
     "small_systems": tables.small_systems,
+    "small_systems_short": tables.small_systems_short,
     "single_calls": lambda data: tables.calls(data, "single_calls.csv"),
     "self_gravity": lambda data: tables.calls(data, "self_gravity.csv"),
     "release": tables.release,
@@ -52,6 +53,7 @@ TABLES = {
     "skipping": tables.skipping,
     "skipped_parts": tables.skipped_parts,
     "long_run": tables.long_run,
+    "long_run_growth": tables.long_run_growth,
     "machine": tables.machine,
     "parts": tables.parts,
 }

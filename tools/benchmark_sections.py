@@ -74,27 +74,28 @@ def summary_picture(data):
 
 def small_systems():
     return [
-        ("Pseudo-rigid ball", "methods",
+        ("Pseudo-rigid ball", "small-systems",
          ["Neo-Hookean pseudo-rigid ball on SL(3), κ = 5, from Q = diag(1.3, 1, 1/1.3) with a full Q⁻¹Q̇, until "
           "t = 100, about 50 pulsations.",
           "Every method delivers 100 equidistant samples. Error: largest difference of any coordinate, positions and "
           "velocities, at any sample from a reference in quadruple precision (benchmarks/make_references.cpp: "
           "right-hand sides of its own, extrapolation at two step sizes, which agree to 1e-20). Time: processor time "
-          "from the construction of the integrator to the last sample, median of the rounds through all methods. "
+          "from the construction of the integrator to the last sample, median of five rounds through all methods, and "
+          "of three such runs. "
           "Table: ms for an error, between measured points on straight lines in logarithms; – where a method does not "
           "get there."],
          lambda f, d, i: f.draw_methods(d, i, "sl3"), ["sl3"]),
-        ("Rigid body", "methods",
+        ("Rigid body", "small-systems",
          ["Free rigid body with the moments of inertia 1, 2, 2.5 from Ω = (0.4, 1, 0.6), until t = 100."],
          lambda f, d, i: f.draw_methods(d, i, "rigid_body"), ["rigid_body"]),
-        ("Double pendulum", "methods",
+        ("Double pendulum", "small-systems",
          ["Masses, lengths and g are 1, at rest at θ = 0.6, φ = 0.8, until t = 100."],
          lambda f, d, i: f.draw_methods(d, i, "double_pendulum"), ["double_pendulum"]),
-        ("Fluid ellipsoid", "methods",
+        ("Fluid ellipsoid", "small-systems",
          ["Dirichlet's fluid ellipsoid under its own gravity, from Q = diag(1.2, 1, 1/1.2) with a full Q⁻¹Q̇, time in "
           "1/√(πGρ), until t = 100."],
          lambda f, d, i: f.draw_methods(d, i, "gravitating"), ["gravitating"]),
-        ("Small systems: the fastest", "methods",
+        ("Small systems: the fastest", "small-systems",
          ["For an error the fastest of the own methods and of the libraries, double pendulum in either form. SciPy has "
           "right-hand sides in Python (part peers). Libraries with a Nyström method for forces that depend on the "
           "velocity are not in Debian 12, nor are heyoka and DifferentialEquations.jl. odeint's methods of Nyström's "
@@ -178,8 +179,10 @@ def sections(data):
           "tests/app/skipping_test.py."],
          lambda f, d, i: f.draw_skipping(d, i), ["skipped_parts", "skipping"]),
         ("A million periods", "long-run",
-         ["The pseudo-rigid ball of the first section over 2·10⁶ units of time: largest relative errors at 1000 "
-          "samples, drift of the energy with its standard error as that of a random walk. Dots are samples, lines the "
-          "largest error in each twentieth of the time.", drift_of_the_long_run(data)],
+         ["The pseudo-rigid ball and the rigid body of the first sections over 2·10⁶ units of time: largest relative "
+          "errors at 1000 samples, drift of the energy with its standard error as that of a random walk, exponents of "
+          "the time with which energy and coordinates grow. The motion of the ball is chaotic: its coordinates are "
+          "lost. Dots are samples, lines the largest error in each twentieth of the time.",
+          drift_of_the_long_run(data)],
          lambda f, d, i: f.draw_long_run(d, i), ["long_run"]),
     ]

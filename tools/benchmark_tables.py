@@ -6,7 +6,8 @@ import statistics
 
 
 from benchmark_data import (
-    cheapest, discretization, errors_of, read_rows, read_runs, runs_of_skipping, time_for, work_precision)
+    cheapest, discretization, errors_of, front, read_rows, read_runs, runs_of_skipping, runs_of_work_precision, time_for,
+    work_precision)
 
 LEVELS = (1e-6, 1e-8, 1e-10, 1e-12)
 LIBRARIES = ("GSL", "odeint", "CVODE", "ARKODE", "SciPy")
@@ -54,22 +55,57 @@ def methods_together(data, level="1e-10"):
              for method, found in times.items() if set(found.values()) != {NONE}])
 
 
+def two_digits(x):
+    return f"{x:.0f}" if x >= 9.95 else f"{x:#.2g}"
+
+
+def fastest(points, level, of_libraries):
+    """(seconds, method) of the fastest of our methods or of the libraries; None if none has the error."""
+    times = [(t, method) for method, p in points.items()
+             if method.startswith(LIBRARIES) == of_libraries and (t := time_for(p, level))]
+    return min(times, default=None)
+
+
+def least_error(points):
+    """What the libraries reach, where they do not reach a level."""
+    seconds, error, method = min(((*front(p)[-1], method) for method, p in points.items() if method.startswith(LIBRARIES)),
+                                 key=lambda found: found[1])
+    return f"{NONE} ({method} has {error:.1e} in {two_digits(1e3 * seconds)})"
+
+
+def times_as_fast(data, problem, level):
+    """Of our fastest method, against the fastest library: the ratios of all runs, two digits, and a range if they
+    differ."""
+    ratios = []
+    for run in runs_of_work_precision(data):
+        points = work_precision(data, run)[problem]
+        own, library = fastest(points, level, False), fastest(points, level, True)
+        if not own or not library:
+            return NONE
+        ratios.append(library[0] / own[0])
+    low, high = two_digits(min(ratios)), two_digits(max(ratios))
+    return low if low == high else f"{low} to {high}"
+
+
 def small_systems(data):
     """For each problem and error the fastest of our methods and of the libraries."""
-    def fastest(points, level, of_libraries):
-        times = [(t, method) for method, p in points.items()
-                 if method.startswith(LIBRARIES) == of_libraries and (t := time_for(p, level))]
-        return min(times, default=None)
-
     rows = []
     for problem, points in work_precision(data).items():
         for level in LEVELS:
             own, library = fastest(points, level, False), fastest(points, level, True)
             rows.append([PROBLEMS[problem], f"{level:.0e}",
-                         *(f"{1e3 * best[0]:.3f} ({best[1]})" if best else NONE for best in (own, library)),
-                         f"{own[0] / library[0]:.2f}" if own and library else NONE])
-    header = ["problem", "error", "ms, pseudorigid", "ms, fastest library", "pseudorigid / library"]
+                         f"{two_digits(1e3 * own[0])} ({own[1]})" if own else NONE,
+                         f"{two_digits(1e3 * library[0])} ({library[1]})" if library else least_error(points),
+                         times_as_fast(data, problem, level)])
+    header = ["problem", "error", "ms, pseudorigid", "ms, fastest library", "library / pseudorigid"]
     return (header, rows) if rows else None
+
+
+def small_systems_short(data):
+    """A line for each problem: how many times as fast as the fastest library, for each error."""
+    rows = [[PROBLEMS[problem], *(times_as_fast(data, problem, level) for level in LEVELS)]
+            for problem in work_precision(data)]
+    return (["times as fast as the fastest library, at an error of", *(f"{level:.0e}" for level in LEVELS)], rows) if rows else None
 
 
 def calls(data, name):
@@ -322,7 +358,7 @@ def long_run(data):
               "their exponent", "s"]
 
     def line(r):
-        chaotic = float(r["error"]) > 0.1
+        chaotic = not float(r["error"]) <= 0.1
         return [f"{r['method']}, 1/{r['steps_per_unit']}{' (rigid body)' if r['problem'] == 'rigid_body' else ''}",
                 f"{float(r['energy_error']):.1e}", with_error(float(r["energy_drift"]), float(r["drift_error"])),
                 r["energy_growth"], *(f"{float(r[name]):.1e}" if float(r[name]) else NONE
@@ -330,6 +366,20 @@ def long_run(data):
                 *([NONE, NONE] if chaotic else [f"{float(r['error']):.1e}", r["error_growth"]]),
                 number(float(r["seconds"]))]
     return (header, [line(r) for r in rows]) if rows and "problem" in rows[0] else None  # not of an earlier form
+
+
+def long_run_growth(data):
+    """Largest errors over the long run, and the powers of the time with which they grow."""
+    rows = read_rows(data, "long_run_summary.csv")
+    if not rows or "problem" not in rows[0]:
+        return None
+
+    def line(r):
+        chaotic = not float(r["error"]) <= 0.1
+        return [PROBLEMS[r["problem"]], f"{r['method']}, 1/{r['steps_per_unit']}", f"{float(r['energy_error']):.0e}",
+                r["energy_growth"], f"{float(r['J_error']):.0e}",
+                *([NONE, NONE] if chaotic else [f"{float(r['error']):.0e}", r["error_growth"]])]
+    return ["problem", "method, step", "energy", "its exponent", "J", "coordinates", "their exponent"], [line(r) for r in rows]
 
 
 def machine(data):
@@ -398,7 +448,7 @@ def summary(data):
         rival = min((r for r in rows if r[3] != NONE and r[0].startswith(LIBRARIES)), key=lambda r: float(r[3]))
         library, _, method = rival[0].partition(" ")
         lines.append([f"{title}, error 1e-10", f"{best[3]} ms ({best[0]})",
-                      f"{rival[3]} ms ({library} {library_version(data, 'methods', library)}, {method})"])
+                      f"{rival[3]} ms ({library} {library_version(data, 'small-systems', library)}, {method})"])
     for level in (3e-4, 1e-4, 1e-5):
         own, peer = release_times(data, level)
         if own and peer:

@@ -236,7 +236,7 @@ template <int n_together>
     }
 }
 
-/// Of all entries, for any number of them. With two lanes the registers hold the sums of one entry.
+/// The states of all entries. With two lanes the registers hold the sums of one entry.
 template <class Vector = StageLanes>
 [[gnu::noinline]] void states_of_stages(const GaussStages& s, StageStarts start, OfStages* q, OfStages* v) {
   int k = 0;
