@@ -4,10 +4,11 @@
 ///
 /// Columns of the file: problem, method, time, energy_error (relative), J_error, Z_error (relative to their own size),
 /// constraint_error (det Q − 1; the greatest entry of RᵀR − Id; |q| − 1), error (of the coordinates). The error is the
-/// difference from gauss-16 with 8 steps a unit of time on problem (i) and 2 on problem (ii), where energy drifts by some
-/// 1e-13 with more. This reference has round-off of its own, like that of gauss-16 in the table. The motion of problem (i) is chaotic: its error is that of any two motions long before the end. The
-/// summary has the greatest of each, the drift of the energy with its standard error, the exponents with which energy
-/// and error grow with time, and the seconds of processor time. Runs with further steps are only in the summary.
+/// difference from gauss-16 with 8 steps a unit of time on problem (i) and 2 on problem (ii), where energy drifts by
+/// some 1e-13 with more. This reference has round-off of its own, like that of gauss-16 in the table. The motion of
+/// problem (i) is chaotic: its error is that of any two motions long before the end. The summary has the greatest of
+/// each, the drift of the energy with its standard error, the exponents with which energy and error grow with time, and
+/// the seconds of processor time. Runs with further steps are only in the summary.
 /// --quick runs 10⁴ periods.
 
 #include <cmath>
