@@ -23,7 +23,8 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);
       !status)
     return status;
-  rows = with_errors(numbers, other);
+  constexpr double round_off = 1e-10;
+  rows = with_errors(numbers, other, round_off);
   return {};
 }
 

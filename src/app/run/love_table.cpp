@@ -13,8 +13,8 @@
 namespace pseudorigid::app {
 
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
-                                 const std::vector<gravity::LoveNumbers>& other) {
-  constexpr double factor = 2, round_off = 1e-10;
+                                 const std::vector<gravity::LoveNumbers>& other, double round_off) {
+  constexpr double factor = 2;
   std::vector<LoveRow> rows;
   const auto bound = [](double value, double other_value) {
     return factor * std::abs(value - other_value) + round_off * std::abs(value);

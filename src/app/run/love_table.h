@@ -16,10 +16,10 @@ struct LoveRow {
   double h_error = 0, l_error = 0;
 };
 
-/// Rows with bounds of their errors, from the numbers of another discretisation: twice the difference, and the round-off
-/// of the solvers.
+/// Rows with bounds of their errors, from the numbers of another discretisation: twice the difference, and the relative
+/// round-off of the solver.
 std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& numbers,
-                                 const std::vector<gravity::LoveNumbers>& other);
+                                 const std::vector<gravity::LoveNumbers>& other, double round_off);
 
 /// γ = ρgr/μ of the ball at rest, g = (4/3)πGρr.
 double gravity_to_elasticity(const scene::Scene& scene);

@@ -21,8 +21,9 @@ namespace {
 
 /// Corrections in the operator of the iteration for eigenvectors, and for the field that a frequency is taken from.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Tolerance of conjugate gradients with self-gravity, in the norm of the energy.
-constexpr double tolerance_with_gravity = 1e-9;
+/// Tolerances of conjugate gradients with self-gravity in the energy norm: of the iteration for eigenvectors, and of a
+/// static response.
+constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
 constexpr int n_iterations_with_gravity = 100;
 /// Up to this size the interface is solved densely.
 constexpr Eigen::Index n_dense = 1500;
@@ -41,9 +42,9 @@ RestProblem::RestProblem(const BallSpace& ball_space, const CellKernels& kernels
       elasticity(stored, is_incompressible),
       incompressible(is_incompressible),
       shift(elasticity.moduli.shear),
-      penalty(is_incompressible ? 1e4 * elasticity.moduli.shear : 0),
-      n_cells_at_node(ball_space.n_nodes(), 0),
-      weight_of_density(4 * std::numbers::pi / 3 * gravity_constant) {
+      weight_of_density(4 * std::numbers::pi / 3 * gravity_constant),
+      penalty(is_incompressible ? 1e4 * std::max(elasticity.moduli.shear, weight_of_density) : 0),
+      n_cells_at_node(ball_space.n_nodes(), 0) {
   if (incompressible)
     kernels.constraint_rows(space.reference_positions(), [&](unsigned int, std::span<const double> rows) {
       using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -253,7 +254,8 @@ void ParitySector::find_attraction() {
   for (std::size_t i = 0; i < rows.size(); ++i) attraction_.row(static_cast<Eigen::Index>(i)) = rows[i];
 }
 
-mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const {
+mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_corrections, double tolerance,
+                                      Eigen::VectorXd& u) const {
   if (attraction_.rows() == 0) {
     u = solve_elastic(f, n_corrections);
     return {};
@@ -262,7 +264,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
   Eigen::VectorXd B_p = r;  // except for reactions, which do no work on p and z
   double rz = r.dot(z);
-  const double enough = tolerance_with_gravity * tolerance_with_gravity * rz;
+  const double enough = tolerance * tolerance * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {
     const Eigen::VectorXd A_p = B_p + apply_gravity(p);
     const double curvature = p.dot(A_p);
@@ -286,7 +288,8 @@ mechanics::Status ParitySector::apply(std::span<const double> y, std::span<doubl
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), n);
   Eigen::Map<Eigen::VectorXd> out(z.data(), n);
   Eigen::VectorXd u;
-  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_operator, u); !status) return status;
+  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_operator, tolerance_of_operator, u); !status)
+    return status;
   out = root_mass_.cwiseProduct(u);
   return {};
 }
@@ -294,7 +297,8 @@ mechanics::Status ParitySector::apply(std::span<const double> y, std::span<doubl
 mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) const {
   const Eigen::Map<const Eigen::VectorXd> in(y.data(), static_cast<Eigen::Index>(n_unknowns_));
   Eigen::VectorXd u;
-  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode, u); !status) return status;
+  if (auto status = solve(root_mass_.cwiseProduct(in), n_corrections_of_mode, tolerance_of_operator, u); !status)
+    return status;
   double stiffness = 0;
   for (std::size_t c = 0; c < cells_.size(); ++c) {
     const Cell& cell = cells_[c];
@@ -313,7 +317,8 @@ mechanics::Status ParitySector::mode_of(std::span<const double> y, Mode& mode) c
 
 mechanics::Status ParitySector::respond(const Vector& f, Vector& u) const {
   Eigen::VectorXd response;
-  if (auto status = solve(entries_of(f), n_corrections_of_mode, response); !status) return status;
+  if (auto status = solve(entries_of(f), n_corrections_of_mode, tolerance_of_response, response); !status)
+    return status;
   u = field_of(response);
   return {};
 }

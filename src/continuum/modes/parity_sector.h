@@ -48,11 +48,11 @@ struct RestProblem {
   RestElasticity elasticity;
   bool incompressible;
   double shift;                             ///< s; 0 is for sectors without rigid motions, of a stable ball
+  double weight_of_density;                 ///< ρg
   double penalty;                           ///< γ
   std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
   std::vector<int> n_cells_at_node;
-  double weight_of_density;  ///< ρg
 
  private:
   void add_springs();
@@ -91,7 +91,7 @@ class ParitySector {
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
   /// T f by n_corrections of the divergence, without self-gravity and with it.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
-  mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, Eigen::VectorXd& u) const;
+  mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
   void find_attraction();
   /// K_g u less the force of the springs.
   Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const {
