@@ -1,5 +1,5 @@
 #pragma once
-/// Members of aggregates that prevent wrong initialisers.
+/// Types of members that prevent wrong initialisers of aggregates.
 
 #include <utility>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Interface between the search for critical points and a system of any size, in a chart or with constraints. It has
-/// the potential energy V on N = {g = 0} with its derivatives, the mass and the linear damping at rest:
+/// Interface between the search for critical points and a system of any size, in a chart or with constraints. A
+/// landscape has the potential energy V on N = {g = 0} with its derivatives, the mass and the linear damping at rest:
 ///
 ///   ∇V,   g,   G = Dg,   H_L = ∇²V − Σ λ_k D²g_k,   M,   C = −∂f/∂v at v = 0.
 
