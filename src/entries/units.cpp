@@ -29,8 +29,8 @@ Powers read_powers(scene::Unit unit) {
   return powers;
 }
 
-/// Powers of a unit, cached by the address of its words, which are a string literal. Reading the words takes longer
-/// than all other work on a row.
+/// Returns the powers in a unit, cached by the address of its words, which are a string literal. To read the words
+/// again would take longer than all other work on a row of the output.
 const Powers& powers_of(scene::Unit unit) {
   thread_local std::unordered_map<const char*, Powers> known;
   const auto [found, is_new] = known.try_emplace(std::string_view(unit).data());

@@ -1,5 +1,5 @@
 #pragma once
-/// Linear drag, the force −cρẋ per volume.
+/// Linear drag, with the force −cρẋ per volume.
 
 #include "loads/load.h"
 

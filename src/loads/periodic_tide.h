@@ -1,5 +1,5 @@
 #pragma once
-/// A periodic tide with the potential energy ½ xᵀTx cos(ωt + φ) per mass.
+/// A periodic tide with the external potential energy ½ xᵀTx cos(ωt + φ) per mass.
 
 #include <cmath>
 

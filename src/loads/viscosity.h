@@ -1,5 +1,5 @@
 #pragma once
-/// Objective viscosity (Kelvin–Voigt), with the Cauchy stress 2ηd; d is the symmetric velocity gradient.
+/// Objective viscosity (Kelvin–Voigt) with the Cauchy stress 2ηd, in which d is the symmetric velocity gradient.
 
 #include "loads/load.h"
 

@@ -11,8 +11,8 @@
 ///   P = ∂W/∂F = P_CG + μ d/(J_m − d) F
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
-/// The law is stress-free at Id. The shear modulus there is μ, and the first Lamé modulus is λ + 2μ/J_m. J_m → ∞ is the
-/// neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
+/// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2μ/J_m. As J_m → ∞,
+/// the law tends to the neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
 
 #include <string_view>
 
@@ -46,7 +46,7 @@ struct Gent {
                      first_part().tangent(F, H), F, H);
   }
 
-  /// J_m − d; the law admits F if this is positive.
+  /// J_m − d. The law admits F if this reserve is positive.
   template <class T>
   [[gnu::always_inline]] T reserve(const Tensor<T>& F) const {
     return J_m - trace_of_strain(F);

@@ -5,7 +5,7 @@
 ///   P = ∂W/∂F = 2(λd + μ) F
 ///   DP(F)[H] = 2(λd + μ) H + 4λ(F:H) F
 ///
-/// It differs from the standard law (saint_venant_kirchhoff.h): Id has the stress 2μ Id. On SL(3) this stress is a
+/// In contrast to the standard law (saint_venant_kirchhoff.h), Id has the stress 2μ Id. On SL(3) this stress is a
 /// pressure, which the constraint balances, and the shear modulus at rest is 2μ. On GL⁺(3) this stress makes the body
 /// contract.
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Strains computed from H = F − Id. Their relative error is round-off, even for a small strain:
+/// Strains computed from H = F − Id. Their relative error is only round-off, even for a small strain:
 ///
 ///   D = C − Id = FᵀF − Id = H + Hᵀ + HᵀH  (twice Green's strain),   tr D = I − 3 = 2 tr H + |H|²
 ///   DD(F)[K] = KᵀF + FᵀK, with the trace 2 F:K
@@ -16,7 +16,7 @@ template <class T>
   return {{{F(0, 0) - 1.0, F(0, 1), F(0, 2)}, {F(1, 0), F(1, 1) - 1.0, F(1, 2)}, {F(2, 0), F(2, 1), F(2, 2) - 1.0}}};
 }
 
-/// The symmetric tensor with these entries, of which only six are computed.
+/// The symmetric tensor with the entries entry(i, j). Only six of them are computed.
 template <class Entry>
 [[gnu::always_inline]] inline auto symmetric_tensor(Entry entry) {
   const auto a = entry(0, 1), b = entry(0, 2), c = entry(1, 2);
