@@ -19,7 +19,7 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
-/// A character from web pages or word processors that looks like a character of the keyboard (`typed`).
+/// A character from web pages or word processors that is easily mistaken for the character `typed` of the keyboard.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };

@@ -15,7 +15,8 @@ std::string quote(std::string_view text);
 /// Returns `text` without white space at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// Number of single-letter insertions, deletions and substitutions from one word to the other. Case is ignored.
+/// The smallest number of single-letter insertions, deletions and substitutions that change one word into the other.
+/// Case is ignored.
 int edit_distance(std::string_view from, std::string_view to);
 
 /// Returns the candidate nearest to `word`, or an empty optional if no candidate is near enough. For paths like

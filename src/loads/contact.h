@@ -23,7 +23,7 @@ namespace pseudorigid::loads {
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< moment of the pressure, ∫p x dA
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);

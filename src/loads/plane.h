@@ -44,7 +44,6 @@ struct Planes : std::vector<Plane> {
   /// Returns a bound of the stiffness along any direction if every point of the surface touched all planes. Among
   /// parallel planes only the stiffest counts. The bound is the smaller of the Frobenius norm and the largest row sum
   /// of Σ k n nᵀ.
-  /// nᵀ.
   double stiffness_of_all() const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < size(); ++i) {

@@ -20,7 +20,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// A chart with its function `metric`, a template over the scalar type of q.
+/// A chart has a function `metric`, which is a template over the scalar type of q.
 template <class C>
 concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
                          const Coordinates<Dual<double, C::dimension>, C::dimension> x) {

@@ -24,8 +24,8 @@ inline constexpr int max_constraint_iterations = 30;
 
 /// Factor on the noise. The noise is the largest of a few changes, but a residual may contain the sum of several
 /// errors. The factor was chosen from 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ …
-/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three were above 16 times the noise, at most 18.7
-/// times; the iteration continues for such residuals.
+/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three were above 16 times the noise, at most 18.7 times; the
+/// iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
 /// Judges each residual: the iteration is done, must go on, or is stuck. A residual that did not halve counts as zero

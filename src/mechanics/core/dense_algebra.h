@@ -24,7 +24,8 @@ Spectrum spectrum(const Eigen::MatrixXd& A);
 /// Returns an orthonormal basis of {x: Bx = 0} as columns. Singular values of at most `absent` times the largest one
 /// count as zero.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
-/// Returns an orthonormal basis of the span of the columns of N. Singular values count as zero as for `null_space`.
+/// Returns an orthonormal basis of the span of the columns of N. Singular values of at most `absent` times the largest
+/// one count as zero.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
 /// A⁻¹B by elimination with full pivoting.

@@ -1,7 +1,6 @@
 #pragma once
 /// A constrained system as a second-order field with an invariant manifold (Oliva, Geometric Mechanics, 5.29). The
-/// multiplier λ is an explicit function of the state,
-/// explicit multiplier λ of the motion,
+/// multiplier λ of the motion is an explicit function of the state,
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///

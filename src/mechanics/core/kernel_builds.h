@@ -34,7 +34,7 @@ struct KernelChoice {
 /// build with this name. Throws NoKernels if there is no such build or if the processor cannot run it.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
-/// The value of the environment variable PSEUDORIGID_INSTRUCTIONS; empty if it is not set.
+/// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
 std::string_view wanted_instructions();
 
 /// Returns the build that this process uses. Throws NoKernels.

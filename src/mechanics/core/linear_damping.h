@@ -1,6 +1,6 @@
 #pragma once
 /// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. An implicit
-/// step of size 2s has a residual r at the velocity v. It ends with the velocity v + u, with u such that
+/// step of size 2s has a residual r at the velocity v. The step ends with the velocity v + u, for which
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///

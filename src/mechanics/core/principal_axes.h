@@ -1,12 +1,12 @@
 #pragma once
-/// Principal axes of the ellipsoid F B, with the unit ball B: F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
+/// Principal axes of the ellipsoid to which F maps the unit ball. F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
 ///
 /// The method consists of one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). They rotate U until the
 /// rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All axes have the relative error cond(F)·ε
 /// with the round-off ε. The eigenvalues of C would give small axes with the error cond(F)²·ε. If the rows of F are
 /// already orthogonal, U = Id. Three devices make the method fast.
 ///
-/// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and
+/// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, m = ⅓ tr C, |B|² = 6p² and
 ///
 ///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
 ///

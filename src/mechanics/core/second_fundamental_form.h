@@ -1,6 +1,6 @@
 #pragma once
-/// Reactions without a multiplier, by the second fundamental form B (Oliva, Geometric Mechanics, 5.4). On the image N
-/// of an embedding φ into ℝⁿ with the metric M,
+/// Reactions without a multiplier, by the second fundamental form B (Oliva, Geometric Mechanics, 5.4). N is the image
+/// of an embedding φ into ℝⁿ with the metric M. Then
 ///
 ///   B(v, v) = (D²φ(q̇, q̇))^⊥,   v = Dφ q̇                                                            (5.28)
 ///   R = μ[B(v, v) − (μ⁻¹F)^⊥]                                                                       (5.29)

@@ -1,6 +1,7 @@
 #pragma once
 /// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
-/// round-off. With the equations F = 0 of the family and its tangent t:
+/// round-off. F = 0 are the equations of the family, t is its tangent and t₀ a fixed tangent nearby. J is the angular
+/// momentum and Z the circulation.
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0

@@ -5,7 +5,8 @@
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
 /// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
-/// declare its order. Each composed method declares chosen_by_auto itself, which permits Method = auto to choose it.
+/// declare the order of the composed method. Each composed method declares chosen_by_auto itself, which permits Method
+/// = auto to choose it.
 
 #include <array>
 #include <cstddef>

@@ -5,7 +5,7 @@
 /// coefficients are in dormand_prince_8_tableau.h:
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can
+///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field has `project`
 ///
 /// The embedded formulas of orders p = 5, 3 estimate the errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) of (q, v), and
 ///
@@ -171,8 +171,9 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner II.4: h⁸ times the larger of the relative norms of
-  /// (v, a) and (a, ȧ) is a hundredth of the tolerance. Bounds are 100 times a first guess and the distance to t_limit.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner II.4. h⁸ times the larger norm of (v, a) and (a, ȧ)
+  /// is a hundredth of the tolerance, with norms relative to 1 + |q| and 1 + |v|. The size is at most 100 times a first
+  /// guess and at most the distance to t_limit.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {

@@ -1,9 +1,9 @@
 #pragma once
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
-/// the discrete gradients of O. Gonzalez (J. Nonlinear Sci. 6 (1996) 449; with constraints: Physica D 132 (1999) 165).
-/// Here they are in phase space and also include the constraint of the velocity. With X = (q, p) and p = M v,
-/// Hamilton's function is H = K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with
-/// G = Dg. A step of size h is
+/// the discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999)
+/// 165, in phase space and with the constraint of the velocity. With X = (q, p) and p = M v, Hamilton's function is H =
+/// K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with G = Dg. A step of size h
+/// is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
@@ -17,14 +17,18 @@
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
 /// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. If g = γ = 0 at both ends, ΔH = 0. K is quadratic, so D does not
-/// contain K. - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is
-/// tangent to the orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to the orbit, so ΔJ = 0.
-/// - The step is symmetric and of order 2: C = O(h²), μ = O(h²). - D is needed near relative equilibria, which are
-/// motions along the orbit with P = 0. X_m lies inside the arc of the motion, so ∇F(X_m) differs from ∇F on the arc by
-/// O(h²). Without D, θP would have to correct this difference, but θP has no limit as P → 0. The two points of D lie
-/// P/2 from the ends. If one group of rotations or translations acts, or if both rotations of a body have the same
-/// axis, a Cayley transform maps one point to the other. In this case θP is O(h|P|). Near a steady motion with two
-/// different axes θP is O(h²), and the iteration may need smaller steps.
+/// contain K.
+///
+/// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
+/// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to the orbit, so ΔJ = 0.
+///
+/// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
+///
+/// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
+/// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
+/// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
+/// if both rotations of a body have the same axis, a Cayley transform maps one point to the other. In this case θP is
+/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
 /// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
 /// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is

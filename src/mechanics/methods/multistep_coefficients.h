@@ -19,7 +19,7 @@
 /// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
 /// if hω is the difference of θ and θ' (G. D. Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is
 /// larger than at slightly longer and shorter steps. For order 8 at hω = 0.305, the error is 7 times the error of a
-/// step that is longer by a tenth. resonance_limit is the smallest difference of θ and θ' for two parasitic roots.
+/// step that is longer by a tenth. The smallest difference of θ and θ' for two parasitic roots is resonance_limit.
 
 #include <array>
 
@@ -38,7 +38,7 @@ struct MultistepFormula {
 
 namespace detail {
 
-/// Solves A x = b by elimination with row pivoting.
+/// Returns the solution x of A x = b by elimination with row pivoting.
 template <int n>
 constexpr std::array<long double, n> solve(std::array<std::array<long double, n>, n> A, std::array<long double, n> b) {
   const auto size = [](long double x) { return x < 0 ? -x : x; };

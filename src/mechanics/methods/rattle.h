@@ -11,14 +11,14 @@
 /// positions remain the same (SHAKE and RATTLE have equal positions). `advance` omits the projection, and
 /// `project_velocity` makes the projection at samples.
 ///
-/// With Λ = (sum of the half steps) λ_n, Newton's iteration for the position is
+/// λ_n is multiplied by the sum of the half steps before and after q_n. With Λ for this product, Newton's iteration is
 ///
 ///   G(q) M⁻¹ G(q_n)ᵀ δ = −g(q),   v ← v + M⁻¹G(q_n)ᵀδ/h,   q ← q + M⁻¹G(q_n)ᵀδ,
 ///
 /// The iteration starts from an extrapolated multiplier and ends when |g| ≤ tolerance or when g consists of round-off.
 ///
-/// If a force depends on the velocity, the first half step evaluates it at v_n. The second half step evaluates it at
-/// v_{n+1} and is implicit:
+/// If a force depends on the velocity, the first half step evaluates the force at v_n. The second half step evaluates
+/// the force at v_{n+1} and is implicit:
 ///   v_{n+1} = v_{n+1/2} + (h/2) M⁻¹[f(q_{n+1}, v_{n+1}) + Gᵀμ_n].
 /// A fixed-point iteration on the force solves this equation together with the projection. The step remains symmetric
 /// and of order 2; a linear drag −cv gives Cayley's factor (1 − hc/2)/(1 + hc/2). If the iteration is slow and the
@@ -48,7 +48,7 @@ struct Counters {
   long n_steps = 0, n_substeps = 0, n_force = 0, n_position_iterations = 0, n_projections = 0, n_gram_iterations = 0;
 };
 
-/// A zero vector if sums of vectors are compensated (vector_space.h), otherwise an empty object.
+/// Returns a zero vector if sums of vectors are compensated (vector_space.h), otherwise an empty object.
 template <class S>
 typename S::Vector make_rounding(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::compensated)
@@ -234,7 +234,7 @@ struct Rattle {
     return 0.5 * s * (dot(state.v, w.force) - dot(start, w.force));
   }
 
-  /// Solves v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ] for v.
+  /// Sets v to the solution of v = w.settling.half + (h/2) M⁻¹[f(v) + Gᵀμ].
   template <ConstrainedSystem S>
   static Status settle_velocity(const S& system, double h, State<S>& state, RattleWorkspace<S>& w) {
     if constexpr (LinearlyDamped<S>) {

@@ -24,7 +24,7 @@ struct StepRequest {
   double window = 0;        ///< length w of the pilot runs
   double tolerance = 0;     ///< permitted error of the configuration over [0, T]
   double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
-  double step_bound = HUGE_VAL;  ///< largest outer step that the user allows
+  double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
   bool stiff = false;            ///< the damping would limit the step of all methods except RATTLE
   bool spare_pilots = false;     ///< forces are costly: the search makes short estimates and does not seek small gains
@@ -211,7 +211,7 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< outer step, or the bound of the step of an adaptive method
+  double limit = 0, step = 0;  ///< step with all its substeps, or the bound of the step of an adaptive method
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;

@@ -27,7 +27,7 @@ namespace pseudorigid::mechanics {
 struct [[nodiscard]] StepChoice {
   Status status{};
   MethodId method = id_of<Rattle>;
-  double step = 0;             ///< outer (composed) step, an upper bound
+  double step = 0;             ///< upper bound of the step with all its substeps
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
   bool at_round_off = false;   ///< the tolerance is below the limit of double precision
@@ -42,8 +42,8 @@ struct [[nodiscard]] StepChoice {
 /// stretch.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). ω is the largest frequency of small motions
-/// about the present motion, and `rate` is the rate of the present motion.
+/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). Small motions about the present motion have
+/// the largest frequency ω, and `rate` is the rate of the present motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
