@@ -43,10 +43,10 @@ std::string print_number(double value);
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
-/// The numbers in one line, "1, 0.5, 2".
+/// Prints the numbers in one line, "1, 0.5, 2".
 std::string print_row(std::span<const double> numbers);
 
-/// The matrix in one line. "; " separates rows and ", " separates numbers.
+/// Prints the matrix in one line. "; " separates rows and ", " separates numbers.
 std::string print_matrix(const Matrix3& matrix);
 
 /// A finite number with low <= number <= high, or low < number if `low_excluded`.
@@ -209,7 +209,7 @@ std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   return words;
 }
 
-/// The words in one line, "a, b, c".
+/// Joins the words in one line, "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
 /// The permitted words in a message: "a", "a or b" or "one of a, b, c".

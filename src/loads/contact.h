@@ -50,7 +50,7 @@ struct PlaneContact {
 struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
-  double radius = 0;                                        ///< √(area/π)
+  double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 

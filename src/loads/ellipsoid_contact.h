@@ -91,7 +91,7 @@ class EllipsoidContact {
         (of_c * I[1] - along * I[2]) * direction_ - 0.5 * (I[0] - I[2]) * (of_Q - along * direction_);
     f.on_center += factor * rate * plane_.normal;
     f.on_Q += factor * plane_.normal * (S_ * rate_xi).transpose();
-    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // ∫kβ d ḋ² dA
+    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // the dissipated power ∫kβ d ḋ² dA
   }
 
  private:

@@ -21,12 +21,12 @@ namespace pseudorigid::loads {
 
 struct Forcing {
   ByName by_name{};
-  double gravity_constant = 0;                                 ///< G
-  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< b
-  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress
-  double pressure = 0;                                         ///< p
-  double viscosity = 0, drag = 0;                              ///< η, c
+  double gravity_constant = 0;                                 ///< Newton's constant G
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< matrix T of the tide, symmetric
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< uniform acceleration b
+  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< dead traction P̄, a first Piola–Kirchhoff stress
+  double pressure = 0;                                         ///< follower pressure p
+  double viscosity = 0, drag = 0;                              ///< viscosity η and drag coefficient c
   Planes planes{};                                             ///< planes that the body may touch
 
   /// Calls visit(member of a, member of b) for every member. If the lists below lack a new member, the function does

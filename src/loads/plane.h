@@ -16,10 +16,10 @@
 namespace pseudorigid::loads {
 
 struct Plane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n, pointing to the side of the body
-  double position = 0;                                ///< z₀
-  double stiffness = 0;                               ///< k
-  double damping = 0;                                 ///< β
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal n, pointing to the side of the body
+  double position = 0;                                ///< position z₀
+  double stiffness = 0;                               ///< stiffness k
+  double damping = 0;                                 ///< damping coefficient β
 
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
   bool operator==(const Plane& other) const {

@@ -10,7 +10,7 @@
 namespace pseudorigid::loads {
 
 struct Pressure {
-  double pressure = 0;  ///< p
+  double pressure = 0;  ///< the pressure p
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

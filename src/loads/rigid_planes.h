@@ -10,8 +10,8 @@ namespace pseudorigid::loads {
 
 struct RigidPlanes {
   std::vector<double> normals, points;  ///< n (of any length) and a point of each plane, three numbers each
-  std::optional<double> stiffness;      ///< k; empty: `usual_stiffness`
-  double damping = 0;                   ///< β
+  std::optional<double> stiffness;      ///< stiffness k; empty: `usual_stiffness`
+  double damping = 0;                   ///< damping coefficient β
 
   /// Default stiffness in internal units. For an elastic body without self-gravity it is 1000 shear moduli per radius.
   static constexpr double usual_stiffness = 1000;

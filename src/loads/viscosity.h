@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Viscosity {
-  double viscosity = 0;  ///< η
+  double viscosity = 0;  ///< the viscosity η
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

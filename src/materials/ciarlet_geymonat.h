@@ -29,7 +29,7 @@ struct CiarletGeymonat {
   static constexpr double surface_limit = biot_ratio;  ///< the law is neo-Hookean if the volume is preserved
   bool operator==(const CiarletGeymonat&) const = default;
 
-  /// W(F); F must have J > 0.
+  /// Energy W(F) per reference volume; F must have J > 0.
   template <class T>
   T energy(const Tensor<T>& F) const {
     const Tensor<T> H = displacement_gradient(F), cof = cofactor(H);
@@ -48,14 +48,14 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// Coefficients μ of F and s(J) of cof F.
+  /// Coefficients μ of F and s(J) of cof F in the stress.
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);
     return {T(mu), (0.5 * lambda * (J * J - 1.0) - mu) / J};
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> cof = cofactor(F);

@@ -24,7 +24,7 @@ struct Gent {
   double mu, lambda, J_m;
   bool operator==(const Gent&) const = default;
 
-  /// W(F); F must have J > 0 and a positive `reserve`.
+  /// Energy W(F) per reference volume; F must have J > 0 and a positive `reserve`.
   template <class T>
   T energy(const Tensor<T>& F) const {
     return first_part().energy(F) + 0.5 * mu * J_m * x_minus_log1p(-1.0 / J_m * trace_of_strain(F));
@@ -37,7 +37,7 @@ struct Gent {
     return entrywise([&](const T& p, const T& f) { return p + stiffening * f; }, first_part().stress(F), F);
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T d = trace_of_strain(F), d_rate = 2.0 * dot(F, H), rest = J_m - d;

@@ -29,7 +29,8 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// True if a law admits F, provided J > 0. A sum that contains a law may itself have members admits(F) and limit().
+/// True if a law admits F, provided J > 0. A class that adds other energies to a law may itself have members admits(F)
+/// and limit().
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)

@@ -24,7 +24,7 @@ struct MooneyRivlin {
   static constexpr double surface_limit = biot_ratio;
   bool operator==(const MooneyRivlin&) const = default;
 
-  /// W(F); F must have J > 0.
+  /// Energy W(F) per reference volume; F must have J > 0.
   template <class T>
   T energy(const Tensor<T>& F) const {
     const Tensor<T> D = strain(F);
@@ -41,7 +41,7 @@ struct MooneyRivlin {
                      first_part().stress(F), F, product(F, D));
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> D = strain(F), D_rate = strain_rate(F, H);

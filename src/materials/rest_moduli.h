@@ -12,7 +12,7 @@
 
 namespace pseudorigid::materials {
 
-/// The pressure p of P(Id) = p Id.
+/// The number p of the stress P(Id) = p Id at rest.
 inline double pressure_at_rest(const AnyLaw& law) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);

@@ -31,7 +31,7 @@ struct SaintVenantKirchhoff {
     return product(F, second_stress(strain(F)));
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     return entrywise([](const T& a, const T& b) { return a + b; }, product(H, second_stress(strain(F))),

@@ -29,7 +29,7 @@ struct SaintVenantKirchhoffAsPrinted {
     return (2.0 * (lambda * trace_of_strain(F) + mu)) * F;
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T s = 2.0 * (lambda * trace_of_strain(F) + mu), s_rate = 4.0 * lambda * dot(F, H);

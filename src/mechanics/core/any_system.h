@@ -53,7 +53,7 @@ struct SystemInterface {
   virtual void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const = 0;
 };
 
-/// The part of a workspace that belongs to the system S.
+/// Returns the workspace of the system S, which is a part of the workspace of its field.
 template <ConstrainedSystem S>
 typename S::Workspace& own_workspace(AnyWorkspace& w) {
   return w.as<typename ExplicitMultiplier<S>::Workspace>().system;

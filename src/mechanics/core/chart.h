@@ -71,7 +71,7 @@ MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinate
   return jet;
 }
 
-/// Σ_ij Γ_l,ij uⁱvʲ for each l.
+/// Returns Σ_ij Γ_l,ij uⁱvʲ for each l.
 template <Chart C, class T>
 Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& jet,
                                                        const std::type_identity_t<Coordinates<T, C::dimension>>& u,
@@ -86,7 +86,7 @@ Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& je
   return c;
 }
 
-/// dU; zero if the chart has no potential.
+/// The differential dU; zero if the chart has no potential.
 template <class T = double, Chart C>
 Coordinates<T, C::dimension> potential_differential(const C& chart,
                                                     const std::type_identity_t<Coordinates<T, C::dimension>>& q) {

@@ -31,7 +31,7 @@ struct JacobiMetric {
   }
 };
 
-/// A curve of the chart, with the integral of a function along the curve as an additional coordinate.
+/// Coordinates of a point of the chart, and the integral of a function along the curve as an additional coordinate.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
@@ -86,7 +86,8 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion, with its Jacobi length s̃ as the last coordinate: ds̃/dt = 2K = 2(h − U), so s̃¨ = −2 dU(q̇).
+/// The motion, with its Jacobi length s̃ as the last coordinate. ds̃/dt = 2K = 2(h − U) with the kinetic energy K, so
+/// s̃¨ = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

@@ -55,7 +55,7 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// x ← P x at the configuration q.
+/// x ← P x at the configuration q. Fails if the iteration for the constraint does not converge.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {

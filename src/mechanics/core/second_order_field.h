@@ -27,7 +27,8 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold.
+/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold, and
+/// fails if the iteration does not converge.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {

@@ -55,7 +55,7 @@ struct VectorSpace<double> {  // the multiplier of one constraint
   static std::span<double> local_values(double& x) { return {&x, 1}; }
 };
 
-/// Multiplier of a system without constraints.
+/// The multiplier of a system without constraints, an empty object.
 struct NoMultiplier {};
 
 template <>

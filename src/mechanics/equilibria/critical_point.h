@@ -21,7 +21,7 @@ struct CriticalPoint {
   double V = 0;
   int morse_index = 0, nullity = 0;
   Eigen::VectorXd hessian_eigenvalues;  // eigenvalues of H, increasing: squares of the frequencies without damping
-  Eigen::VectorXcd rates;               // rates z
+  Eigen::VectorXcd rates;               // rates z of the small motions
   Eigen::MatrixXcd directions;          // δq = T y for each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
 

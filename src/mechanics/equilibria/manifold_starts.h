@@ -1,8 +1,8 @@
 #pragma once
 /// Initial states of motions on the unstable and the stable manifold of a critical point q*. They are q = q* + x, q̇ =
-/// y with small (x, y) in an eigenspace of the linearised field. For a rate z with the direction δ, the pairs (Re δ, Re
-/// zδ) and (Im δ, Im zδ) span the eigenspace. Up to terms of second order the states are on the manifold (Oliva,
-/// Geometric Mechanics, 5.8.3).
+/// y with small (x, y) in an eigenspace of the linearised field. The eigenspace for a rate z with the direction δ is
+/// spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the states are on the manifold
+/// (Oliva, Geometric Mechanics, 5.8.3).
 ///
 /// If a point has several unstable directions, all motions with equal initial sizes would leave along the fastest one.
 /// With the size ε in the slowest direction z_min, the initial size in each direction is therefore ε^{Re z/Re z_min}.
@@ -22,7 +22,7 @@ namespace pseudorigid::mechanics {
 
 struct PhaseVector {
   Eigen::VectorXd q, v;
-  double rate = 0;  ///< |Re z|
+  double rate = 0;  ///< growth or decay rate |Re z|
 };
 
 /// Returns a basis of the tangent space of the unstable or the stable manifold, the fastest rates first.

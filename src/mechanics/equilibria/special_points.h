@@ -100,8 +100,8 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Skip a jump through 0. Also skip a root at the same place as the last one, since on spheroids two eigenvalues
-    // vanish together.
+    // Skip a jump of the eigenvalue through 0. Also skip a root at the same place as the last one, since on spheroids
+    // two eigenvalues vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
     last = *s;

@@ -63,7 +63,8 @@ struct Composition {
   template <class S>
   static constexpr bool fits = Base::template fits<S>;
 
-  /// Fails for dissipative systems, because some substeps go backwards in time and would add energy.
+  /// Fails for dissipative systems. Some substeps go backwards in time, and dissipation would add energy in these
+  /// substeps.
   template <class S>
   static Status accepts(const S& system) {
     if (dissipative(system))

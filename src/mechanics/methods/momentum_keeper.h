@@ -1,6 +1,7 @@
 #pragma once
 /// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them; ξ_i(q) is the
-/// velocity of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸, and these errors would accumulate. If
+/// velocity field of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸, and these errors would
+/// accumulate. If
 /// the error of one momentum exceeds its own round-off, the correction changes the velocity along the orbit of the
 /// symmetries. In the metric of the kinetic energy this is the smallest change that restores the momenta:
 ///

@@ -107,8 +107,8 @@ struct RattleWorkspace {
   double pending_weight = 0;     // length of the last half step, if its reaction is not yet in v; otherwise 0
   double acceleration_time = 0;  // time of `acceleration`
   bool acceleration_known = false;
-  bool begun = false;  ///< a linearly damped system has made a step
-  bool stiff = false;  ///< the fixed-point iteration on the damping is slow, so a linear system is solved
+  bool begun = false;  ///< true after the first step of a linearly damped system
+  bool stiff = false;  ///< true if the fixed-point iteration on the damping is slow and a linear system is solved
   Counters counters;
 
   /// Passes each member that a checkpoint must contain to `visit`. A resumed run computes the other members again.

@@ -131,7 +131,7 @@ struct SymmetricMultistep {
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // slot of the state: contains a_{n−(k−1)} until a_n is stored
+    for (int i = 1; i <= w.n_slots; ++i)  // in its own slot the state has a_{n−(k−1)}, not a_n
       axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     return Rattle::project_velocity(system, state, w);
   }
@@ -260,7 +260,7 @@ struct SymmetricMultistep {
           for (Eigen::Index k = 0; k < sum.size(); ++k) sum.data()[k] += of_d * d[k] + of_a * a[k];
         }
       }
-    } else {  // in one pass over the memory
+    } else {  // computes all terms in one pass over the memory
       std::array<const double*, Workspace<S>::n_slots> d, a;
       for (int i = 0; i < w.n_slots; ++i) {
         d[i] = local_values(w.d[slot(i)]).data();

@@ -30,12 +30,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// The frequency ω, or the reason why it could not be computed.
+/// The frequency ω, or in `status` the reason why ω could not be computed.
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
 };
-/// The damping rate γ, or the reason why it could not be computed.
+/// The damping rate γ, or in `status` the reason why γ could not be computed.
 struct [[nodiscard]] DampingReport {
   Status status;
   double gamma = 0;
@@ -71,7 +71,7 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   }
 }
 
-/// The operator K, or C if `of_velocity`, by differences of the force.
+/// The operator K, or C if `of_velocity` is true, computed by differences of the force.
 template <ConstrainedSystem S>
 class TangentOperator {
  public:

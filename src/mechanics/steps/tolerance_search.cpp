@@ -38,8 +38,8 @@ RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, 
   return found;
 }
 
-/// True if neither positions nor velocities change by more than round-off in the pilot run, so that the body is at
-/// rest.
+/// True if the body rests in the pilot run: all velocities are round-off, and all positions equal the initial ones up
+/// to round-off.
 bool rests(const PilotRun& pilot) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, size_of(pilot));
   return pilot.speed <= round_off && std::ranges::all_of(pilot.q, [&](const Eigen::VectorXd& q) {
