@@ -195,7 +195,7 @@ struct Rows {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The message about a word that is not permitted, with the nearest permitted word.
+/// The message about a word that is not permitted, with the nearest permitted word if one is near enough.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
 /// A table of names and the values of an enumeration that they mean.

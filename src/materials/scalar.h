@@ -10,8 +10,8 @@ inline double log1p(double x) { return std::log1p(x); }
 inline std::complex<double> log1p(std::complex<double> z) { return std::log(1.0 + z); }
 
 namespace detail {
-/// x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)] with s = x/(2+x), since ln(1+x) = 2 artanh s. Exact to round-off
-/// for |x| ≤ ¼.
+/// x − ln(1+x) = s [x − 2s²(1/3 + s²/5 + s⁴/7 + …)] with s = x/(2+x), since ln(1+x) = 2 artanh s. The result is exact
+/// to round-off for |x| ≤ ¼.
 template <class T>
 T x_minus_log1p_series(const T& x) {
   const T s = x / (2.0 + x), s2 = s * s;

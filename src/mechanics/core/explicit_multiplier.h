@@ -23,7 +23,7 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// a ← a + M⁻¹Gᵀλ, with λ such that G a = −D²g(v, v).
+/// Adds M⁻¹Gᵀλ to a, with λ such that G a = −D²g(v, v) for the new a. Fails if a Gram solve fails.
 template <ConstrainedSystem S>
 Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
                               typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,

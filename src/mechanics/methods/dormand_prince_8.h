@@ -131,7 +131,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// Sets `out` to the state at a time t within the last step, by the polynomial of order 7 in θ = (t − t_n)/h.
+  /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. Fails if t is not within
+  /// the last step.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;

@@ -73,9 +73,9 @@ StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::ve
                         bool compensated, const StepRequest& request);
 
 /// True for the requested method. Without a request, true for each method that Method = auto may choose and that
-/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems, which
-/// exclude methods with fixed steps of high order. If the system is stiff, RATTLE is the only candidate, because RATTLE
-/// solves a linear system for the velocity.
+/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems, because
+/// these systems exclude methods with fixed steps of high order. If the system is stiff, RATTLE is the only candidate,
+/// because RATTLE solves a linear system for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
