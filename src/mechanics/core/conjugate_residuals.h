@@ -34,8 +34,8 @@ class ConjugateResiduals {
     bool converged = false;  ///< |r| is at most the tolerance
   };
 
-  /// Solves A x = r. At the end `r` is the residual. `multiply(z, y)` sets y ← A z, and `precondition(r, z)` sets z ←
-  /// M⁻¹ r. `norm` is the Euclidean norm of the initial r.
+  /// Sets x to the solution of A x = r, and r to the remaining residual. `multiply(z, y)` sets y ← A z, and
+  /// `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {

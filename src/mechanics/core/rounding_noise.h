@@ -43,7 +43,7 @@ double largest_change(const S& system, Evaluate&& evaluate) {
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
-/// Round-off of G(q) v.
+/// Measured round-off of G(q) v.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
                                                   const typename S::Vector& v) {
@@ -58,7 +58,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Round-off of g(q).
+/// Measured round-off of g(q).
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
   return largest_change(system, [&](int pattern, auto& r) {
@@ -68,7 +68,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Round-off of g(q + q_rounding), which the system computes with the precision of long double.
+/// Measured round-off of g(q + q_rounding), which the system computes with the precision of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

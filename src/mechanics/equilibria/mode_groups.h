@@ -22,7 +22,7 @@ struct ModeGroup {
   bool spheroidal;
   int degree, overtone;            ///< overtone 0: the fundamental
   std::vector<std::size_t> modes;  ///< indices of the copies in the list, by increasing ω²
-  double omega;                    ///< mean of the copies
+  double omega;                    ///< mean ω of the copies
   double least, largest;           ///< least and largest ω of the copies
 
   bool complete() const { return modes.size() == 2 * static_cast<std::size_t>(degree) + 1; }

@@ -172,9 +172,9 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Returns the size of the first step by Hairer, Nørsett, Wanner II.4. h⁸ times the larger norm of (v, a) and (a, ȧ)
-  /// is a hundredth of the tolerance, with norms relative to 1 + |q| and 1 + |v|. The size is at most 100 times a first
-  /// guess and at most the distance to t_limit.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger norm of
+  /// (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is at most
+  /// 100 times a first guess and at most the distance to t_limit.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {
