@@ -7,7 +7,7 @@
 
 namespace pseudorigid::scene {
 
-/// Path ("Section/Entry"), unit and documentation in full sentences.
+/// Path ("Section/Entry"), unit, and documentation in full sentences, of one entry.
 struct About {
   std::string_view path;
   Unit unit;

@@ -1,13 +1,13 @@
 #pragma once
 /// Kinds of values that an entry of a parameter file can have. Each kind converts text to a value and back, and
-/// describes the expected value in words. The headers scene/entries.h and src/loads/ define the entries.
+/// describes the permitted values in words. The headers scene/entries.h and src/loads/ define the entries.
 ///
 /// Every kind has these members, with T the type of its value:
-///   std::optional<std::string> read(std::string_view text, T& value) const;   // the problem, or nothing and the value
+///   std::optional<std::string> read(std::string_view text, T& value) const;   // sets value, or returns the problem
 ///   std::string print(const T& value) const;                                  // read(print(v)) gives v, bit for bit
 ///   std::string expected() const;                                             // "a number > 0"
 ///   static constexpr std::string_view type;                                   // "number"
-///   std::vector<std::string_view> words() const;                              // the words allowed, if they are a list
+///   std::vector<std::string_view> words() const;                              // the permitted words; empty: no list
 
 #include <array>
 #include <filesystem>
@@ -29,24 +29,24 @@ using Problem = std::optional<std::string>;
 /// The value of `Continuum/Mesh` for the built-in mesh of the ball; any other value is the name of a file.
 inline constexpr std::string_view builtin_mesh = "builtin";
 
-/// The general message of a problem, `got "…"`.
+/// The general message about a wrong text, `got "…"`, or `got nothing` for an empty text.
 std::string got(std::string_view text);
 
-/// The number if the whole text is a finite number; otherwise empty.
+/// Returns the number if the whole text is a finite number, otherwise an empty optional.
 std::optional<double> finite_number(std::string_view text);
 
-/// The shortest decimal text, at most 17 significant digits, that reads back as the same double.
+/// Returns the shortest decimal text that reads back as the same double. It has at most 17 significant digits.
 std::string print_number(double value);
 
-/// Prints a computed bound for messages, in three digits. An upper bound is rounded down and a lower bound up, so that
-/// the printed number is permitted.
+/// Prints a computed bound for messages with three digits. An upper bound is rounded down and a lower bound up, so the
+/// printed number is itself permitted.
 std::string print_upper_bound(double value);
 std::string print_lower_bound(double value);
 
-/// The numbers in one line, "1, 0.5, 2".
+/// Prints the numbers in one line, "1, 0.5, 2".
 std::string print_row(std::span<const double> numbers);
 
-/// The matrix in one line. "; " separates rows and ", " separates numbers.
+/// Prints the matrix in one line. "; " separates rows and ", " separates numbers.
 std::string print_matrix(const Matrix3& matrix);
 
 /// A finite number with low <= number <= high, or low < number if `low_excluded`.
@@ -65,7 +65,7 @@ struct Number {
 inline constexpr Number positive{.low = 0, .low_excluded = true};
 inline constexpr Number not_negative{.low = 0};
 
-/// The word `auto` (no value) or a number.
+/// The word `auto`, which gives no value, or a number.
 struct AutoOrNumber {
   Number number;
 
@@ -88,7 +88,7 @@ struct Integer {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `auto` (no value) or a whole number.
+/// The word `auto`, which gives no value, or a whole number.
 struct AutoOrInteger {
   Integer number;
 
@@ -99,7 +99,7 @@ struct AutoOrInteger {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// The word `auto` (an empty list), or increasing whole numbers separated by `,`.
+/// The word `auto`, which gives an empty list, or increasing whole numbers separated by `,`.
 struct AutoOrIntegers {
   Integer number;
 
@@ -129,7 +129,8 @@ struct Text {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The name of a directory. The name is used literally, so text that a shell would replace is an error.
+/// The name of a directory, which is used literally. A text with an expansion of the shell, such as `~` or `$NAME`, is
+/// an error.
 struct Directory {
   static constexpr std::string_view type = Text::type;
   Problem read(std::string_view text, std::string& value) const;
@@ -145,13 +146,13 @@ struct BuiltinOrMeshFile {
   std::string print(const std::string& value) const { return value; }
   std::string expected() const { return "builtin or the name of a .msh file"; }
   std::vector<std::string_view> words() const { return {builtin_mesh}; }
-  /// The absolute path of the file, relative to `folder`; `builtin` is returned unchanged.
+  /// Returns the absolute path of the file, relative to `folder`. Returns `builtin` unchanged.
   std::string located(const std::string& value, const std::filesystem::path& folder) const;
 };
 
 /// Three rows separated by `;`, each of three numbers separated by `,`.
 struct Matrix {
-  bool symmetric = false;  ///< the check and its message are in scene/validate.h
+  bool symmetric = false;  ///< true: the matrix must be symmetric; scene/validate.h checks this
 
   static constexpr std::string_view type = "matrix";
   Problem read(std::string_view text, Matrix3& value) const;
@@ -160,7 +161,7 @@ struct Matrix {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The word `auto` (no value) or a matrix.
+/// The word `auto`, which gives no value, or a matrix.
 struct AutoOrMatrix {
   static constexpr std::string_view type = "auto or matrix";
   Problem read(std::string_view text, std::optional<Matrix3>& value) const;
@@ -169,7 +170,7 @@ struct AutoOrMatrix {
   std::vector<std::string_view> words() const { return {"auto"}; }
 };
 
-/// A list of numbers separated by `,`, with n entries or any positive number of entries.
+/// A list of numbers separated by `,`. It has n entries, or any positive number of entries if n is 0.
 struct Numbers {
   std::size_t n = 0;  ///< 0: any positive number of entries
   Number number{};
@@ -181,7 +182,8 @@ struct Numbers {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// Rows of n_columns numbers; rows are separated by `;`, entries by `,`. The value has the numbers row by row.
+/// Rows of n_columns numbers. `;` separates rows, and `,` separates entries. The value is a list of the numbers, row by
+/// row.
 struct Rows {
   std::size_t n_columns;
   bool may_be_empty = false;
@@ -193,10 +195,10 @@ struct Rows {
   std::vector<std::string_view> words() const { return {}; }
 };
 
-/// The message for a word that is not permitted.
+/// The message about a word that is not permitted, with the nearest permitted word if one is near enough.
 std::string unknown_word(std::string_view word, const std::vector<std::string_view>& allowed);
 
-/// Names of an enumeration with their values.
+/// A table of names and the values of an enumeration that they mean.
 template <class E, std::size_t n>
 using NameTable = std::array<std::pair<std::string_view, E>, n>;
 
@@ -207,13 +209,13 @@ std::vector<std::string_view> words_of(const NameTable<E, n>& table) {
   return words;
 }
 
-/// The words in one line, "a, b, c".
+/// Joins the words in one line, "a, b, c".
 std::string joined(const std::vector<std::string_view>& words);
 
 /// The permitted words in a message: "a", "a or b" or "one of a, b, c".
 std::string one_of(const std::vector<std::string_view>& words);
 
-/// True if no name is empty, and no name and no value occurs twice.
+/// True if no name is empty, and no name or value occurs twice.
 template <class E, std::size_t n>
 constexpr bool is_sound(const NameTable<E, n>& table) {
   for (std::size_t i = 0; i < n; ++i) {
@@ -224,7 +226,7 @@ constexpr bool is_sound(const NameTable<E, n>& table) {
   return true;
 }
 
-/// One word of a table of names.
+/// The value of an enumeration, written as one word of a table of names.
 template <class E, std::size_t n>
 struct Choice {
   consteval explicit Choice(const NameTable<E, n>& names) : table(names) {
@@ -254,7 +256,7 @@ consteval Choice<E, n> choice(const std::pair<std::string_view, E> (&names)[n]) 
   return Choice<E, n>(std::to_array(names));
 }
 
-/// One word of a list that is known only at run time.
+/// One word of the list `allowed`, which is known only at run time.
 struct Word {
   std::vector<std::string_view> allowed;
 
@@ -265,7 +267,7 @@ struct Word {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// A comma-separated list of words from `allowed`, which is known only at run time. The value has the words in the
+/// A comma-separated list of words from `allowed`, which is known only at run time. The value contains the words in the
 /// order of `allowed`.
 struct Words {
   std::vector<std::string_view> allowed;
@@ -277,11 +279,11 @@ struct Words {
   std::vector<std::string_view> words() const { return allowed; }
 };
 
-/// Splits the text at the separator and trims the parts; a blank text has no parts.
+/// Splits the text at each separator and trims the parts. Returns no parts for a blank text.
 std::vector<std::string_view> parts_of(std::string_view text, char separator);
 
-/// A comma-separated list of words. Each word sets a member of type bool of the value. If n_in_all is not 0, `all` sets
-/// the first n_in_all members.
+/// A comma-separated list of words. Each word sets a bool member of the value to true, and the other members are false.
+/// If n_in_all is not 0, the word `all` sets the first n_in_all members to true.
 template <class S, std::size_t n>
 struct Switches {
   consteval Switches(const NameTable<bool S::*, n>& names, std::size_t n_of_all) : table(names), n_in_all(n_of_all) {
@@ -319,7 +321,7 @@ struct Switches {
   }
 };
 
-/// Makes a Switches: switches<S>({{"name", &S::member}, …}). The word `all` sets all members.
+/// Makes a Switches: switches<S>({{"name", &S::member}, …}). The word `all` sets all members to true.
 template <class S, std::size_t n>
 consteval Switches<S, n> switches(const std::pair<std::string_view, bool S::*> (&names)[n]) {
   return Switches<S, n>(std::to_array(names), n);

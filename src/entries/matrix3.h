@@ -1,5 +1,5 @@
 #pragma once
-/// 3x3 matrices as values of entries, and the linear algebra for checks of such values.
+/// 3×3 matrices as values of entries, and the linear algebra for checks of these values.
 
 #include <algorithm>
 #include <array>
@@ -8,15 +8,15 @@
 
 namespace pseudorigid::scene {
 
-/// A matrix, stored row by row. With this type the entries do not need a linear algebra library.
+/// A matrix, stored row by row. The type makes the entries independent of any linear algebra library.
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 inline constexpr Matrix3 identity3{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-/// Error of a sum of a few products, relative to the sum of their absolute values.
+/// Bound of the round-off of a sum of a few products, relative to the sum of their absolute values.
 inline constexpr double round_off_of_sum = 8 * std::numeric_limits<double>::epsilon();
-/// Beyond these condition numbers and stretches, round-off exceeds the accuracy of the user's data.
+/// Largest permitted condition number and stretch. Beyond them, round-off exceeds the accuracy of the user's data.
 inline constexpr double largest_condition = 1e12, largest_stretch = 1e12;
 
-/// cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.
+/// The cofactor cof Q = det(Q) Q^-T. If Q is diagonal or block diagonal, the zeros of the result are exact.
 inline Matrix3 cofactor(const Matrix3& q) {
   Matrix3 cof{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -27,7 +27,7 @@ inline Matrix3 cofactor(const Matrix3& q) {
   return cof;
 }
 
-/// A : B = tr(A^T B).
+/// The inner product A : B = tr(A^T B).
 inline double inner(const Matrix3& a, const Matrix3& b) {
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i)
@@ -49,7 +49,7 @@ inline double det(const Matrix3& q) {
   return q[0][0] * cof[0][0] + q[0][1] * cof[0][1] + q[0][2] * cof[0][2];
 }
 
-/// a A + b B.
+/// The linear combination a A + b B.
 inline Matrix3 combine(double a, const Matrix3& first, double b, const Matrix3& second) {
   Matrix3 sum{};
   for (std::size_t i = 0; i < 3; ++i)

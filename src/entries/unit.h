@@ -1,7 +1,7 @@
 #pragma once
-/// The unit of an entry or of a column in words. Its factors are `length`, `mass`, `time`, `pressure`, `radius` or `1`
-/// with whole powers, joined by `*` and `/` from left to right ("mass*length^2/time"). An empty text is a pure number.
-/// Any other word does not compile.
+/// The unit of an entry or of a column in words. The words are `length`, `mass`, `time`, `pressure`, `radius` or `1`
+/// with whole powers, joined by `*` and `/` from left to right ("mass*length^2/time"). An empty text means a pure
+/// number. Any other word does not compile.
 
 #include <string_view>
 
@@ -9,7 +9,7 @@ namespace pseudorigid::scene {
 
 namespace detail {
 
-/// The number with these digits; 0 if the text is not a number.
+/// The whole number with these digits; 0 if another character occurs.
 constexpr int whole_number(std::string_view digits) {
   int number = 0;
   for (const char digit : digits) {

@@ -29,8 +29,8 @@ Powers read_powers(scene::Unit unit) {
   return powers;
 }
 
-/// Powers of a unit, cached by the address of its words, which are a string literal. Reading the words takes longer
-/// than all other work on a row.
+/// Returns the powers in a unit, cached by the address of its words, which are a string literal. To read the words
+/// again would take longer than all other work on a row of the output.
 const Powers& powers_of(scene::Unit unit) {
   thread_local std::unordered_map<const char*, Powers> known;
   const auto [found, is_new] = known.try_emplace(std::string_view(unit).data());
@@ -43,8 +43,8 @@ const Powers& powers_of(scene::Unit unit) {
 double Units::to_physical(double internal, scene::Unit unit) const {
   const auto [of_length, of_mass, time_power, of_stress] = powers_of(unit);
   int of_time = time_power;
-  // As in the member functions of Units, length per time is a velocity, and 1/t² is the unit of the multiplier. Equal
-  // quantities thus get equal last digits.
+  // As in the member functions of Units, length per time is a velocity, and 1/t² is the unit of the multiplier. The
+  // conversion of equal quantities therefore has equal round-off.
   const int of_velocity = std::clamp(-of_time, 0, std::max(of_length, 0));
   double factor = 1;
   const auto multiply = [&](double size, int power) {

@@ -8,7 +8,7 @@ namespace pseudorigid::scene {
 namespace {
 
 constexpr std::size_t longest_quotation = 100;
-/// Longer words are not misspelt names. The bound also limits the cost of the search.
+/// Longest text that can be a misspelt name. The bound also limits the cost of the search.
 constexpr std::size_t longest_misspelling = 80;
 
 char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
@@ -19,7 +19,7 @@ std::string_view last_part(std::string_view path) {
   return path.substr(path.rfind('/') + 1);  // npos + 1 == 0: the whole path
 }
 
-/// A character from web pages or word processors that looks like a typed character.
+/// A character from web pages or word processors that is easily mistaken for the character `typed` of the keyboard.
 struct Lookalike {
   std::string_view bytes, name, typed;
 };
@@ -53,7 +53,8 @@ constexpr Lookalike lookalikes[] = {
     {"\uFF1D", "the full-width equals sign U+FF1D", "="},
 };
 
-/// The note ` (with the minus sign U+2212 in place of "-")` about the first such character; empty if there is none.
+/// Returns the note ` (with the minus sign U+2212 in place of "-")` about the first lookalike in the text, or an empty
+/// text if there is none.
 std::string note_of_lookalike(std::string_view text) {
   const Lookalike* first = nullptr;
   std::size_t place = text.npos;

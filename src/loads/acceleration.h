@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Acceleration {
-  std::vector<double> acceleration{0, 0, 0};  ///< b
+  std::vector<double> acceleration{0, 0, 0};  ///< the acceleration b
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

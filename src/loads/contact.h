@@ -1,11 +1,11 @@
 #pragma once
 /// Contact of a surface with rigid planes (plane.h), as sums over the quadrature points of the reference surface. With
-/// the position x of a point, its penetration d, its pressure p and its weight w, the sums are
+/// the position x of a point, its penetration d, its pressure p and its quadrature weight w, the sums are
 ///
 ///   V = Σ w k d²/2,   force along n  N = Σ w p,   area Σ w,   moment Σ w p x     (sums over points with d > 0).
 ///
-/// Each model computes these sums for the computed sector of the body. Reflections give the sums for the whole body,
-/// because they map the set of planes to itself.
+/// Each model computes these sums for the computed sector of the body. The set of planes is symmetric under the
+/// reflections of the body, so reflections give the sums for the whole body.
 
 #include <algorithm>
 #include <array>
@@ -19,11 +19,11 @@
 
 namespace pseudorigid::loads {
 
-/// Contact with one plane, without its damping.
+/// Contact of a surface with one plane, without the damping force.
 struct PlaneContact {
   double energy = 0, force = 0, area = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least n·x − z₀
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< moment of the pressure, ∫p x dA
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();         ///< integral of the pressure times the position, ∫p x dA
 
   void add(const Plane& plane, const Eigen::Vector3d& x, double weight) {
     const double above = plane.height(x);
@@ -44,20 +44,21 @@ struct PlaneContact {
   }
 };
 
-/// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least. The other
-/// members belong to the plane with the largest force, or without contact to the nearest plane.
+/// Contact in the columns of the output. `energy` is the sum over all planes, and `height` is the least height. The
+/// other members belong to the plane with the largest force. Without contact, `normal` belongs to the nearest plane,
+/// and the others are 0.
 struct Contact {
   double energy = 0, force = 0;
   double height = std::numeric_limits<double>::infinity();  ///< least height over all planes
-  double radius = 0;                                        ///< √(area/π)
+  double radius = 0;                                        ///< radius √(area/π) of a disk with the contact area
   Eigen::Vector3d point = Eigen::Vector3d::Zero();          ///< centre of pressure; 0 without contact
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
 
   double penetration() const { return std::max(0.0, -height); }
 };
 
-/// Contact of the whole body from the contact of its computed sector. A plane j touches the image R x of a point x
-/// under a reflection R if the plane R j touches x.
+/// Returns the contact of the whole body from the contact of its computed sector. For a reflection R, the contact of
+/// plane j with an image point R x is the contact of the reflected plane R j with x.
 inline std::vector<PlaneContact> of_whole_body(const Planes& planes, const std::vector<PlaneContact>& computed,
                                                const std::array<bool, 3>& reflect) {
   std::vector<PlaneContact> whole(planes.size());

@@ -1,12 +1,12 @@
 #pragma once
-/// Linear drag, the force −cρẋ per volume.
+/// Linear drag, with the force −cρẋ per volume.
 
 #include "loads/load.h"
 
 namespace pseudorigid::loads {
 
 struct Drag {
-  double drag = 0;  ///< c
+  double drag = 0;  ///< the coefficient c
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -1,22 +1,23 @@
 #pragma once
-/// Contact of an affine body x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form. dA is the area element of
-/// the sphere of ξ. With
+/// Contact of an ellipsoid x = c + Q S ξ, |ξ| = 1, with a plane (plane.h), in closed form. The matrix S is the
+/// reference shape, Q the affine deformation and c the centre. dA is the area element of the sphere |ξ| = 1. With
 ///
 ///   g = SᵀQᵀn,   G = |g|,   h = z₀ − n·c,   u = −g·ξ/G,   d(ξ) = h + G u,
 ///
-/// the largest penetration is δ = h + G. The least penetration is μ = h − G if the whole body is beyond the plane, and
-/// otherwise μ = 0. The points with u > −h/G are in contact. The integral over the angle about g gives dA = 2π du, and
+/// the penetration of a point is d. The largest penetration is δ = h + G. If the whole body is beyond the plane, the
+/// least penetration is μ = h − G; otherwise μ = 0. The points with u > −h/G are in contact. The integral over the
+/// angle about g gives dA = 2π du, and
 ///
 ///   V = πk (δ³ − μ³)/(3G),
 ///   ∂V/∂h = N = πk (δ² − μ²)/G,                 the force along n,
 ///   ∂V/∂G = πk [(δ² + μ²)/G − (δ³ − μ³)/(3G²)],
 ///   −∂V/∂c = N n,   −∂V/∂Q = −∂V/∂G n (S g/G)ᵀ,
 ///
-/// The contact area is 2πδ/G. For a rigid unit ball and small δ it is a disk of radius √(2δ), like the intersection of
-/// the ball and the plane. At the first contact the second derivative of N = πkδ² jumps. The damping force with the
-/// coefficient β needs the moments
+/// The contact area is 2πδ/G, at most 4π. For a rigid unit ball and small δ the contact area is a disk of radius √(2δ),
+/// like the intersection of the ball and the plane. At the first contact the second derivative of N = πkδ²/G jumps. The
+/// damping force with the coefficient β needs the moments
 ///
-///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ).
+///   I_j = 2π ∫ d u^j du,   ∫d dA = I₀,   ∫d ξ dA = −I₁ ĝ,   ∫d ξξᵀ dA = I₂ ĝĝᵀ + ½(I₀ − I₂)(Id − ĝĝᵀ),   ĝ = g/G.
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +64,7 @@ class EllipsoidContact {
     f.on_Q -= by_G() * plane_.normal * (S_ * direction_).transpose();
   }
 
-  /// Adds the rate of the force of add_force() along (dQ, dc).
+  /// Adds the rate of change of the force of add_force() if Q and c change at the rates dQ and dc.
   void add_force_rate(const Eigen::Matrix3d& dQ, const Eigen::Vector3d& dc, AffineForce& f) const {
     if (!touches()) return;
     const Eigen::Vector3d dg = S_.transpose() * (dQ.transpose() * plane_.normal);
@@ -78,7 +79,7 @@ class EllipsoidContact {
               by_G() / G_ * plane_.normal * (S_ * (dg - direction_ * dG)).transpose();
   }
 
-  /// f ← f + the damping force of the velocities. Returns the dissipated power.
+  /// Adds the damping force of the velocities (Qdot, cdot) to f. Returns the dissipated power.
   double add_damping(const Eigen::Matrix3d& Qdot, const Eigen::Vector3d& cdot, AffineForce& f) const {
     if (!touches() || plane_.damping == 0) return 0;
     const double factor = plane_.stiffness * plane_.damping;
@@ -90,7 +91,7 @@ class EllipsoidContact {
         (of_c * I[1] - along * I[2]) * direction_ - 0.5 * (I[0] - I[2]) * (of_Q - along * direction_);
     f.on_center += factor * rate * plane_.normal;
     f.on_Q += factor * plane_.normal * (S_ * rate_xi).transpose();
-    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // ∫kβ d ḋ² dA
+    return -factor * (of_c * rate + of_Q.dot(rate_xi));  // the dissipated power ∫kβ d ḋ² dA
   }
 
  private:
@@ -101,8 +102,8 @@ class EllipsoidContact {
   double by_G() const {
     return strength() / G_ * (square(deepest_) + square(least_) - (cube(deepest_) - cube(least_)) / (3 * G_));
   }
-  /// (I₀, I₁, I₂) from the integrals ∫d t^j dt of t = 1 − u from 0 to T. They have no cancellation for small
-  /// penetrations.
+  /// Returns (I₀, I₁, I₂), computed from the integrals ∫d t^j dt of t = 1 − u from 0 to T. These integrals have no
+  /// cancellation for small penetrations.
   Eigen::Vector3d moments() const {
     const double T = std::min(2.0, deepest_ / G_);
     Eigen::Vector3d of_t;

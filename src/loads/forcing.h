@@ -1,7 +1,7 @@
 #pragma once
-/// All loads on an elastic body, as numbers. A load (list.h) sets some of these numbers. Forces per mass are linear in
-/// x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of the body can
-/// represent them, with the same work on the motions x = x_c + QX:
+/// All loads on an elastic body, as numbers, vectors and matrices. Each load (list.h) sets some members. Forces per
+/// mass are linear in x and ẋ, and surface tractions derive from stresses without divergence. Therefore both models of
+/// the body can represent them, and the work on motions x = x_c + QX is the same in both models:
 ///
 ///   per mass       b − T x − c ẋ              energy ½ xᵀTx − b·x per mass; the drag dissipates c|ẋ|²
 ///   on the surface the nominal stress P̄ − p cof F, which is a dead traction P̄N per reference area and the follower
@@ -9,7 +9,7 @@
 ///   inside         the objective viscosity σ = 2ηd, and self-gravity with the constant G
 ///   at planes      the pressure of contact with rigid planes (plane.h)
 ///
-/// The numbers are in the user's units or in internal units; the owner of the object decides.
+/// The values are in the user's units or in internal units, as the owner of the object decides.
 
 #include <Eigen/Core>
 
@@ -21,16 +21,16 @@ namespace pseudorigid::loads {
 
 struct Forcing {
   ByName by_name{};
-  double gravity_constant = 0;                                 ///< G
-  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< T, symmetric
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< b
-  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< P̄, a first Piola–Kirchhoff stress
-  double pressure = 0;                                         ///< p
-  double viscosity = 0, drag = 0;                              ///< η, c
+  double gravity_constant = 0;                                 ///< Newton's constant G
+  Eigen::Matrix3d quadratic = Eigen::Matrix3d::Zero();         ///< matrix T of the tide, symmetric
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();      ///< uniform acceleration b
+  Eigen::Matrix3d nominal_traction = Eigen::Matrix3d::Zero();  ///< dead traction P̄, a first Piola–Kirchhoff stress
+  double pressure = 0;                                         ///< follower pressure p
+  double viscosity = 0, drag = 0;                              ///< viscosity η and drag coefficient c
   Planes planes{};                                             ///< planes that the body may touch
 
-  /// Calls visit(number of a, number of b) for every member. If a new member is missing in the lists below, the
-  /// function does not compile.
+  /// Calls visit(member of a, member of b) for every member. If the lists below lack a new member, the function does
+  /// not compile.
   template <class A, class B, class Visit>
   static void visit_pairs(A& a, B& b, Visit&& visit) {
     auto& [name_a, G_a, T_a, b_a, P_a, p_a, eta_a, c_a, planes_a] = a;
@@ -51,7 +51,8 @@ struct Forcing {
   }
 
   bool dissipative() const { return viscosity != 0 || drag != 0 || planes.damped(); }
-  /// True if there is a load other than a pressure. A body of constant volume does not react to a pressure.
+  /// True if there is a load other than a pressure. The motion of a body of constant volume does not depend on a
+  /// pressure.
   bool acts_at_constant_volume() const {
     Forcing others = *this;
     others.pressure = 0;
@@ -65,7 +66,8 @@ struct Forcing {
   }
 
   /// The energy without self-gravity and contact, of a body with the moments ∫ρ x xᵀ and ∫ρ x, the integral ∫F dX and
-  /// the volume V. For the rate of a forcing, it is the power that the change of the forcing gives to the body.
+  /// the volume V. If the members are derivatives of a forcing with respect to time, the result is the power that the
+  /// body receives from the change of the forcing.
   double potential(const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const {
     const double energy = 0.5 * quadratic.cwiseProduct(second_moment).sum() - acceleration.dot(first_moment) -

@@ -1,5 +1,5 @@
 #pragma once
-/// The list of loads, and functions of all loads. A new load needs a header and one line of the list.
+/// The list of loads, and functions of all loads. To add a load, write a header and add one line to the list.
 
 #include <tuple>
 #include <type_traits>
@@ -44,7 +44,7 @@ static_assert(detail::are_loads(static_cast<LoadList*>(nullptr)), "a load of the
 template <class L>
 concept KnownLoad = detail::is_one_of<L>(static_cast<LoadList*>(nullptr));
 
-/// One object of each load. Loads{Tide{T}, Drag{0.1}} sets the given loads; the others are absent.
+/// One object of each load. Loads{Tide{T}, Drag{0.1}} sets the given loads; all other loads are absent.
 class Loads {
  public:
   template <KnownLoad... Named>
@@ -87,7 +87,7 @@ inline bool any_present(const Loads& loads) {
   return any;
 }
 
-/// Sum of the loads that do not depend on time.
+/// Sum of the forcings of the loads that do not depend on time.
 inline Forcing constant_forcing(const Loads& loads) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -96,7 +96,8 @@ inline Forcing constant_forcing(const Loads& loads) {
   return sum;
 }
 
-/// Sum of the loads that depend on time, and its derivative with respect to time.
+/// Sum of the forcings of the loads that depend on time, and (driving_rate) the derivative of this sum with respect to
+/// time.
 inline Forcing driving(const Loads& loads, double t) {
   Forcing sum;
   loads.for_each([&]<class L>(const L& load) {
@@ -119,7 +120,7 @@ inline bool depend_on_time(const Loads& loads) {
   return any;
 }
 
-/// Angular frequencies of the periodic loads.
+/// Angular frequencies of the periodic loads that are present.
 inline std::vector<double> angular_frequencies(const Loads& loads) {
   std::vector<double> frequencies;
   loads.for_each([&]<class L>(const L& load) {
@@ -129,7 +130,8 @@ inline std::vector<double> angular_frequencies(const Loads& loads) {
   return frequencies;
 }
 
-/// The loads that move a body of constant volume. Others, such as a pressure, are balanced by the constraint.
+/// Returns the loads that affect a body of constant volume. Other loads, such as a pressure, are set to absent, because
+/// the constraint balances them.
 inline Loads at_constant_volume(Loads loads) {
   loads.for_each([]<class L>(L& load) {
     if (!largest_forcing(load).acts_at_constant_volume()) load = L{};

@@ -1,22 +1,23 @@
 #pragma once
 /// Interface of a load. To add a load to the whole program, write a header and add one line to list.h.
 ///
-/// A load is a struct of parameters, in the user's units or in internal units. The default parameters mean that the
-/// load is absent. Its members are
+/// A load is a struct of parameters, in the user's units or in internal units. A load with the default parameters is
+/// absent. The members of a load are
 ///
 ///   visit_entries(self, visit)    calls visit(member, kind, About) for each entry, as in scene/entries.h. The kind
-///                                 decides which reflections the load admits: a matrix must not have entries off the
-///                                 diagonal in the row and column of the normal, a vector no component along it. The
-///                                 unit converts the value to internal units.
-///   forcing()                     the load as numbers (forcing.h); zero if it is absent
+///                                 decides which reflections the load admits. A matrix must not have entries off the
+///                                 diagonal in the row and column of the normal. A vector must not have a component
+///                                 along the normal. The unit in About converts the value to internal units.
+///   forcing()                     the load as a Forcing (forcing.h); zero if the load is absent
 ///   no_equilibria                 empty if the families of equilibria include this load; otherwise a sentence with the
 ///                                 reason why no relative equilibrium is known
-///   needed(body), skipped         the lines of `pseudorigid check` if the load is present or absent; empty: none
+///   needed(body), skipped         lines of `pseudorigid check` if the load is present and if it is absent; empty: none
 ///
-/// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(), and
-/// largest_forcing() over all times. A periodic load also has angular_frequency(), so that the forced motion is not
-/// mistaken for a pulsation of the body. The load does not declare consequences of its forcing: dissipation, the effect
-/// on the centre of mass, the energy and its rate, and the scale of time.
+/// A load that depends on time has forcing(t) and its derivative forcing_rate(t) instead of forcing(). It also has
+/// largest_forcing(), the forcing of largest size over all times. A periodic load also has angular_frequency(), so that
+/// the program does not mistake the forced motion for a pulsation of the body. The program computes all other
+/// consequences from the forcing: dissipation, the effect on the centre of mass, the energy and its rate, and the scale
+/// of time.
 
 #include <concepts>
 #include <string>
@@ -28,7 +29,7 @@
 
 namespace pseudorigid::loads {
 
-/// Data of the body for the line about a load.
+/// Properties of the body for the line of `pseudorigid check` about a load.
 struct BodyFacts {
   bool incompressible;
   double volume_by_inertia;  ///< Vol/m̄, which converts a pressure to the column `multiplier`
@@ -59,7 +60,7 @@ concept Load = std::default_initializable<L> &&
   { load.forcing() } -> std::same_as<Forcing>;
 });
 
-/// The largest forcing over all times.
+/// Returns the forcing of largest size over all times.
 template <Load L>
 Forcing largest_forcing(const L& load) {
   if constexpr (DependsOnTime<L>)

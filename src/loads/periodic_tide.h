@@ -1,5 +1,5 @@
 #pragma once
-/// A periodic tide with the potential energy ½ xᵀTx cos(ωt + φ) per mass.
+/// A periodic tide with the external potential energy ½ xᵀTx cos(ωt + φ) per mass.
 
 #include <cmath>
 
@@ -8,8 +8,8 @@
 namespace pseudorigid::loads {
 
 struct PeriodicTide {
-  scene::Matrix3 amplitude{};       ///< T
-  double frequency = 1, phase = 0;  ///< ω, φ
+  scene::Matrix3 amplitude{};       ///< the matrix T
+  double frequency = 1, phase = 0;  ///< angular frequency ω and phase φ
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -4,9 +4,9 @@
 ///
 ///   p = k d (1 + β ḋ)   along n, per area of the reference surface,
 ///
-/// without friction. Its energy k d²/2 is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. β is the damping
-/// coefficient of Hunt and Crossley (1975), 0 in a conservative contact. The damping dissipates the power k β d ḋ² per
-/// area.
+/// without friction. The energy k d²/2 of the contact is a penalty for d > 0, and k → ∞ enforces n·x ≥ z₀. The
+/// coefficient β of Hunt and Crossley (1975) is 0 for a conservative contact. The damping dissipates the power k β d ḋ²
+/// per area.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace pseudorigid::loads {
 
 struct Plane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< n, pointing to the side of the body
-  double position = 0;                                ///< z₀
-  double stiffness = 0;                               ///< k
-  double damping = 0;                                 ///< β
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit normal n, pointing to the side of the body
+  double position = 0;                                ///< position z₀
+  double stiffness = 0;                               ///< stiffness k
+  double damping = 0;                                 ///< damping coefficient β
 
   double height(const Eigen::Vector3d& x) const { return normal.dot(x) - position; }
   bool operator==(const Plane& other) const {
@@ -28,7 +28,7 @@ struct Plane {
   }
 };
 
-/// A list of planes; a sum of lists has the planes of both.
+/// A list of planes. The sum of two lists has the planes of both.
 struct Planes : std::vector<Plane> {
   using std::vector<Plane>::vector;
 
@@ -41,8 +41,9 @@ struct Planes : std::vector<Plane> {
       if (plane.damping != 0) return true;
     return false;
   }
-  /// A bound for the stiffness along any direction if every point of the surface touched all planes. Parallel planes
-  /// count once. The bound is the smaller of the Frobenius norm and the largest row sum of Σ k n nᵀ.
+  /// Returns a bound of the stiffness along any direction if every point of the surface touched all planes. Among
+  /// parallel planes only the stiffest counts. The bound is the smaller of the Frobenius norm and the largest row sum
+  /// of Σ k n nᵀ.
   double stiffness_of_all() const {
     Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < size(); ++i) {

@@ -1,7 +1,7 @@
 #pragma once
 /// A follower pressure −p n per current area, with the energy p V. In a body of constant volume the constraint balances
-/// it, and the motion does not change. The pressure λ_h inside is then larger by p everywhere, and the multiplier per
-/// m̄ is larger by p Vol/m̄.
+/// the pressure, and the motion does not change. The pressure λ_h inside the body is then larger by p everywhere, and
+/// the multiplier per m̄ is larger by p Vol/m̄.
 
 #include <cstdio>
 
@@ -10,7 +10,7 @@
 namespace pseudorigid::loads {
 
 struct Pressure {
-  double pressure = 0;  ///< p
+  double pressure = 0;  ///< the pressure p
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

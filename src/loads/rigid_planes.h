@@ -10,8 +10,8 @@ namespace pseudorigid::loads {
 
 struct RigidPlanes {
   std::vector<double> normals, points;  ///< n (of any length) and a point of each plane, three numbers each
-  std::optional<double> stiffness;      ///< k; empty: `usual_stiffness`
-  double damping = 0;                   ///< β
+  std::optional<double> stiffness;      ///< stiffness k; empty: `usual_stiffness`
+  double damping = 0;                   ///< damping coefficient β
 
   /// Default stiffness in internal units. For an elastic body without self-gravity it is 1000 shear moduli per radius.
   static constexpr double usual_stiffness = 1000;
@@ -46,7 +46,8 @@ struct RigidPlanes {
   /// The search for equilibria does not include bodies at rest on a plane.
   static constexpr bool has_static_equilibria = false;
 
-  /// The planes as numbers. Rows without a partner and normals of length 0 are omitted; scene/contact.h refuses them.
+  /// The planes with unit normals. A row without a partner in the other entry, and a normal of length 0, are omitted;
+  /// scene/contact.h refuses them.
   Forcing forcing() const {
     Forcing sum;
     for (std::size_t i = 0; i + 2 < std::min(normals.size(), points.size()); i += 3) {
@@ -60,7 +61,8 @@ struct RigidPlanes {
     return sum;
   }
 
-  /// A sentence about a plane that has no mirror image in x_i = 0 among the planes; empty if there is none.
+  /// Returns a sentence about the first plane whose mirror image in x_i = 0 is not among the planes; empty if there is
+  /// no such plane.
   std::optional<std::string> breaks_plane(int i) const {
     const Planes planes = forcing().planes;
     for (std::size_t j = 0; j < planes.size(); ++j) {

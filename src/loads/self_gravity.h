@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct SelfGravity {
-  double constant = 0;  ///< G
+  double constant = 0;  ///< Newton's constant G
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Tide {
-  scene::Matrix3 tensor{};  ///< T
+  scene::Matrix3 tensor{};  ///< the matrix T
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -6,7 +6,7 @@
 namespace pseudorigid::loads {
 
 struct Traction {
-  scene::Matrix3 nominal_stress{};  ///< P̄
+  scene::Matrix3 nominal_stress{};  ///< the matrix P̄
 
   template <class Self, class Visit>
   static void visit_entries(Self& self, Visit& visit) {

@@ -1,17 +1,19 @@
 #pragma once
 /// Ciarlet–Geymonat law (Oliva 5.7.9(2), with the standard coefficient λ/4; Ciarlet, Mathematical Elasticity I, 4.10),
-/// per unit reference volume, I = |F|², III = J², J = det F:
+/// per unit reference volume. The symbols are I = |F|², III = J², J = det F:
 ///
 ///   W = (λ/4)(III − 1 − ln III) + (μ/2)(I − 3 − ln III)
 ///   P = ∂W/∂F = μ(F − F⁻ᵀ) + (λ/2)(J² − 1) F⁻ᵀ = μF + s cof F,   s(J) = [(λ/2)(J² − 1) − μ]/J
 ///   DP(F)[H] = μH + s′(J)(cof F : H) cof F + s D(cof)(F)[H],   s′ = [(λ/2)(J² + 1) + μ]/J²
 ///
-/// The book prints λ/2 for λ/4. This is the same law with 2λ, `ciarlet-geymonat (as printed)` in the table.
+/// The book prints λ/2 in place of λ/4. The printed law is the same law with 2λ, `ciarlet-geymonat (as printed)` in the
+/// table.
 ///
-/// The neo-Hookean law of this program on GL⁺(3) is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
-/// (λ/4)(III − 1 − ln III). On SL(3) the neo-Hookean law has no bulk term, λ = 0. Both laws are stress-free at F = Id.
+/// On GL⁺(3), the neo-Hookean law of this program is the same function: W = (μ/2)(I − 3 − 2 ln J) plus the bulk term
+/// (λ/4)(III − 1 − ln III). On SL(3) the neo-Hookean law has no bulk term: λ = 0. Both laws are stress-free at Id.
 ///
-/// Energies of small strains are computed from H = F − Id without cancellation. With δ = J − 1 = tr H + II(H) + det H,
+/// Energies of small strains are computed from H = F − Id without cancellation. With II(H) = tr cof H and δ = J − 1 =
+/// tr H + II(H) + det H,
 ///   I − 3 − ln III = |H|² − 2(II(H) + det H) + 2(δ − ln(1 + δ)).
 
 #include "materials/law_limits.h"
@@ -27,7 +29,7 @@ struct CiarletGeymonat {
   static constexpr double surface_limit = biot_ratio;  ///< the law is neo-Hookean if the volume is preserved
   bool operator==(const CiarletGeymonat&) const = default;
 
-  /// W(F); F must have J > 0.
+  /// Energy W(F) per reference volume; F must have J > 0.
   template <class T>
   T energy(const Tensor<T>& F) const {
     const Tensor<T> H = displacement_gradient(F), cof = cofactor(H);
@@ -46,14 +48,14 @@ struct CiarletGeymonat {
     return entrywise([&](const T& f, const T& c) { return by.of_F * f + by.of_cofactor * c; }, F, cof);
   }
 
-  /// Coefficients μ of F and s(J) of cof F.
+  /// Coefficients μ of F and s(J) of cof F in the stress.
   template <class T>
   [[gnu::always_inline]] StressCoefficients<T> stress_coefficients(const T& det_F) const {
     const T J = settled_at_one(det_F);
     return {T(mu), (0.5 * lambda * (J * J - 1.0) - mu) / J};
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> cof = cofactor(F);

@@ -11,8 +11,8 @@
 ///   P = ∂W/∂F = P_CG + μ d/(J_m − d) F
 ///   DP(F)[H] = DP_CG(F)[H] + μ [J_m ḋ/(J_m − d)² F + d/(J_m − d) H],   ḋ = 2 F:H
 ///
-/// The law is stress-free at Id. The shear modulus there is μ, and the first Lamé modulus is λ + 2μ/J_m. J_m → ∞ is the
-/// neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
+/// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2μ/J_m. As J_m → ∞,
+/// the law tends to the neo-Hookean law. W is infinite at d = J_m, and deformations with larger d are not possible.
 
 #include <string_view>
 
@@ -24,7 +24,7 @@ struct Gent {
   double mu, lambda, J_m;
   bool operator==(const Gent&) const = default;
 
-  /// W(F); F must have J > 0 and a positive `reserve`.
+  /// Energy W(F) per reference volume; F must have J > 0 and a positive `reserve`.
   template <class T>
   T energy(const Tensor<T>& F) const {
     return first_part().energy(F) + 0.5 * mu * J_m * x_minus_log1p(-1.0 / J_m * trace_of_strain(F));
@@ -37,7 +37,7 @@ struct Gent {
     return entrywise([&](const T& p, const T& f) { return p + stiffening * f; }, first_part().stress(F), F);
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T d = trace_of_strain(F), d_rate = 2.0 * dot(F, H), rest = J_m - d;
@@ -46,7 +46,7 @@ struct Gent {
                      first_part().tangent(F, H), F, H);
   }
 
-  /// J_m − d; the law admits F if this is positive.
+  /// J_m − d. The law admits F if this reserve is positive.
   template <class T>
   [[gnu::always_inline]] T reserve(const Tensor<T>& F) const {
     return J_m - trace_of_strain(F);

@@ -1,7 +1,7 @@
 #pragma once
 /// Optional limits of a law, in addition to energy, stress and tangent.
 ///
-/// A law may not admit all deformations with J > 0 (no law admits J ≤ 0). It then declares
+/// A law may not admit all deformations with J > 0 (no law admits J ≤ 0). Such a law declares
 ///
 ///     template <class T> T reserve(const Tensor<T>& F) const;   positive if F is admitted
 ///     static constexpr std::string_view limit;                  the reason for the user, one clause
@@ -29,7 +29,8 @@ inline constexpr bool is_limited = [] {
   return has_reserve;
 }();
 
-/// True if a law admits F, provided J > 0. A sum that contains a law may have functions admits(F) and limit() itself.
+/// True if a law admits F, provided J > 0. A class that adds other energies to a law may itself have members admits(F)
+/// and limit().
 template <class Law>
 [[gnu::always_inline]] inline bool admits(const Law& law, const Tensor<double>& F) {
   if constexpr (is_limited<Law>)
@@ -40,7 +41,7 @@ template <class Law>
     return true;
 }
 
-/// The reason why F is not admitted; empty if the law admits all F.
+/// The reason for which the law does not admit some F; empty if the law admits all F.
 template <class Law>
 constexpr std::string_view limit_of(const Law& law) {
   if constexpr (is_limited<Law>)
@@ -51,7 +52,7 @@ constexpr std::string_view limit_of(const Law& law) {
     return {};
 }
 
-/// The limit as a sentence for the user.
+/// Returns the limit as a sentence for the user.
 [[gnu::cold, gnu::noinline]] inline std::string beyond_limit(std::string_view limit) {
   std::string sentence = "the law of the material admits no such deformation: ";
   sentence += limit;

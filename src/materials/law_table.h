@@ -34,7 +34,7 @@ static_assert([]<class... Laws>(std::variant<Laws...>*) { return (std::equality_
                   static_cast<AnyLaw*>(nullptr)),
               "a law declares `bool operator==(const Law&) const = default;`");
 
-/// The parameters of all laws; law_entries has an entry of the parameter file for each.
+/// The parameters of all laws. law_entries has one entry of the parameter file for each parameter.
 struct LawParameters {
   ByName by_name{};
   double shear_modulus = 1;
@@ -46,7 +46,7 @@ struct LawParameters {
 struct LawEntry {
   double LawParameters::*member;
   std::string_view path;
-  bool is_modulus = false;  ///< true if the unit is a pressure; other numbers have no unit
+  bool is_modulus = false;  ///< true if the unit is a pressure; otherwise the parameter has no unit
   double low = 0, high = std::numeric_limits<double>::infinity();
   bool low_excluded = false;
   std::string_view documentation;
@@ -83,12 +83,12 @@ static_assert(sizeof(LawParameters) == sizeof(double) * (1 + std::size(law_entri
 
 struct NamedLaw {
   std::string_view name;
-  /// Text for readers of parameter files: W in the symbols of Material/Law (scene/choices.h), with the bulk term B, and
-  /// further facts.
+  /// Text for readers of parameter files: W in the symbols that the documentation of Material/Law defines
+  /// (scene/choices.h), with the bulk term B, and further facts.
   std::string_view energy;
   /// Makes the law. `bulk` is the modulus of the bulk term, 0 if the volume is preserved.
   AnyLaw (*of)(const LawParameters&, double bulk);
-  /// Warnings to a user of the law, for an incompressible and for a compressible body.
+  /// Warnings to the user if the law is chosen for an incompressible and for a compressible body; empty: none.
   std::string_view warning_incompressible = "", warning_compressible = warning_incompressible;
 
   AnyLaw make(const LawParameters& p, bool incompressible = true) const {
@@ -96,7 +96,8 @@ struct NamedLaw {
   }
 };
 
-/// The table. The law ciarlet-geymonat keeps its bulk term on SL(3), because the term only shifts the multiplier there.
+/// The table of laws. For incompressible bodies, ciarlet-geymonat keeps its bulk term, because there the term only
+/// shifts the multiplier.
 inline constexpr NamedLaw law_table[] = {
     {.name = "neo-hookean",
      .energy = "(mu/2) (I - 3 - 2 ln J) + B.",
@@ -155,14 +156,14 @@ inline constexpr NamedLaw law_table[] = {
      .of = [](const LawParameters&, double) -> AnyLaw { return Fluid{}; }},
 };
 
-/// The line of the table with this name. Throws std::invalid_argument if there is none.
+/// Returns the line of the table with this name. Throws std::invalid_argument if there is none.
 inline const NamedLaw& find_law(std::string_view name) {
   for (const NamedLaw& law : law_table)
     if (law.name == name) return law;
   throw std::invalid_argument("no material law is called " + std::string(name));
 }
 
-/// The law with this name.
+/// Makes the law with this name. Throws std::invalid_argument if there is none.
 inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incompressible = true) {
   return find_law(name).make(p, incompressible);
 }
@@ -170,14 +171,16 @@ inline AnyLaw make_law(std::string_view name, const LawParameters& p, bool incom
 /// True if the law stores no energy.
 inline bool is_fluid(const AnyLaw& law) { return std::holds_alternative<Fluid>(law); }
 
-/// True if the law admits F, provided J = det F > 0. Otherwise limit_of(law) is the reason (law_limits.h).
+/// True if the law admits F, provided J = det F > 0. If the law does not admit F, limit_of(law) is the reason
+/// (law_limits.h).
 inline bool admits(const AnyLaw& law, const Tensor<double>& F) {
   return std::visit([&](const auto& l) { return admits(l, F); }, law);
 }
 inline std::string_view limit_of(const AnyLaw& law) {
   return std::visit([](const auto& l) { return limit_of(l); }, law);
 }
-/// The ratio λ₁/λ_n of stretches at which the surface of an incompressible body wrinkles, if the law declares it.
+/// The ratio λ₁/λ_n at which the surface of an incompressible body wrinkles (law_limits.h); empty if the law does not
+/// declare it.
 inline std::optional<double> surface_limit(const AnyLaw& law) {
   return std::visit(
       []<class Law>(const Law&) -> std::optional<double> {

@@ -11,8 +11,9 @@
 ///   P = P_CG + bμ(d F − F D)
 ///   DP(F)[H] = DP_CG(F)[H] + bμ(ḋ F + d H − H D − F Ḋ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
-/// The law is stress-free at Id. The shear modulus there is μ, and the first Lamé modulus is λ + 2bμ: the term in II
-/// also resists changes of volume. On SL(3) the bulk term is constant and omitted, λ = 0. b = 0 is the neo-Hookean law.
+/// The law is stress-free at Id. The shear modulus at Id is μ, and the first Lamé modulus is λ + 2bμ, because the term
+/// in II also resists changes of volume. On SL(3) the bulk term is constant and omitted (λ = 0). For b = 0 the law is
+/// the neo-Hookean law.
 
 #include "materials/ciarlet_geymonat.h"
 
@@ -23,7 +24,7 @@ struct MooneyRivlin {
   static constexpr double surface_limit = biot_ratio;
   bool operator==(const MooneyRivlin&) const = default;
 
-  /// W(F); F must have J > 0.
+  /// Energy W(F) per reference volume; F must have J > 0.
   template <class T>
   T energy(const Tensor<T>& F) const {
     const Tensor<T> D = strain(F);
@@ -40,7 +41,7 @@ struct MooneyRivlin {
                      first_part().stress(F), F, product(F, D));
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const Tensor<T> D = strain(F), D_rate = strain_rate(F, H);

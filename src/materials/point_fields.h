@@ -1,5 +1,6 @@
 #pragma once
-/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F and the energy density.
+/// Fields of a picture that depend on the law: the Cauchy stress σ = (P(F) Fᵀ − p Id)/det F with the pressure p, and
+/// the energy density W(F).
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -13,7 +14,7 @@
 
 namespace pseudorigid::materials {
 
-/// Appends a point to the fields. Fails if det F ≤ 0.
+/// Appends a point to the fields. Fails if det F ≤ 0 or if det F is not finite.
 inline mechanics::Status add_point(const AnyLaw& law, const Eigen::Vector3d& X, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& v, const Eigen::Matrix3d& F, double pressure,
                                    mechanics::BodyFields& fields) {

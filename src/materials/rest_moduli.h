@@ -1,10 +1,10 @@
 #pragma once
-/// Moduli of small motions about rest, F = Id. The law may have the stress P(Id) = p Id there, which the constraint of
+/// Moduli of small motions about rest, F = Id. At rest the law may have a stress P(Id) = p Id, which the constraint of
 /// an incompressible body balances. The second variation of W − p ln J is
 ///
-///   C(H) = DP(Id)[H] + p Hᵀ      (incompressible),      C(H) = DP(Id)[H]      (compressible: at rest only if p = 0).
+///   C(H) = DP(Id)[H] + p Hᵀ  (incompressible),      C(H) = DP(Id)[H]  (compressible; Id is at rest only if p = 0).
 ///
-/// The moduli follow from C: a shear e₁⊗e₂ has the stiffness μ, and a stretch e₁⊗e₁ has λ + 2μ.
+/// The moduli follow from C. The stiffness of the shear e₁⊗e₂ is μ, and the stiffness of the stretch e₁⊗e₁ is λ + 2μ.
 
 #include <variant>
 
@@ -12,7 +12,7 @@
 
 namespace pseudorigid::materials {
 
-/// The pressure p of P(Id) = p Id.
+/// The number p of the stress P(Id) = p Id at rest.
 inline double pressure_at_rest(const AnyLaw& law) {
   constexpr Tensor<double> Id{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   return std::visit([&](const auto& known) { return trace(known.stress(Id)) / 3; }, law);
@@ -29,7 +29,7 @@ inline Tensor<double> tangent_at_rest(const AnyLaw& law, bool incompressible, co
   return C;
 }
 
-/// Lamé's moduli at rest. For an incompressible body only μ is meaningful, since λ only shifts the multiplier.
+/// Lamé's moduli at rest. For an incompressible body only μ has a meaning, since λ only shifts the multiplier.
 struct RestModuli {
   double shear, lame;
 };

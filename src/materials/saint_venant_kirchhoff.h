@@ -7,8 +7,8 @@
 ///   DP(F)[H] = H((λ/2) d Id + μD) + F((λ/2) ḋ Id + μḊ),   Ḋ = HᵀF + FᵀH, ḋ = 2 F:H
 ///
 /// The law is stress-free at Id, with Lamé's moduli λ, μ. W is a polynomial and does not prevent J ≤ 0. In compression
-/// the law softens, below the stretch 1/√3 along one axis, and loses stability. λ matters on SL(3) too, because I − 3
-/// is not constant there.
+/// the law softens below the stretch 1/√3 along one axis, and loses stability. The motion depends on λ on SL(3) too,
+/// because I − 3 is not constant there.
 
 #include "materials/strain.h"
 
@@ -31,7 +31,7 @@ struct SaintVenantKirchhoff {
     return product(F, second_stress(strain(F)));
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     return entrywise([](const T& a, const T& b) { return a + b; }, product(H, second_stress(strain(F))),

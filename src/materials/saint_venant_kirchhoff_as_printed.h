@@ -5,7 +5,7 @@
 ///   P = ∂W/∂F = 2(λd + μ) F
 ///   DP(F)[H] = 2(λd + μ) H + 4λ(F:H) F
 ///
-/// It differs from the standard law (saint_venant_kirchhoff.h): Id has the stress 2μ Id. On SL(3) this stress is a
+/// In contrast to the standard law (saint_venant_kirchhoff.h), Id has the stress 2μ Id. On SL(3) this stress is a
 /// pressure, which the constraint balances, and the shear modulus at rest is 2μ. On GL⁺(3) this stress makes the body
 /// contract.
 
@@ -29,7 +29,7 @@ struct SaintVenantKirchhoffAsPrinted {
     return (2.0 * (lambda * trace_of_strain(F) + mu)) * F;
   }
 
-  /// DP(F)[H].
+  /// Derivative DP(F)[H] of the stress along H.
   template <class T>
   [[gnu::always_inline]] Tensor<T> tangent(const Tensor<T>& F, const Tensor<T>& H) const {
     const T s = 2.0 * (lambda * trace_of_strain(F) + mu), s_rate = 4.0 * lambda * dot(F, H);

@@ -1,5 +1,5 @@
 #pragma once
-/// Strains computed from H = F − Id. Their relative error is round-off, even for a small strain:
+/// Strains computed from H = F − Id. Their relative error is only round-off, even for a small strain:
 ///
 ///   D = C − Id = FᵀF − Id = H + Hᵀ + HᵀH  (twice Green's strain),   tr D = I − 3 = 2 tr H + |H|²
 ///   DD(F)[K] = KᵀF + FᵀK, with the trace 2 F:K
@@ -10,20 +10,20 @@
 
 namespace pseudorigid::materials {
 
-/// H = F − Id
+/// The displacement gradient H = F − Id.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> displacement_gradient(const Tensor<T>& F) {
   return {{{F(0, 0) - 1.0, F(0, 1), F(0, 2)}, {F(1, 0), F(1, 1) - 1.0, F(1, 2)}, {F(2, 0), F(2, 1), F(2, 2) - 1.0}}};
 }
 
-/// The symmetric tensor with these entries, of which only six are computed.
+/// Returns the symmetric tensor with the entries entry(i, j). Only six of them are computed.
 template <class Entry>
 [[gnu::always_inline]] inline auto symmetric_tensor(Entry entry) {
   const auto a = entry(0, 1), b = entry(0, 2), c = entry(1, 2);
   return Tensor<std::decay_t<decltype(entry(0, 0))>>{{{entry(0, 0), a, b}, {a, entry(1, 1), c}, {b, c, entry(2, 2)}}};
 }
 
-/// D = FᵀF − Id
+/// The strain D = FᵀF − Id.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);
@@ -31,14 +31,14 @@ template <class T>
       [&](int i, int j) { return (H(i, j) + H(j, i)) + (H(0, i) * H(0, j) + H(1, i) * H(1, j) + H(2, i) * H(2, j)); });
 }
 
-/// tr D = I − 3
+/// The trace tr D = I − 3.
 template <class T>
 [[gnu::always_inline]] inline T trace_of_strain(const Tensor<T>& F) {
   const Tensor<T> H = displacement_gradient(F);
   return 2.0 * trace(H) + dot(H, H);
 }
 
-/// DD(F)[K] = KᵀF + FᵀK
+/// The derivative DD(F)[K] = KᵀF + FᵀK of the strain along K.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> strain_rate(const Tensor<T>& F, const Tensor<T>& K) {
   const Tensor<T> half = transposed_product(F, K);

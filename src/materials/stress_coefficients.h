@@ -3,11 +3,11 @@
 ///
 ///   P = a F + c cof F,   a and c functions of J,
 ///
-/// may declare them:
+/// may declare its coefficients:
 ///
 ///     template <class T> StressCoefficients<T> stress_coefficients(const T& J) const;
 ///
-/// The finite-element cells then need fewer numbers and operations at a quadrature point
+/// The elements of the finite-element model then need fewer numbers and operations at a quadrature point
 /// (continuum/kernels/stress_points.h).
 
 namespace pseudorigid::materials {

@@ -1,8 +1,8 @@
 #pragma once
 /// 3×3 tensors over any scalar: double, complex (derivatives by complex step), or a SIMD vector of cells.
 ///
-/// The operations are always inlined and written out entry by entry, so that small tensors are in registers. With loops
-/// this fails, because compilers unroll loops too late. The use of registers halves the time of a force.
+/// All operations are inlined and written entry by entry, so the compiler keeps small tensors in registers. With loops
+/// it does not, because compilers unroll loops too late. The use of registers halves the time of a force.
 
 namespace pseudorigid::materials {
 
@@ -13,7 +13,7 @@ struct Tensor {
   const T& operator()(int i, int j) const { return a[i][j]; }
 };
 
-/// The tensor with the entries f(A_ij, B_ij, …).
+/// Returns the tensor with the entries f(A_ij, B_ij, …).
 template <class F, class T, class... Ts>
 [[gnu::always_inline]] inline Tensor<T> entrywise(F f, const Tensor<T>& A, const Ts&... B) {
   return {{{f(A(0, 0), B(0, 0)...), f(A(0, 1), B(0, 1)...), f(A(0, 2), B(0, 2)...)},
@@ -21,7 +21,7 @@ template <class F, class T, class... Ts>
            {f(A(2, 0), B(2, 0)...), f(A(2, 1), B(2, 1)...), f(A(2, 2), B(2, 2)...)}}};
 }
 
-/// cof F = (det F) F⁻ᵀ = ∂(det F)/∂F
+/// The cofactor cof F = (det F) F⁻ᵀ = ∂(det F)/∂F.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> cofactor(const Tensor<T>& F) {
   return {{{F(1, 1) * F(2, 2) - F(1, 2) * F(2, 1), F(1, 2) * F(2, 0) - F(1, 0) * F(2, 2),
@@ -32,7 +32,7 @@ template <class T>
             F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0)}}};
 }
 
-/// The derivative of cof(F + sH) with respect to s at s = 0: the mixed minors of F and H.
+/// The derivative of cof(F + sH) with respect to s at s = 0. Its entries are the mixed minors of F and H.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> cofactor_derivative(const Tensor<T>& F, const Tensor<T>& H) {
   const auto minor = [&](int i, int j, int k, int l) {
@@ -43,7 +43,7 @@ template <class T>
            {minor(0, 1, 1, 2), minor(0, 2, 1, 0), minor(0, 0, 1, 1)}}};
 }
 
-/// det F from F and its cofactor.
+/// The determinant det F, from F and its cofactor.
 template <class T>
 [[gnu::always_inline]] inline T determinant(const Tensor<T>& F, const Tensor<T>& cof) {
   return F(0, 0) * cof(0, 0) + F(0, 1) * cof(0, 1) + F(0, 2) * cof(0, 2);
@@ -54,7 +54,7 @@ template <class T>
   return determinant(F, cofactor(F));
 }
 
-/// A : B, summed by rows, so that few additions depend on each other.
+/// A : B, summed row by row. The sums of the rows are independent, so the processor can compute them in parallel.
 template <class T>
 [[gnu::always_inline]] inline T dot(const Tensor<T>& A, const Tensor<T>& B) {
   return (A(0, 0) * B(0, 0) + A(0, 1) * B(0, 1) + A(0, 2) * B(0, 2)) +
@@ -62,13 +62,13 @@ template <class T>
           (A(2, 0) * B(2, 0) + A(2, 1) * B(2, 1) + A(2, 2) * B(2, 2)));
 }
 
-/// tr A
+/// The trace tr A.
 template <class T>
 [[gnu::always_inline]] inline T trace(const Tensor<T>& A) {
   return A(0, 0) + A(1, 1) + A(2, 2);
 }
 
-/// AB
+/// The product AB.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> product(const Tensor<T>& A, const Tensor<T>& B) {
   const auto entry = [&](int i, int j) { return A(i, 0) * B(0, j) + A(i, 1) * B(1, j) + A(i, 2) * B(2, j); };
@@ -77,7 +77,7 @@ template <class T>
            {entry(2, 0), entry(2, 1), entry(2, 2)}}};
 }
 
-/// AᵀB
+/// The product AᵀB.
 template <class T>
 [[gnu::always_inline]] inline Tensor<T> transposed_product(const Tensor<T>& A, const Tensor<T>& B) {
   const auto entry = [&](int i, int j) { return A(0, i) * B(0, j) + A(1, i) * B(1, j) + A(2, i) * B(2, j); };
@@ -86,7 +86,7 @@ template <class T>
            {entry(2, 0), entry(2, 1), entry(2, 2)}}};
 }
 
-/// tr A²
+/// The trace tr A².
 template <class T>
 [[gnu::always_inline]] inline T trace_of_square(const Tensor<T>& A) {
   return (A(0, 0) * A(0, 0) + A(1, 1) * A(1, 1) + A(2, 2) * A(2, 2)) +

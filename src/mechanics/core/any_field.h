@@ -1,6 +1,6 @@
 #pragma once
-/// One type for any second-order field; any_system.h does the same for the constrained form. If the field has no
-/// invariant manifold, the projection does not change the state.
+/// One type for any second-order field; any_system.h has the corresponding type for the constrained form. If the field
+/// has no invariant manifold, `project` does not change the state.
 
 #include <memory>
 #include <type_traits>

@@ -1,14 +1,14 @@
 #pragma once
-/// One type for any system in constrained form, so that the compiler compiles each method once and not once per system.
-/// any_field.h does the same for second-order fields. The number n of constraints is 0 or dynamic_constraints, which
-/// means a number that is known only at run time.
+/// One type for any system in constrained form. With this type the compiler compiles each method once and not once per
+/// system. any_field.h has the corresponding type for second-order fields. The number n of constraints is 0 or
+/// dynamic_constraints, which means a number that is known only at run time.
 ///
 /// A call goes through a virtual function and copies vectors of fixed size (dynamic_vectors.h). This cost is small for
-/// small systems; bodies use their own types.
+/// small systems. The models of the ball use their own types and avoid the cost.
 ///
-/// The concrete type of a constrained system computes its acceleration and projection (explicit_multiplier.h). The
-/// existence of energies and symmetries (conservative_system.h) is known only at run time; fits() checks it
-/// (field_of.h).
+/// The concrete type of a constrained system computes the acceleration and the projection (explicit_multiplier.h). Only
+/// at run time is it known whether the system has energies and symmetries (conservative_system.h); `fits` in field_of.h
+/// checks this.
 
 #include <memory>
 #include <type_traits>
@@ -53,7 +53,7 @@ struct SystemInterface {
   virtual void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const = 0;
 };
 
-/// The part of a workspace that belongs to the system S.
+/// Returns the workspace of the system S, which is a part of the workspace of its field.
 template <ConstrainedSystem S>
 typename S::Workspace& own_workspace(AnyWorkspace& w) {
   return w.as<typename ExplicitMultiplier<S>::Workspace>().system;
@@ -135,7 +135,7 @@ class HeldSystem final : public SystemInterface {
 
 }  // namespace detail
 
-/// Members that every constrained system has.
+/// The members of a ConstrainedSystem and of its second-order field.
 template <int n>
 class AnyConstrainedSystem {
   static_assert(n == 0 || n == dynamic_constraints);
@@ -224,7 +224,7 @@ class AnySystem : public AnyConstrainedSystem<n> {
  public:
   using Vector = typename AnyConstrainedSystem<n>::Vector;
   using Multiplier = typename AnyConstrainedSystem<n>::Multiplier;
-  /// The base class. If the system is not conservative, methods may use only its members.
+  /// The base class. Methods may use only its members if the system is not conservative.
   using WithoutEnergies = AnyConstrainedSystem<n>;
 
   template <ConstrainedSystem S>

@@ -1,6 +1,6 @@
 #pragma once
-/// The workspace of a system behind AnySystem or AnyField. Only the system that made it may use it, because `as` needs
-/// the concrete type.
+/// The workspace of a system behind AnySystem or AnyField. Only the system that made the workspace may use it, because
+/// `as` does not check the concrete type.
 
 #include <memory>
 #include <utility>

@@ -1,12 +1,12 @@
 #pragma once
-/// Forward automatic differentiation with Eigen's AutoDiffScalar. One evaluation of a function over any scalar gives
-/// its value and all n partial derivatives, exact to round-off. Nested scalars give second derivatives.
+/// Forward automatic differentiation with Eigen's AutoDiffScalar. One evaluation of a function that accepts any scalar
+/// type gives its value and all n partial derivatives, exact to round-off. Nested scalars give second derivatives.
 ///
-/// In Eigen all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
-/// autodiff has a different type for each variable; with one pass per variable it took twice the time.
+/// In Eigen's type all n variables have one scalar type, so a metric is an ordinary matrix of this scalar. Boost.Math's
+/// autodiff has a different type for each variable. With one pass per variable it took twice the time.
 ///
-/// Arithmetic on these numbers gives expressions that refer to their operands. Therefore a function must declare the
-/// number itself as its return type (T, not auto).
+/// Arithmetic on these scalars returns expressions that refer to their operands. A function must therefore declare the
+/// scalar itself as its return type (T, not auto).
 
 #include <Eigen/Core>
 #include <unsupported/Eigen/AutoDiff>

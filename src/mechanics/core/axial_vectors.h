@@ -10,7 +10,7 @@ inline Eigen::Vector3d axial_vector(const Eigen::Matrix3d& A) {
   return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
 }
 
-/// The antisymmetric matrix of the map a ↦ w × a.
+/// The antisymmetric matrix of the linear map a ↦ w × a.
 inline Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& w) {
   return (Eigen::Matrix3d() << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0).finished();
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// Fields over a body at one time, for pictures: values at points of the model of the ball, in internal units. Every
-/// quantity in a picture is computed from them, in the same way for every model (io/body_picture.h).
+/// Fields over a body at one time, for pictures. They are given at points of the ball, in internal units. All
+/// quantities in a picture are computed from these fields, in the same way for every model (io/body_picture.h).
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 namespace pseudorigid::mechanics {
 
-/// Arrangement of the points in the body: blocks of (degree + 1)³ points. The first coordinate varies fastest, and the
-/// coordinates are right-handed. The points need not be equidistant. Fields in a block are about as smooth as
-/// polynomials of its degree.
+/// Arrangement of the points in the body, as blocks of (degree + 1)³ points. In a block the first coordinate varies
+/// fastest, and the coordinates are right-handed. The points of a block need not be equidistant. Fields in a block are
+/// about as smooth as polynomials of this degree.
 struct PointBlocks {
   int degree = 1;
   std::vector<std::int64_t> points;  ///< indices of the points, block by block

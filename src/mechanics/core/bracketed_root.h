@@ -1,7 +1,7 @@
 #pragma once
-/// A zero of a continuous function between two points with opposite signs. The method is inverse quadratic
-/// interpolation if it is safe, and bisection otherwise (Chandrupatla, Adv. Eng. Software 28 (1997) 145). It ends at an
-/// exact zero, or if the bracket is as narrow as `resolution` or consists of neighbouring numbers.
+/// A zero of a continuous function between two points at which the function has opposite signs. Each step is an inverse
+/// quadratic interpolation if this is safe, otherwise a bisection (Chandrupatla, Adv. Eng. Software 28 (1997) 145). The
+/// iteration ends at an exact zero, or if the width of the bracket is less than 2 · `resolution` relative to the zero.
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The zero of f. Empty if f(a) and f(b) have the same sign, or if a value of f is not finite. A jump across zero
-/// counts as a zero. `resolution` is the relative width of the last bracket.
+/// Returns a zero of f. Returns an empty optional if f(a) and f(b) have the same sign, or if f is not finite inside the
+/// bracket. A jump across zero counts as a zero.
 template <class Function>
 std::optional<double> bracketed_root(const Function& f, double a, double b,
                                      double resolution = std::numeric_limits<double>::epsilon()) {
@@ -24,7 +24,7 @@ std::optional<double> bracketed_root(const Function& f, double a, double b,
   for (int i = 0; i < max_evaluations; ++i) {
     const double x = a + t * (b - a), fx = f(x);
     if (!std::isfinite(fx)) return std::nullopt;
-    double c = a, fc = fa;  // the end that is left out of the bracket
+    double c = a, fc = fa;  // the end that the new bracket does not contain
     if ((fx > 0) != (fa > 0)) {
       c = b, fc = fb;
       b = a, fb = fa;

@@ -1,12 +1,12 @@
 #pragma once
-/// Members of aggregates that prevent wrong initialisers.
+/// Types of members that prevent wrong initialisers of aggregates.
 
 #include <utility>
 
 namespace pseudorigid {
 
-/// The first member of an aggregate with several values of one type, such as a load. Only initialisers with names
-/// compile, `{.viscosity = 0.1}`, so a value cannot initialise the wrong member.
+/// The first member of an aggregate with several members of one type, such as a load. It permits only initialisers with
+/// names, `{.viscosity = 0.1}`, so a value cannot initialise the wrong member.
 struct ByName {
   explicit ByName() = default;
 };

@@ -11,7 +11,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// derivative ← F′(0). The function F(s, value) returns a Status.
+/// Sets `derivative` to F′(0). The function F(s, value) sets `value` and returns a Status. On entry `derivative` must
+/// have the size of the values of F.
 template <class Vector, class Function>
 Status central_difference(const Function& F, double h, Vector& derivative) {
   constexpr std::array<double, 4> c{4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};

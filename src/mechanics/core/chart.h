@@ -1,13 +1,13 @@
 #pragma once
-/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1): coordinates q ∈ ℝⁿ, the metric g_ij(q), and
-/// derived quantities,
+/// A chart of a Riemannian manifold (Oliva, Geometric Mechanics, 5.1) with coordinates q ∈ ℝⁿ, the metric g_ij(q), a
+/// potential U, an external force F_ext and a dissipation D. Derived quantities are
 ///
 ///   Γ_l,ij = ½ (∂_i g_jl + ∂_j g_il − ∂_l g_ij),   Γᵏ_ij = Σ_l gᵏˡ Γ_l,ij,
 ///   (Dq̇/dt)ᵏ = q̈ᵏ + Γᵏ_ij q̇ⁱq̇ʲ                                                                     (5.3)
 ///   μ(v)_i = g_ij vʲ                                                                               (5.4)
 ///   K = ½ g_ij q̇ⁱq̇ʲ,   F = −dU + F_ext(t, q, q̇) + μ D(q̇)                                           (5.5), (5.122)
 ///
-/// Automatic differentiation gives the derivatives of g and of U.
+/// In (5.3) D is the covariant derivative. Automatic differentiation gives the derivatives of g and of U.
 
 #include <Eigen/Dense>
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// A chart with its function `metric`, a template over the scalar type of q.
+/// A chart has a function `metric`, which is a template over the scalar type of q.
 template <class C>
 concept Chart = requires(const C chart, const Coordinates<double, C::dimension> q,
                          const Coordinates<Dual<double, C::dimension>, C::dimension> x) {
@@ -33,7 +33,7 @@ using ChartVector = Coordinates<double, C::dimension>;
 template <class C>
 using ChartMatrix = Eigen::Matrix<double, C::dimension, C::dimension>;
 
-// Optional functions of a chart; a missing function means zero.
+// Optional functions of a chart. A missing function means zero.
 template <class C>
 concept HasPotential = requires(const C chart, const ChartVector<C> q) {
   chart.potential(q);
@@ -71,7 +71,7 @@ MetricJet<C, T> metric_jet(const C& chart, const std::type_identity_t<Coordinate
   return jet;
 }
 
-/// Σ_ij Γ_l,ij uⁱvʲ for each l.
+/// Returns Σ_ij Γ_l,ij uⁱvʲ for each l.
 template <Chart C, class T>
 Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& jet,
                                                        const std::type_identity_t<Coordinates<T, C::dimension>>& u,
@@ -86,7 +86,7 @@ Coordinates<T, C::dimension> christoffel_of_first_kind(const MetricJet<C, T>& je
   return c;
 }
 
-/// dU; zero if the chart has no potential.
+/// The differential dU; zero if the chart has no potential.
 template <class T = double, Chart C>
 Coordinates<T, C::dimension> potential_differential(const C& chart,
                                                     const std::type_identity_t<Coordinates<T, C::dimension>>& q) {
@@ -120,7 +120,8 @@ ChartVector<C> apply_mass(const C& chart, const ChartVector<C>& q, const ChartVe
   return chart.metric(q) * v;
 }
 
-/// v = μ⁻¹(p). Fails if the metric is singular or not positive to round-off, for example at a pole of the chart.
+/// Sets v = μ⁻¹(p). Fails if p is not finite, or if the metric is singular or not positive to round-off, for example at
+/// a pole of the chart.
 template <class Matrix, class Vector>
 Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   const Eigen::LLT<Matrix> factor(g);
@@ -134,7 +135,7 @@ Status apply_inverse_mass(const Matrix& g, const Vector& p, Vector& v) {
   return {};
 }
 
-/// Christoffel symbols Gamma[k](i, j) = Γᵏ_ij.
+/// Sets the Christoffel symbols Gamma[k](i, j) = Γᵏ_ij. Fails if the metric is singular.
 template <Chart C>
 Status christoffel_symbols(const C& chart, const ChartVector<C>& q, std::array<ChartMatrix<C>, C::dimension>& Gamma) {
   const MetricJet<C> jet = metric_jet(chart, q);

@@ -4,8 +4,8 @@
 ///   μ(Dq̇/dt) = F(q̇)                                                                              (5.7)
 ///   q̈ᵏ = −Γᵏ_ij q̇ⁱq̇ʲ + (μ⁻¹F)ᵏ                                                                    (5.19)
 ///
-/// or E = S + C_v(μ⁻¹F) with the geodesic flow S and the vertical lift C_v (5.22). One solve with g gives both terms: g
-/// q̈ = F − Γ_l,ij q̇ⁱq̇ʲ.
+/// As a vector field on TQ this is E = S + C_v(μ⁻¹F), with the geodesic flow S and the vertical lift C_v (5.22). One
+/// solve with g gives both terms: Σ_k g_lk q̈ᵏ = F_l − Γ_l,ij q̇ⁱq̇ʲ.
 
 #include <utility>
 
@@ -15,7 +15,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// F − Γ_l,ij q̇ⁱq̇ʲ for a chart whose force does not depend on time. Also sets g to the metric at q.
+/// Returns F_l − Γ_l,ij q̇ⁱq̇ʲ without external force, so the force does not depend on time. Also sets g to the metric
+/// at q.
 template <class T, Chart C>
 Coordinates<T, C::dimension> covariant_force(const C& chart, const Coordinates<T, C::dimension>& q,
                                              const Coordinates<T, C::dimension>& v,
@@ -42,7 +43,7 @@ class ChartField {
     return apply_inverse_mass(jet.g, rhs, a);
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They exist for charts with the functions
+  /// Members for stages in lanes (stage_by_stage.h). They exist if the chart has functions
   /// `solve_stages_in_lanes_of(chart, stages)` and `cost_of_iteration_of(chart)`.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const C& c) {
     solve_stages_in_lanes_of(c, stages);
@@ -51,7 +52,7 @@ class ChartField {
   double cost_of_iteration() const requires requires(const C& c) { cost_of_iteration_of(c); }
   { return cost_of_iteration_of(chart_); }
 
-  /// D = Dq̇/dt = q̈ + Γ(q̇, q̇) of a curve with the velocity v and the given second derivative.
+  /// Sets D = Dq̇/dt = q̈ + Γ(q̇, q̇) for a curve with the velocity v and the given second derivative q̈.
   Status covariant_acceleration(const Vector& q, const Vector& v, const Vector& second_derivative, Vector& D) const {
     const MetricJet<C> jet = metric_jet(chart_, q);
     if (Status status = apply_inverse_mass(jet.g, christoffel_of_first_kind(jet, v, v), D); !status) return status;

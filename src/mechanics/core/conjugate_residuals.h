@@ -1,20 +1,20 @@
 #pragma once
 /// The generalized conjugate residual method (Eisenstat, Elman, Schultz 1983), truncated as Orthomin, for A x = r₀ with
-/// a nearly symmetric matrix A. The preconditioner M acts on the right, so that the residuals are those of A x = r₀
-/// itself. With w = A M⁻¹ r_k and sums over the last m indices j < k,
+/// a nearly symmetric matrix A. The preconditioner M acts on the right, so the residuals r_k belong to A x = r₀ without
+/// preconditioner. With w = A M⁻¹ r_k and sums over the last m indices j < k,
 ///
 ///   y_k = (w − Σ (y_j·w) y_j)/|…|,   z_k with A z_k = y_k, by the same combination,
 ///   x ← x + (y_k·r_k) z_k,   r_{k+1} = r_k − (y_k·r_k) y_k,   |r_{k+1}|² = |r_k|² − (y_k·r_k)².
 ///
-/// If the sums include all j < k, the residual is the least in the Krylov space. If A M⁻¹ were symmetric and positive
-/// definite, m = 1 would suffice. This nearly holds if A is symmetric and M is close to A, and a small m suffices. As
-/// r_k is orthogonal to the y_j,
+/// If the sums include all j < k, the residual is the smallest in the Krylov space. If A M⁻¹ were symmetric and
+/// positive definite, m = 1 would suffice. A M⁻¹ is nearly so if A is symmetric and M is close to A, and then a small m
+/// suffices. As r_k is orthogonal to the y_j,
 ///
 ///   |w − Σ (y_j·w) y_j|² = w·w − Σ (y_j·w)²,   y_k·r_k = w·r_k/|…|,
 ///
-/// so that an iteration needs only one sum over the processes. This is the classical Gram–Schmidt process, which is
-/// accurate enough for a small number of vectors. |r|² is computed by differences, with an error of 1e-16 |r₀|².
-/// Therefore the tolerance should be at least 1e-7 |r₀|.
+/// so an iteration needs only one sum over the processes. This is the classical Gram–Schmidt process, which is accurate
+/// enough for a small number of vectors. The method computes |r|² by differences, with an error of 1e-16 |r₀|². The
+/// tolerance should therefore be at least 1e-7 |r₀|.
 
 #include <algorithm>
 #include <cmath>
@@ -34,8 +34,8 @@ class ConjugateResiduals {
     bool converged = false;  ///< |r| is at most the tolerance
   };
 
-  /// Computes x from r, which becomes the residual. `multiply(z, y)`: y ← A z; `precondition(r, z)`: z ← M⁻¹ r. `norm`
-  /// is the Euclidean norm of r.
+  /// Sets x to the solution of A x = r, and r to the remaining residual. `multiply(z, y)` sets y ← A z, and
+  /// `precondition(r, z)` sets z ← M⁻¹ r. `norm` is the Euclidean norm of the initial r.
   template <class Multiply, class Precondition>
   Result solve(Multiply&& multiply, Precondition&& precondition, double norm, double tolerance, int max_iterations,
                Vector& r, Vector& x) {
@@ -67,16 +67,16 @@ class ConjugateResiduals {
     return result;
   }
 
-  /// Number m of kept vectors. With m = 1 the Gram systems of degree 6 do not converge. For 1100 … 410,000 unknowns,
-  /// the numbers of iterations with m = 2 … 6 and with all vectors agree within 2 %. For the largest system, the
-  /// products with all vectors took a tenth of the time of a step. Six vectors leave a reserve.
+  /// Number m of vectors y_j in the sums. With m = 1, the Gram systems of elements of degree 6 do not converge. For
+  /// 1100 … 410,000 unknowns, the numbers of iterations with m = 2 … 6 and with all vectors agree within 2 %. For the
+  /// largest system, the products with all vectors took a tenth of the time of a step. Six vectors leave a reserve.
   static constexpr int n_kept = 6;
-  /// If this number of iterations is not enough, M is not close to A, and the next iterations keep more vectors.
+  /// If this number of iterations is not enough, M is not close to A. The method then restarts and keeps more vectors.
   static constexpr int n_with_few = 40, n_kept_if_slow = 40;
 
  private:
-  /// Makes y_k orthonormal to the previous vectors, and changes z_k with it. Returns the length of y_k before its
-  /// normalization, or 0.
+  /// Makes y_k orthonormal to the previous y_j, and changes z_k such that A z_k = y_k. Returns the length of y_k after
+  /// orthogonalisation and before normalisation, or 0 if only round-off remains.
   double orthogonalise(int k, const Vector& r) {
     const std::size_t n = std::min(k, n_slots_ - 1);
     Vector &y = y_[k % n_slots_], &z = z_[k % n_slots_];

@@ -8,7 +8,7 @@
 ///
 ///   G M⁻¹ Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f.
 ///
-/// A system is an immutable object; the state and the workspace contain everything that changes.
+/// A system is an immutable object. Everything that changes is in the state and in the workspace.
 
 #include <cmath>
 #include <concepts>
@@ -22,20 +22,20 @@ namespace pseudorigid::mechanics {
 /// Value of n_constraints if the number of constraints is known only at run time.
 inline constexpr int dynamic_constraints = -1;
 
-/// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return failures as values: J
-/// = det F ≤ 0, a number that is not finite, or a solve without convergence.
+/// A system with constraints. q, v, f are S::Vector; λ, g, r are S::Multiplier. Functions return a failure as a Status.
+/// Examples of failures are J = det F ≤ 0, a number that is not finite, and a solve without convergence.
 template <class S>
 concept ConstrainedSystem = requires(const S s, double t, const typename S::Vector q, const typename S::Vector v,
                                      typename S::Vector f, const typename S::Multiplier lambda,
                                      typename S::Multiplier r, typename S::Workspace w) {
   { S::n_constraints } -> std::convertible_to<int>;                   // 0, 1, 2, 6, … or dynamic_constraints
   { s.force(t, q, v, w, f) } -> std::same_as<Status>;                 // f = −dV + loads
-  s.apply_inverse_mass(f, f);                                         // a = M⁻¹ f, in place allowed
+  s.apply_inverse_mass(f, f);                                         // a = M⁻¹ f; both may be the same vector
   { s.constraint(q, r) } -> std::same_as<Status>;                     // g(q)
   s.constraint_rate(q, v, r);                                         // G(q) v
   s.constraint_curvature(q, v, r);                                    // D²g(q)(v, v)
   s.add_reaction(q, lambda, f);                                       // f += G(q)ᵀ λ
-  { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // G(q₁) M⁻¹ G(q₀)ᵀ λ = r
+  { s.solve_gram(q, q, lambda, w, r) } -> std::same_as<SolveReport>;  // (q₁, q₀, b, w, x): G(q₁)M⁻¹G(q₀)ᵀ x = b
   { s.constraint_tolerance() } -> std::convertible_to<double>;        // largest |g|_∞, |G v|_∞ that count as zero
   { s.make_vector() } -> std::same_as<typename S::Vector>;            // zero vector of the right size
   { s.make_multiplier() } -> std::same_as<typename S::Multiplier>;
@@ -47,15 +47,15 @@ template <class S>
 inline constexpr bool unconstrained = S::n_constraints == 0;
 
 /// True if a force is so costly that pilot runs and estimates of the frequency are costly too. This holds for
-/// distributed vectors, and for systems with a member `has_costly_force` that is true.
+/// distributed vectors. A member `has_costly_force` of the system overrides this rule.
 template <class S>
 inline constexpr bool has_costly_force = [] {
   if constexpr (requires { S::has_costly_force; }) return S::has_costly_force;
   return !VectorSpace<typename S::Vector>::dense;
 }();
 
-/// A system that computes f + G(q)ᵀλ at lower cost than the two terms separately, by `force_with_reaction(t, q, v,
-/// lambda, w, f)`.
+/// A system with `force_with_reaction(t, q, v, lambda, w, f)`, which computes f + G(q)ᵀλ at lower cost than the two
+/// terms separately.
 template <class S>
 concept FindsForceWithReaction = requires(const S s, const typename S::Vector q, typename S::Vector f,
                                           const typename S::Multiplier lambda, typename S::Workspace w) {
@@ -63,16 +63,16 @@ concept FindsForceWithReaction = requires(const S s, const typename S::Vector q,
 };
 
 /// True if a system has `constraint(q, q_rounding, g)`, which computes g(q + q_rounding) more accurately than the
-/// round-off of q permits. q_rounding is the remainder of the compensated sum of q. The sum q + q_rounding then
-/// satisfies the constraint.
+/// round-off of q permits. q_rounding is the remainder of the compensated sum of q. Methods then satisfy the constraint
+/// at q + q_rounding.
 template <class S>
 inline constexpr bool resolves_rounding = VectorSpace<typename S::Vector>::compensated&& requires(
     const S s, const typename S::Vector q, const typename S::Vector q_rounding, typename S::Multiplier r) {
   { s.constraint(q, q_rounding, r) } -> std::same_as<Status>;
 };
 
-/// Time, position and velocity, the whole state of a mechanical system. Systems with the same vectors have the same
-/// type of state, for example a constrained system and its field with an explicit multiplier.
+/// Time, position and velocity are the whole state of a mechanical system. Systems with the same type of vector have
+/// the same type of state, for example a constrained system and its field with an explicit multiplier.
 template <class Vector>
 struct VectorState {
   double t = 0;
@@ -81,9 +81,9 @@ struct VectorState {
 template <class S>
 using State = VectorState<typename S::Vector>;
 
-/// Multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v), to round-off by iterative
-/// refinement. Observables use this λ. The multipliers of a step belong to no time, and observables must not use them.
-/// Fails if the force or the Gram solve fails.
+/// Sets lambda to the multiplier λ of the motion at a state: G M⁻¹Gᵀ λ = −D²g(v, v) − G M⁻¹ f(t, q, v). Iterative
+/// refinement makes λ exact to round-off. Observables use this λ. They must not use the multipliers of a step, which do
+/// not belong to one time. Fails if the force or the Gram solve fails. Does nothing if the system has no constraints.
 template <ConstrainedSystem S>
 Status multiplier_of_motion(const S& system, const State<S>& state, typename S::Workspace& workspace,
                             typename S::Multiplier& lambda) {
@@ -103,7 +103,7 @@ Status multiplier_of_motion(const S& system, const State<S>& state, typename S::
     double before = HUGE_VAL;
     for (int i = 0; i < max_refinements; ++i) {
       const double norm = max_norm(residual);
-      if (norm == 0 || norm > 0.5 * before) break;  // a residual that no longer halves is round-off
+      if (norm == 0 || norm > 0.5 * before) break;  // a residual that did not halve is round-off
       before = norm;
       if (SolveReport report = system.solve_gram(state.q, state.q, residual, workspace, delta); !report.status)
         return std::move(report.status);

@@ -1,11 +1,13 @@
 #pragma once
-/// Newton's iteration that satisfies a constraint by reactions. With the residual r = g(q) or G(q) v, it repeats
+/// Newton's iteration that satisfies a constraint by reactions. With the residual r = g(q) or r = G(q) v, and x = q or
+/// x = v, the iteration repeats
 ///
 ///   G(q₁) M⁻¹ G(q₀)ᵀ δ = −r,   x ← x + M⁻¹G(q₀)ᵀ δ,
 ///
-/// until |r| ≤ tolerance, or until r is round-off. Round-off of G(q) v grows with |G||v|, and round-off of g(q) with
-/// |G||q|, so that no constant bounds it for all motions. If a residual stops decreasing, it is compared with its
-/// noise: the changes of r if q and v change by units in their last place (rounding_noise.h).
+/// until |r| ≤ tolerance, or until r is round-off. The round-off of G(q) v grows with |G||v|, and the round-off of g(q)
+/// with |G||q|. No constant therefore bounds the round-off for all motions. If a residual stops decreasing, it is
+/// compared with its noise. The noise is the largest change of r if q and v change by units in their last place
+/// (rounding_noise.h).
 
 #include <cmath>
 #include <string>
@@ -20,14 +22,15 @@ namespace pseudorigid::mechanics::detail {
 
 inline constexpr int max_constraint_iterations = 30;
 
-/// Factor on the noise, which is the largest of a few changes; a residual may contain the sum of several errors. In a
-/// sample of 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ … 10⁴, 99.97 % were below 3
-/// times the noise. Three were above 16 times the noise, at most 18.7 times; the iteration continues for such
-/// residuals.
+/// Factor on the noise. The noise is the largest of a few changes, but a residual may contain the sum of several
+/// errors. The factor was chosen from 4.3·10⁷ residuals that had stopped decreasing, for bodies with semi-axes 10⁻⁴ …
+/// 10⁴. Among them, 99.97 % were below 3 times the noise. Three were above 16 times the noise, at most 18.7 times; the
+/// iteration continues for such residuals.
 inline constexpr double noise_reserve = 16;
 
-/// Verdict on a residual: done, go on, or stuck. A residual that no longer halves counts as zero if it is at most
-/// `round_off` or noise_reserve · noise(). Since noise() costs several evaluations, it is called only in this case.
+/// Judges each residual: the iteration is done, must go on, or is stuck. A residual that did not halve counts as zero
+/// if it is at most `round_off` or noise_reserve · noise(). Since noise() costs several evaluations of the constraint,
+/// it is called only in this case.
 struct ConvergenceMonitor {
   double tolerance, round_off, previous = HUGE_VAL;
   int iteration = 0;
@@ -47,8 +50,8 @@ struct ConvergenceMonitor {
   }
 };
 
-/// True if the multiplier is a number. All reactions are then multiples of one vector M⁻¹G(q₀)ᵀ, and the Gram matrix is
-/// a number.
+/// True if the multiplier is a single number. All reactions are then multiples of one vector M⁻¹G(q₀)ᵀ, and the Gram
+/// matrix is a number.
 template <class S>
 inline constexpr bool single_constraint = std::is_same_v<typename S::Multiplier, double>;
 
@@ -62,11 +65,12 @@ struct ConstraintTemporaries {
 
   typename S::Vector reaction, direction;  // M⁻¹G(q₀)ᵀδ; M⁻¹G(q₀)ᵀ of a single constraint
   typename S::Multiplier residual, delta;
-  bool direction_known = false;  // a change of q₀ must clear it
+  bool direction_known = false;  // set this flag to false if you change q₀
   long n_gram_iterations = 0;
 };
 
-/// w.reaction = M⁻¹G(q₀)ᵀ λ. A system may compute it faster from data on q₀ in its workspace.
+/// Sets w.reaction to M⁻¹G(q₀)ᵀ λ. The system may have a faster function for this, which uses quantities at q₀ from its
+/// workspace.
 template <ConstrainedSystem S>
 void set_reaction(const S& system, const typename S::Vector& q0, const typename S::Multiplier& lambda,
                   [[maybe_unused]] typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -92,7 +96,7 @@ void set_reaction(const S& system, const typename S::Vector& q0, const typename 
   }
 }
 
-/// Solves for w.delta and w.reaction from w.residual.
+/// Solves G(q₁) M⁻¹ G(q₀)ᵀ δ = −w.residual, and sets w.delta = δ and w.reaction = M⁻¹G(q₀)ᵀ δ. Changes w.residual.
 template <ConstrainedSystem S>
 Status react(const S& system, const typename S::Vector& q1, const typename S::Vector& q0,
              typename S::Workspace& system_workspace, ConstraintTemporaries<S>& w) {
@@ -110,7 +114,8 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return {};
 }
 
-/// Builds the failure message. The function is cold and not inlined, because the message costs more than a step.
+/// Returns the failure of an iteration. The function is cold and not inlined, because building the message costs more
+/// than a step.
 [[gnu::cold, gnu::noinline]] inline Status without_convergence(std::string_view what) {
   std::string sentence = "the ";
   sentence += what;
@@ -118,15 +123,16 @@ Status react(const S& system, const typename S::Vector& q1, const typename S::Ve
   return Status::failure(std::move(sentence));
 }
 
-/// Sets the residual that is sufficient for an inexact solver of Gram systems; 0: the solver's default.
+/// Sets the residual at which an inexact solver of Gram systems may stop. For 0, the solver uses its default.
 template <ConstrainedSystem S>
 void seek_residual(typename S::Workspace& system_workspace, double enough) {
   constexpr double linear_part = 1.0 / 3;  // the remaining tolerance is for the nonlinear part
   if constexpr (requires { system_workspace.residual_sought; }) system_workspace.residual_sought = linear_part * enough;
 }
 
-/// Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. With tolerance 0
-/// it iterates to round-off. If the residual is at most `foregone`, one more iteration ends it without a check.
+/// Runs Newton's iteration. `evaluate` sets w.residual and returns a Status; `apply` adds w.reaction to x. With
+/// tolerance 0 the iteration continues to round-off. If a residual is at most `foregone`, the iteration ends after its
+/// correction, without evaluating the new residual.
 template <ConstrainedSystem S, class Evaluate, class Apply, class Noise>
 Status meet_constraint(const S& system, const char* what, double tolerance, const typename S::Vector& q1,
                        const typename S::Vector& q0, typename S::Workspace& system_workspace,
@@ -171,7 +177,8 @@ Status meet_position_constraint(const S& system, double tolerance, const typenam
       apply, [&] { return noise_of_constraint(system, q); }, foregone);
 }
 
-/// The same for g(q + q_rounding) = 0 if the system resolves the remainder q_rounding of the compensated sum of q.
+/// Solves g(q + q_rounding) = 0 if the system supports it (`resolves_rounding`), otherwise g(q) = 0. q_rounding is the
+/// remainder of the compensated sum of q.
 template <ConstrainedSystem S, class Apply>
 Status meet_position_constraint(const S& system, double tolerance, const typename S::Vector& q,
                                 const typename S::Vector& q_rounding, const typename S::Vector& q0,

@@ -1,6 +1,6 @@
 #pragma once
-/// Factorisations of dense matrices of any size. Each takes seconds to compile, so only dense_algebra.cpp compiles
-/// them.
+/// Factorisations of dense matrices of any size. Each factorisation takes seconds to compile, so only dense_algebra.cpp
+/// contains them.
 
 #include <Eigen/Core>
 
@@ -21,9 +21,11 @@ struct Spectrum {
 };
 Spectrum spectrum(const Eigen::MatrixXd& A);
 
-/// Orthonormal basis of {x: Bx = 0}. Singular values below `absent` times the largest count as zero.
+/// Returns an orthonormal basis of {x: Bx = 0} as columns. Singular values of at most `absent` times the largest one
+/// count as zero.
 Eigen::MatrixXd null_space(const Eigen::MatrixXd& B, double absent);
-/// Orthonormal basis of the span of the columns of N, with the same bound for singular values.
+/// Returns an orthonormal basis of the span of the columns of N. Singular values of at most `absent` times the largest
+/// one count as zero.
 Eigen::MatrixXd span_of(const Eigen::MatrixXd& N, double absent);
 
 /// A⁻¹B by elimination with full pivoting.

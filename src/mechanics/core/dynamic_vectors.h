@@ -1,8 +1,8 @@
 #pragma once
-/// Conversions between Eigen vectors of dynamic size and a system's own vectors and multipliers. The dynamic vectors
-/// have the entries column by column. `read_as<V>` and `WriteAs<V>` make arguments of a function of a system. They copy
-/// if V has a fixed size. For matrices of dynamic size they are views if the function takes Eigen::Ref; otherwise they
-/// copy, which is slow.
+/// Conversions between Eigen vectors of dynamic size and the vectors and multipliers of a system. The dynamic vector
+/// contains the entries of a matrix column by column. `read_as<V>` makes an input argument of a function of the system,
+/// and `WriteAs<V>` an output argument. Both copy if V has a fixed size. If V is VectorXd, both are references. For
+/// matrices of dynamic size they are views if the function takes Eigen::Ref; otherwise they copy, which is slow.
 
 #include <Eigen/Core>
 #include <optional>
@@ -35,7 +35,7 @@ decltype(auto) read_as(const Eigen::VectorXd& x) {
     return V(Eigen::Map<const V>(x.data()));
 }
 
-/// An output argument of a function of a system. The destructor writes its contents to the dynamic vector.
+/// An output argument of a function of a system. The destructor writes the entries to the dynamic vector.
 template <class V>
 class WriteAs {
  public:
@@ -92,7 +92,7 @@ class WriteAs<NoMultiplier> {
   NoMultiplier none_;
 };
 
-/// The inverse of read_as: the entries of x as a dynamic vector.
+/// The inverse of read_as: returns the entries of x as a dynamic vector.
 template <class V>
 Eigen::VectorXd flat(V x) {
   const auto entries = local_values(x);

@@ -1,16 +1,16 @@
 #pragma once
 /// A constrained system as a second-order field with an invariant manifold (Oliva, Geometric Mechanics, 5.29). The
-/// explicit multiplier λ of the motion,
+/// multiplier λ of the motion is an explicit function of the state,
 ///
 ///   q̈ = M⁻¹[f + G(q)ᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
-/// keeps g = 0 and G q̇ = 0. Newton's iteration corrects the integration errors of both constraints:
+/// so the field keeps g = 0 and G q̇ = 0. Newton's iteration corrects the integration errors of both constraints:
 ///
 ///   G M⁻¹Gᵀ δ = −g(q),   q ← q + M⁻¹G(q)ᵀδ,     then     G M⁻¹Gᵀ δ = −G v,   v ← v + M⁻¹G(q)ᵀδ.
 ///
-/// A system that computes its acceleration or its projection faster has members `acceleration(t, q, v, w, a)` and
-/// `project(q, v, w)`. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves
-/// may be inexact; they are refined until the accelerations satisfy the constraint.
+/// If a system has a faster acceleration or projection, it has members `acceleration(t, q, v, w, a)` or `project(q, v,
+/// w)`. If the number of constraints is known at compile time, Gram solves are direct. Other Gram solves may be
+/// inexact; they are refined until the accelerations satisfy the constraint.
 
 #include <cmath>
 
@@ -23,13 +23,13 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// a ← a + M⁻¹Gᵀλ, with λ such that G a = −D²g(v, v).
+/// Adds M⁻¹Gᵀλ to a, with λ such that G a = −D²g(v, v) for the new a. Fails if a Gram solve fails.
 template <ConstrainedSystem S>
 Status add_reaction_of_motion(const S& system, const typename S::Vector& q, const typename S::Vector& v,
                               typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint,
                               typename S::Multiplier& curvature, typename S::Vector& a) {
   constexpr int max_refinements = S::n_constraints == dynamic_constraints ? 30 : 1;
-  constexpr double needed_fall = 0.5;  // a residual that no longer halves is round-off
+  constexpr double needed_fall = 0.5;  // a residual that did not halve is round-off
   system.constraint_curvature(q, v, curvature);
   constraint.direction_known = false;
   double before = HUGE_VAL;
@@ -59,7 +59,7 @@ class ExplicitMultiplier {
     detail::ConstraintTemporaries<S> constraint;
     Multiplier curvature;
 
-    /// Passes the memory of a solver of Gram systems to `visit`.
+    /// Passes the memory of the system's solver of Gram equations, if there is one, to `visit`.
     template <class Visit>
     void visit_memory(Visit&& visit) {
       if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -90,7 +90,8 @@ class ExplicitMultiplier {
     }
   }
 
-  /// Members for stages in lanes (stage_by_stage.h). They exist if the system has them, and call those of the system.
+  /// Members for stages in lanes (stage_by_stage.h). They exist if the system has members of these names, and call
+  /// them.
   bool solve_stages_in_lanes(GaussStages& stages) const requires requires(const S& s) {
     s.solve_stages_in_lanes(stages);
   }

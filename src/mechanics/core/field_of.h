@@ -1,6 +1,6 @@
 #pragma once
-/// The form of a system that a method integrates. Methods of fixed step use the constrained form. Adaptive methods use
-/// a second-order field, which a constrained system has by its explicit multiplier.
+/// The form of a system that a method integrates. Methods with steps of fixed size use the constrained form. Adaptive
+/// methods use a second-order field. A constrained system has such a field by its explicit multiplier.
 
 #include <type_traits>
 
@@ -8,8 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The second-order field of a system, which refers to the system. A system without a constrained form is its own
-/// field.
+/// Returns the second-order field of a system; the field refers to the system. A system without a constrained form is
+/// its own field.
 template <class S>
 decltype(auto) field_of(const S& system) {
   if constexpr (ConstrainedSystem<S>)
@@ -31,7 +31,7 @@ decltype(auto) form_for(const S& system) {
 template <class Method, class S>
 using FormFor = std::remove_cvref_t<decltype(form_for<Method>(std::declval<const S&>()))>;
 
-/// True for methods that declare that they need only the operations of VectorSpace. Other methods need dense Eigen
+/// True if the method declares that it needs only the operations of VectorSpace. Other methods need dense Eigen
 /// vectors.
 template <class Method>
 inline constexpr bool takes_any_vector = [] {
@@ -39,7 +39,7 @@ inline constexpr bool takes_any_vector = [] {
   return false;
 }();
 
-/// True if the method can be compiled for the type of the system.
+/// True if the method compiles for the type of the system.
 template <class Method, class S>
 consteval bool method_fits() {
   if constexpr (!VectorSpace<typename S::Vector>::dense && !takes_any_vector<Method>)
@@ -48,8 +48,8 @@ consteval bool method_fits() {
     return Method::template fits<FormFor<Method, S>>;
 }
 
-/// True if the method fits this system. For a system behind an interface this depends on properties known only at run
-/// time (any_system.h).
+/// True if the method can integrate this system. For an AnySystem the answer depends on `is_conservative()`, which is
+/// known only at run time (any_system.h).
 template <class Method, class S>
 constexpr bool fits(const S& system) {
   if constexpr (requires { typename S::WithoutEnergies; }) {

@@ -5,7 +5,8 @@
 ///   ∇̃_X Y = ∇_X Y + dρ(X)Y + dρ(Y)X − ⟨X, Y⟩ grad ρ                                               (5.12)
 ///   dρ = −dU / (2(h − U))                                                                         (5.14)
 ///
-/// Motions of energy h are the geodesics of g_h with ds̃ = 2(h − U) dt (5.2.1).
+/// Here ρ = ½ ln 2(h − U), and ∇̃ is the Levi-Civita connection of g_h. Motions of energy h are the geodesics of g_h,
+/// with the arc length ds̃ = 2(h − U) dt (5.2.1).
 
 #include <utility>
 
@@ -13,7 +14,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The metric g_h as a chart of its own. ChartField gives its geodesic flow.
+/// The metric g_h as a chart. The ChartField of this chart has the geodesics as its motions.
 template <Chart C>
 struct JacobiMetric {
   static constexpr int dimension = C::dimension;
@@ -30,11 +31,12 @@ struct JacobiMetric {
   }
 };
 
-/// A curve of the chart, with the integral of a function along the curve as an additional coordinate.
+/// Coordinates of a point of the chart, and the integral of a function along the curve as an additional coordinate.
 template <Chart C>
 using CurveWithIntegral = Coordinates<double, C::dimension + 1>;
 
-/// Geodesics of g_h, with the time t of the motion as the last coordinate. They have unit speed if they start with it:
+/// Geodesics of g_h, with the time t of the motion as the last coordinate. A geodesic that starts with unit speed keeps
+/// unit speed. The prime denotes d/ds̃:
 ///   q″ = −Γ(q′, q′) − 2 dρ(q′) q′ + ⟨q′, q′⟩ grad ρ,   t′ = 1/(2(h − U)),   t″ = 2 dU(q′)/(2(h − U))².
 template <Chart C>
 class JacobiGeodesicField {
@@ -61,7 +63,8 @@ class JacobiGeodesicField {
     return {};
   }
 
-  /// Start of the unit-speed geodesic along the motion of energy h through (q, v): q′ = v/(2(h − U)) (5.18).
+  /// Sets the start (x, dx) of the unit-speed geodesic along the motion of energy h through (q, v): q′ = v/(2(h − U))
+  /// (5.18).
   Status start(const ChartVector<C>& q, const ChartVector<C>& v, Vector& x, Vector& dx) const {
     const double factor = 2 * (h_ - potential_energy(chart_, q));
     if (Status status = inside(factor); !status) return status;
@@ -83,7 +86,8 @@ class JacobiGeodesicField {
   double h_;
 };
 
-/// The motion, with its Jacobi length s̃ as the last coordinate: ds̃/dt = 2K = 2(h − U), so s̃¨ = −2 dU(q̇).
+/// The motion, with its Jacobi length s̃ as the last coordinate. ds̃/dt = 2K = 2(h − U) with the kinetic energy K, so
+/// s̃¨ = −2 dU(q̇).
 template <Chart C>
 class JacobiLengthField {
  public:

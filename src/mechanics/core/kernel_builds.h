@@ -1,6 +1,6 @@
 #pragma once
 /// Kernels that are compiled several times, for different instruction sets of the processor (cmake/Kernels.cmake). A
-/// build of the kernels is a table of functions. The process chooses one build once. This is the first build that the
+/// build of the kernels is a table of functions. Each process chooses one build. The choice is the first build that the
 /// processor can run, or the build named by the environment variable PSEUDORIGID_INSTRUCTIONS.
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace pseudorigid::mechanics {
 
 template <class Table>
 struct KernelBuild {
-  std::string_view instructions;  ///< "x86-64-v3"; "native" means those of the machine that compiled it
+  std::string_view instructions;  ///< for example "x86-64-v3"; "native": those of the compiling machine
   bool (*runs_here)();
   const Table* table;
 };
@@ -30,14 +30,14 @@ struct KernelChoice {
   bool runs_here;
 };
 
-/// Index of the first build that runs on this processor. If `wanted` is not empty, index of the build with this name.
-/// Throws NoKernels.
+/// Returns the index of the first build that runs on this processor. If `wanted` is not empty, returns the index of the
+/// build with this name. Throws NoKernels if there is no such build or if the processor cannot run it.
 std::size_t choose_build(const std::vector<KernelChoice>& builds, std::string_view wanted);
 
-/// The value of the environment variable PSEUDORIGID_INSTRUCTIONS; empty if it is not set.
+/// Returns the value of the environment variable PSEUDORIGID_INSTRUCTIONS, or an empty text if the variable is not set.
 std::string_view wanted_instructions();
 
-/// The build that this process uses.
+/// Returns the build that this process uses. Throws NoKernels.
 template <class Table>
 const KernelBuild<Table>& choose_build(std::span<const KernelBuild<Table>> builds) {
   std::vector<KernelChoice> choices;

@@ -1,10 +1,10 @@
 #pragma once
-/// A SIMD vector of doubles. Each lane is a cell, a quadrature point or a body. The type uses the vector extension of
-/// the compiler, because the packaged deal.II does not have wide vectors.
+/// A SIMD vector of doubles. Each lane contains the value for one cell, one quadrature point or one body. The type uses
+/// the vector extension of the compiler, because the packaged deal.II does not have wide vectors.
 ///
-/// The definitions depend on the instruction set for which a file is compiled, so they are in a namespace of the
-/// instruction set. Files compiled for different sets have different vectors, functions and numbers of lanes, and the
-/// linker does not merge them.
+/// The definitions depend on the instruction set for which a file is compiled. Each instruction set therefore has its
+/// own inline namespace. Files compiled for different sets have different vectors, functions and numbers of lanes, and
+/// the linker does not merge them.
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -36,7 +36,7 @@ inline double lesser(double a, double b) { return a < b || a != a ? a : b; }
 
 namespace lanes_detail {
 template <int n_lanes>
-struct VectorTypes;  // written out, since the compiler ignores a vector size that depends on a template parameter
+struct VectorTypes;  // specialised below, since the compiler ignores a vector size that depends on a template parameter
 template <>
 struct VectorTypes<2> {
   typedef double Real __attribute__((vector_size(16)));
@@ -88,7 +88,8 @@ struct Lanes {
   Lanes(Native native) : v(native) {}
   Lanes(double s) : v(Native{} + s) {}
 
-  /// Lane l is value(l). The vector is built in registers; setting single lanes would go through memory.
+  /// Returns the vector with value(l) in lane l. The vector is built in registers; to set single lanes would need
+  /// memory.
   template <class Value>
   [[gnu::always_inline]] static Lanes of(const Value& value) {
     return lanes_detail::collect<n_lanes>(value);
@@ -114,7 +115,7 @@ struct Lanes {
   /// The smaller number in each lane. A NaN counts as smaller than any number.
   friend Lanes min(Lanes a, Lanes b) { return (a.v < b.v) | (a.v != a.v) ? a.v : b.v; }
 
-  /// Natural logarithm of positive finite numbers, to about one unit in the last place:
+  /// Natural logarithm of positive finite numbers, with an error of about one unit in the last place:
   ///   x = 2^e m, m in [√½, √2), z = (m−1)/(m+1), ln x = e ln 2 + 2(z + z³/3 + z⁵/5 + …).
   friend Lanes log(Lanes x) {
     NativeBits bits;
@@ -132,15 +133,15 @@ struct Lanes {
     return (2 * z + 2 * z * z2 * series) + e * 0.69314718055994530942;
   }
 
-  /// ln(1 + x) without cancellation for small x: a term of first order corrects the rounding error of 1 + x.
+  /// ln(1 + x) without cancellation for small x. A term of first order corrects the rounding error of 1 + x.
   friend Lanes log1p(Lanes x) {
     const Native u = 1.0 + x.v;
     return log(Lanes(u)).v - ((u - 1.0) - x.v) / u;
   }
 
-  /// 1/√x to about one unit in the last place, for positive x in the range of single precision. It starts with a guess
-  /// y of 11 bits or more. With e = 1 − xy² the result is y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128). The processor's
-  /// square root and quotient take several times as long.
+  /// 1/√x with an error of about one unit in the last place, for positive x in the range of single precision. The
+  /// computation starts from a guess y with 11 or more correct bits. With e = 1 − xy² the result is y (1 + e/2 + 3e²/8
+  /// + 5e³/16 + 35e⁴/128). The square root and the quotient of the processor take several times as long.
   friend Lanes inverse_sqrt(Lanes x) {
     const Native y = inverse_sqrt_guess(x.v), e = 1.0 - x.v * y * y;
     return y + y * e * (0.5 + e * (0.375 + e * (0.3125 + e * 0.2734375)));
@@ -169,8 +170,8 @@ struct Lanes {
     z = of([&](int lane) { return base[offsets[lane] + 2]; });
   }
 
-  /// Adds (x, y, z) of the first n_active lanes to the triples at base + offsets[lane]. Several lanes may have the same
-  /// triple.
+  /// Adds (x, y, z) of each of the first n_active lanes to the triple at base + offsets[lane]. Several lanes may have
+  /// the same offset.
   [[gnu::always_inline]] static void add_triples(const Lanes& x, const Lanes& y, const Lanes& z, int n_active,
                                                  double* base, const unsigned int* offsets) {
     double xyz[3][n_lanes];

@@ -1,6 +1,6 @@
 #pragma once
-/// A vector of lanes (lanes.h) as a scalar of Eigen and of automatic differentiation. A function over any scalar can
-/// then be computed in all lanes at once.
+/// A vector of lanes (lanes.h) as a scalar type of Eigen and of automatic differentiation. A function over any scalar
+/// type can then be evaluated in all lanes at once.
 
 #include <Eigen/Core>
 #include <type_traits>
@@ -10,7 +10,8 @@
 
 namespace pseudorigid::mechanics {
 
-// The functions have no branch, so that the compiler shares common terms of the sine and the cosine of an angle.
+// The sine and the cosine have no branch, so the compiler computes the common terms of both only once. They are correct
+// for |x| ≤ 2²⁰.
 [[gnu::always_inline]] inline Lanes<native_lanes> sin(Lanes<native_lanes> x) { return sine_cosine_of_moderate(x).sine; }
 [[gnu::always_inline]] inline Lanes<native_lanes> cos(Lanes<native_lanes> x) {
   return sine_cosine_of_moderate(x).cosine;

@@ -1,10 +1,10 @@
 #pragma once
-/// Sine and cosine of a vector of lanes (lanes.h), to about one unit in the last place, with the reduction
+/// Sine and cosine of a vector of lanes (lanes.h), with an error of about one unit in the last place. The reduction is
 ///
 ///   x = kπ/2 + r,   |r| ≤ π/4
 ///
-/// π/2 is the sum of three parts, and k times the first two parts is exact. sin r and cos r are the polynomials of
-/// fdlibm (Sun Microsystems 1993). For |x| > 2²⁰ the C++ library computes each lane.
+/// with an integer k. π/2 is the sum of three parts, and k times the first two parts is exact. The polynomials for sin
+/// r and cos r are from fdlibm (Sun Microsystems 1993). If |x| > 2²⁰ in a lane, the C++ library computes all lanes.
 
 #include <cmath>
 #include <cstring>
@@ -33,7 +33,7 @@ struct SineCosine {
 
 inline constexpr double most_of_moderate = 0x1p20;
 
-/// Sine and cosine for |x| ≤ most_of_moderate; other arguments give wrong values.
+/// Sine and cosine, if |x| ≤ most_of_moderate in all lanes. Lanes with larger |x| have wrong results.
 [[gnu::always_inline]] inline SineCosine sine_cosine_of_moderate(Lanes<native_lanes> x) {
   using Vector = Lanes<native_lanes>;
   using Native = Vector::Native;

@@ -1,13 +1,14 @@
 #pragma once
 /// Linear damping: forces −C(q) v with C symmetric and positive semidefinite, such as viscosity and drag. An implicit
-/// step of size 2s has a residual r at the velocity v. It ends with the velocity v + u, with u such that
+/// step of size 2s has a residual r at the velocity v. The step ends with the velocity v + u, for which
 ///
 ///   (M + s C(q)) u + G(q)ᵀμ = M r,   G(q) u = 0.
 ///
-/// With P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G this is P(1 + s M⁻¹C) u = P r on ker G. The operator on the left is symmetric and
-/// positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The eigenvalues of the
-/// operator are at least 1, so the error of u is at most the residual. The eigenvalues are at most 1 + sγ with the
-/// largest damping rate γ. Therefore the number of iterations grows like √(sγ), and no γ limits the step.
+/// On ker G this is P(1 + s M⁻¹C) u = P r with the projection P = 1 − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G. The operator on the left is
+/// symmetric and positive in the inner product ⟨x, y⟩ = xᵀM y, so conjugate gradients solve the equation. The
+/// eigenvalues of the operator are between 1 and 1 + sγ, with the largest damping rate γ. From the lower bound, the
+/// error of u is at most the residual. From the upper bound, the number of iterations grows like √(sγ). The implicit
+/// step is stable for every γ.
 
 #include <algorithm>
 #include <limits>
@@ -18,15 +19,15 @@
 
 namespace pseudorigid::mechanics {
 
-/// A system that also computes its damping, f += −C(q) v. No other part of its force depends on the velocity.
+/// A system that also computes its linear damping, f += −C(q) v. No other part of the force may depend on the velocity.
 template <class S>
 concept LinearlyDamped = ConstrainedSystem<S> && requires(const S s, const typename S::Vector v, typename S::Vector f) {
   s.add_damping(v, v, f);  // (q, v, f)
   s.apply_mass(v, f);      // f = M v
-  s.add_taken(0.0, f);     // (energy, v): adds to the dissipated energy, which is an entry of v
+  s.add_taken(0.0, f);     // (energy, v): adds to the dissipated energy, which is stored in v
 };
 
-/// Temporaries of `solve_damping`; empty if the system has no linear damping.
+/// Temporaries of `solve_damping`. They are empty if the system has no linear damping or if `used` is false.
 template <class S>
 struct DampingTemporaries {
   DampingTemporaries(const S&, bool) {}
@@ -54,7 +55,7 @@ struct DampingTemporaries<S> {
 
 namespace detail {
 
-/// x ← P x at the configuration q.
+/// x ← P x at the configuration q. Fails if the iteration for the constraint does not converge.
 template <ConstrainedSystem S>
 Status project_onto_tangent_space(const S& system, double tolerance, const typename S::Vector& q, typename S::Vector& x,
                                   typename S::Workspace& system_workspace, ConstraintTemporaries<S>& constraint) {
@@ -67,8 +68,9 @@ Status project_onto_tangent_space(const S& system, double tolerance, const typen
 
 }  // namespace detail
 
-/// Computes w.solution from w.residual. The iteration ends if the remaining residual is at most `enough`, or round-off.
-/// It fails if the operator is not positive, as in a long step backwards in time, or if it converges too slowly.
+/// Computes w.solution from w.residual. The iteration ends if the remaining residual is at most `enough` or is
+/// round-off. It fails if a projection fails, if it converges too slowly, or if the operator is not positive. A long
+/// step backwards in time has an operator that is not positive.
 template <LinearlyDamped S>
 Status solve_damping(const S& system, double s, const typename S::Vector& q, double enough,
                      typename S::Workspace& system_workspace, detail::ConstraintTemporaries<S>& constraint,

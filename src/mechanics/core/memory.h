@@ -1,9 +1,9 @@
 #pragma once
-/// The memory of a method as a list of numbers: the data that it keeps from step to step, such as known multipliers,
-/// earlier positions and compensations of round-off. A checkpoint contains this list. A run resumed with it repeats the
-/// uninterrupted run bit by bit. The function `visit_memory(visit)` of a workspace passes its numbers, lists of numbers
-/// and vectors to `visit`, always in the same order. For a distributed vector the list contains the entries of the
-/// rank.
+/// The memory of a method as a list of numbers. The memory contains everything that the method keeps from step to step,
+/// such as multipliers, earlier positions and compensations of round-off. A checkpoint contains the list. A run that is
+/// resumed with the list repeats the uninterrupted run bit for bit. The function `visit_memory(visit)` of a workspace
+/// passes numbers, lists of numbers and vectors to `visit`, always in the same order. For a distributed vector the list
+/// contains the entries of this rank.
 
 #include <algorithm>
 #include <cstddef>
@@ -52,14 +52,15 @@ struct MemoryRestorer {
 
 }  // namespace detail
 
-/// `numbers` ← the memory of the workspace. The capacity of `numbers` is reused.
+/// Sets `numbers` to the memory of the workspace, and reuses the capacity of `numbers`.
 template <class Workspace>
 void save_memory(Workspace& workspace, std::vector<double>& numbers) {
   numbers.clear();
   workspace.visit_memory(detail::MemorySaver{numbers});
 }
 
-/// The memory of the workspace ← `numbers`. If the list has the wrong length, returns false and changes nothing.
+/// Sets the memory of the workspace to `numbers` and returns true. If the list has the wrong length, returns false and
+/// changes nothing.
 template <class Workspace>
 bool restore_memory(Workspace& workspace, std::span<const double> numbers) {
   std::vector<double> present;

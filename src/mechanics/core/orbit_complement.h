@@ -1,12 +1,14 @@
 #pragma once
-/// The orthogonal complement of the orbit of the symmetries. P is ΔX without its components along the tangent space of
-/// the orbit at X = (q, v),
+/// The orthogonal complement of the orbit of the symmetries. The energy-momentum method needs the change ΔX of the
+/// state in a step without the components along the tangent space of the orbit at X = (q, v). This tangent space and
+/// the inner product are
 ///
-///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit),
+///   span{(ξ_i(q), ξ̇_i(v))},   ⟨(a, α), (b, β)⟩ = a·b + α·β   (time in the system's unit).
 ///
-/// computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník, Comput. Math. Appl.
-/// 50 (2005) 1069). An orbit may have a lower dimension, for example if axes coincide or a point is on its axis of
-/// rotation. Vectors that depend on earlier ones are then omitted.
+/// The components are computed by Gram–Schmidt with reorthogonalisation ("twice is enough": Giraud, Langou, Rozložník,
+/// Comput. Math. Appl. 50 (2005) 1069). The dimension of an orbit may be less than the number of symmetries, for
+/// example if axes coincide or a point is on its axis of rotation. Tangent vectors that depend on earlier ones are then
+/// omitted.
 
 #include <cmath>
 #include <cstddef>
@@ -38,8 +40,9 @@ class OrbitComplement {
     }
   }
 
-  /// (a, α) ← (a, α) without its components along the orbit. Returns the length of the remainder, or 0 if it is
-  /// round-off. The loop repeats as long as cancellation removes more than half of the length; a NaN ends it.
+  /// (a, α) ← (a, α) without its components along the orbit. Returns the length of the remainder, or 0 if the remainder
+  /// is at most `dependent` times the original length. The loop repeats as long as cancellation removes more than half
+  /// of the length. A NaN ends the loop.
   double project(Vector& a, Vector& alpha) const {
     const double length = norm(a, alpha);
     double before = length, left = length;
@@ -59,8 +62,8 @@ class OrbitComplement {
   struct Direction {
     Vector q, v;
   };
-  /// Relative length of a remainder that counts as 0. Its square is 10⁻¹² of the change of a step; the directions have
-  /// an error of ε/10⁻⁶.
+  /// Relative length of a remainder that counts as 0. Such a remainder changes the square of the length of ΔX by the
+  /// fraction 10⁻¹². The directions of the basis have errors of at most ε/10⁻⁶.
   static constexpr double dependent = 1e-6;
 
   static double norm(const Vector& a, const Vector& alpha) { return std::sqrt(dot(a, a) + dot(alpha, alpha)); }

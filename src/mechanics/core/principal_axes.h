@@ -1,23 +1,23 @@
 #pragma once
-/// Principal axes of the ellipsoid F B, with the unit ball B: F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
+/// Principal axes of the ellipsoid to which F maps the unit ball. F = U diag(a) Vᵀ, so C = FFᵀ = U diag(a²) Uᵀ.
 ///
-/// The method is one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). U is rotated until the rows A_i of A
-/// = UᵀF are orthogonal; then A = diag(a)Vᵀ and a_i = |A_i|. Small axes keep their accuracy cond(F)·ε, with the
-/// round-off ε; the eigenvalues of C would lose it. Rows that are already orthogonal are not changed. Three devices
-/// make the method fast.
+/// The method consists of one-sided Jacobi rotations (Hestenes 1958; Demmel, Veselić 1992). They rotate U until the
+/// rows A_i of A = UᵀF are orthogonal. Then A = diag(a)Vᵀ and a_i = |A_i|. All axes have the relative error cond(F)·ε
+/// with the round-off ε. The eigenvalues of C would give small axes with the error cond(F)²·ε. If the rows of F are
+/// already orthogonal, U = Id. Three devices make the method fast.
 ///
-/// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, tr B = 0, |B|² = 6p² and
+/// First, the iteration starts from the eigenvectors of C in closed form. With B = C − m Id, m = ⅓ tr C, |B|² = 6p² and
 ///
 ///   q = |det B|/(2p³),   λ = ±2p cos(⅓ arccos q),
 ///
-/// λ is the eigenvalue of B farthest from the others. Its eigenvector is a column of adj(B − λ Id). A plane rotation
-/// diagonalizes B on the orthogonal complement of this vector. Second, one Cayley rotation removes all the remaining
-/// small angles
+/// λ is the eigenvalue of B farthest from the other two. Its eigenvector is a column of adj(B − λ Id). A plane rotation
+/// diagonalizes B on the orthogonal complement of this vector. Second, one Cayley rotation removes all remaining small
+/// angles
 ///
 ///   θ_ij = A_i·A_j/(|A_j|² − |A_i|²),
 ///
 /// and leaves angles of order θ². Usually one such rotation is enough. Third, single plane rotations are made only if
-/// an angle is not small, which occurs for nearly equal axes.
+/// an angle is not small. This occurs for nearly equal axes.
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -36,8 +36,8 @@ struct PrincipalAxes {
 
 namespace detail::axes {
 
-/// The product MN by entries. Eigen's packets of two doubles would wait for single doubles just stored, which takes a
-/// quarter of the time.
+/// Returns the product MN, computed entry by entry. Eigen would load pairs of doubles right after they were stored
+/// singly. The processor waits for such loads, which takes a quarter of the time.
 inline Eigen::Matrix3d product(const Eigen::Matrix3d& M, const Eigen::Matrix3d& N) {
   Eigen::Matrix3d P;
   for (int j = 0; j < 3; ++j)
@@ -65,7 +65,8 @@ inline Symmetric gram(const Eigen::Matrix3d& W) {
   return {{dot(0, 0), dot(1, 1), dot(2, 2)}, {dot(1, 2), dot(2, 0), dot(0, 1)}};
 }
 
-/// True if all cosines of the angles between the columns are at most `bound`, with G their Gram matrix.
+/// True if all cosines of the angles between the columns are at most `bound`, or NaN; G is the Gram matrix of the
+/// columns.
 inline bool orthogonal(const Symmetric& G, double bound) {
   const Eigen::Vector3d &square = G.diagonal, &product = G.opposite;
   const auto below = [&](int i, int j, int k) {
@@ -85,8 +86,8 @@ struct PlaneRotation {
   }
 };
 
-/// The rotation by the smaller angle that diagonalizes (α γ; γ β). With δ = β − α and h = √(δ² + 4γ²), tan = ±2γ/(h +
-/// |δ|) and cos² = (h + |δ|)/(2h).
+/// Returns the rotation by the smaller angle that diagonalizes the matrix (α γ; γ β). With δ = β − α and h = √(δ² +
+/// 4γ²), its tangent is ±2γ/(h + |δ|) with the sign of δ, and cos² = (h + |δ|)/(2h).
 inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
   constexpr double tiny = 1e-150;  // avoids 0/0 for δ = γ = 0
   const double delta = beta - alpha, size = std::abs(delta) + tiny, h = std::sqrt(size * size + 4 * gamma * gamma);
@@ -94,15 +95,16 @@ inline PlaneRotation diagonalizing(double alpha, double beta, double gamma) {
   return {cosine, cosine * (std::copysign(2.0, delta) * gamma / (h + size))};
 }
 
-/// cos(⅓ arccos q) for 0 ≤ q ≤ 1, to 1e-8. Halley's step for 4c³ − 3c = q starts from a parabola that is exact at 0 and
-/// 1.
+/// Returns cos(⅓ arccos q) for 0 ≤ q ≤ 1 with an error of 1e-8. Halley's step for 4c³ − 3c = q starts from a parabola
+/// that is exact at q = 0 and at q = 1.
 inline double cosine_of_third(double q) {
   const double c = 0.8660254037844386 + q * (0.1666666666666667 - 0.0326920704511053 * q);
   const double f = (4 * c * c - 3) * c - q, slope = 12 * c * c - 3, curvature = 24 * c;
   return c - 2 * f * slope / (2 * slope * slope - f * curvature);
 }
 
-/// Eigenvectors of C in closed form, to about 1e-8. They are orthonormal to round-off.
+/// Returns the eigenvectors of C in closed form. Their directions have an error of about 1e-8, and they are orthonormal
+/// to round-off.
 inline Eigen::Matrix3d eigenvectors(const Symmetric& C) {
   const double mean = (C.diagonal[0] + C.diagonal[1] + C.diagonal[2]) / 3;
   const Symmetric B{{C.diagonal[0] - mean, C.diagonal[1] - mean, C.diagonal[2] - mean}, C.opposite};
@@ -159,8 +161,8 @@ inline void sweep(Eigen::Matrix3d& W, Eigen::Matrix3d& U, double tolerance) {
 
 }  // namespace detail::axes
 
-/// Principal axes of F. The entries of F must be within 10^±20, because their eighth powers occur. If F is not finite,
-/// the axes are not finite.
+/// Returns the principal axes of F. The nonzero entries must be between 10⁻²⁰ and 10²⁰ in size, because the method uses
+/// their eighth powers. If F is not finite, the axes are not finite.
 inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   constexpr double round_off = 2 * std::numeric_limits<double>::epsilon(), its_root = 1e-8, small = 0.1;
   constexpr int max_turns = 20;
@@ -192,7 +194,7 @@ inline PrincipalAxes principal_axes(const Eigen::Matrix3d& F) {
   return {U, W.transpose(), {length(0), length(1), length(2)}};
 }
 
-/// Singular values σ₁ ≥ σ₂ ≥ σ₃ of F, each to cond(F)·ε.
+/// Returns the singular values σ₁ ≥ σ₂ ≥ σ₃ of F, each with the relative error cond(F)·ε.
 inline Eigen::Vector3d singular_values(const Eigen::Matrix3d& F) {
   Eigen::Vector3d sigma = principal_axes(F).a;
   std::sort(sigma.begin(), sigma.end(), std::greater<>());

@@ -1,9 +1,10 @@
 #pragma once
-/// A second-order field with reversed time. For r(s) = q(−s) and r' = −q̇ it is
+/// A second-order field with reversed time. If q(t) is a motion of the field q̈ = a(t, q, q̇), then r(s) = q(−s) with
+/// r' = −q̇ satisfies
 ///
 ///   r'' = a(−s, r, −r').
-///
-/// A force that dissipates energy forwards in time adds energy backwards.
+/// A force that dissipates energy forwards in time adds energy backwards in time.
+/// Energy that a force dissipates forwards in time is added backwards in time.
 
 #include <utility>
 

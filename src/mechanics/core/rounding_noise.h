@@ -1,6 +1,7 @@
 #pragma once
-/// Measured round-off (noise) of functions of the state: the change of a value if the entries of the arguments change
-/// by a few units in their last place. Even a stable computation has this error, and no iteration can reduce it.
+/// Measured round-off (noise) of functions of the state. The noise is the change of the function if the entries of its
+/// arguments change by a few units in their last place. Even a stable computation has this error, and no iteration can
+/// reduce it.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// x_i ← x_i + a unit size_i with pseudo-random a in (−2, 2). `pattern` 1, 2, … selects the random numbers.
+/// x_i ← x_i + a_i · unit · size_i with pseudo-random a_i in (−2, 2). `pattern` 1, 2, … selects the random numbers.
 template <class Vector>
 void perturb(double unit, Vector size, int pattern, Vector& x) {
   scale(4 * unit, size);
@@ -23,8 +24,8 @@ void perturb(double unit, Vector size, int pattern, Vector& x) {
     entries[i] += units[i] * (static_cast<double>(random()) / range - 0.5);
 }
 
-/// The largest |r(pattern) − r(0)| of some patterns. `evaluate(pattern, r)` sets r; pattern 0 means unchanged
-/// arguments.
+/// Returns the largest |r(pattern) − r(0)| over eight patterns. `evaluate(pattern, r)` sets r and returns false if it
+/// fails; pattern 0 means unchanged arguments. Failed patterns are omitted. Returns 0 if pattern 0 fails.
 template <ConstrainedSystem S, class Evaluate>
 double largest_change(const S& system, Evaluate&& evaluate) {
   constexpr int n_patterns = 8;
@@ -42,7 +43,7 @@ double largest_change(const S& system, Evaluate&& evaluate) {
 inline constexpr double last_place = std::numeric_limits<double>::epsilon();
 inline constexpr auto last_place_kept = static_cast<double>(std::numeric_limits<long double>::epsilon());
 
-/// Round-off of G(q) v.
+/// Measured round-off of G(q) v.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_rate(const S& system, const typename S::Vector& q,
                                                   const typename S::Vector& v) {
@@ -57,7 +58,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Round-off of g(q).
+/// Measured round-off of g(q).
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q) {
   return largest_change(system, [&](int pattern, auto& r) {
@@ -67,7 +68,7 @@ template <ConstrainedSystem S>
   });
 }
 
-/// Round-off of g(q + q_rounding), which is computed in the precision of long double.
+/// Measured round-off of g(q + q_rounding), which the system computes with the precision of long double.
 template <ConstrainedSystem S>
 [[gnu::cold, gnu::noinline]] double noise_of_constraint(const S& system, const typename S::Vector& q,
                                                         const typename S::Vector& q_rounding) {

@@ -1,19 +1,19 @@
 #pragma once
-/// Reactions without a multiplier, by the second fundamental form B (Oliva, Geometric Mechanics, 5.4). On the image N
-/// of an embedding φ into ℝⁿ with the metric M,
+/// Reactions without a multiplier, by the second fundamental form B (Oliva, Geometric Mechanics, 5.4). N is the image
+/// of an embedding φ into ℝⁿ with the metric M. Then
 ///
 ///   B(v, v) = (D²φ(q̇, q̇))^⊥,   v = Dφ q̇                                                            (5.28)
 ///   R = μ[B(v, v) − (μ⁻¹F)^⊥]                                                                       (5.29)
 ///
-/// The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. R equals the reaction Gᵀλ of the same motion in
-/// multiplier form.
+/// with the mass operator μ. The component w^⊥ = w − Dφ (DφᵀM Dφ)⁻¹ DφᵀM w is orthogonal to TN. R equals the reaction
+/// Gᵀλ that the multiplier gives for the same motion.
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 namespace pseudorigid::mechanics {
 
-/// The reaction R. `tangents` has the columns of Dφ, `second` is D²φ(q̇, q̇), and `mass` is the diagonal of M.
+/// Returns the reaction R. `tangents` has the columns of Dφ, `second` is D²φ(q̇, q̇), and `mass` is the diagonal of M.
 template <int n, int d>
 Eigen::Matrix<double, n, 1> reaction_by_second_fundamental_form(const Eigen::Matrix<double, n, d>& tangents,
                                                                 const Eigen::Matrix<double, n, 1>& second,

@@ -3,8 +3,9 @@
 ///
 ///   q̈ = a(t, q, q̇)
 ///
-/// on the vector space of the configuration. A chart with a metric has the field −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22). A
-/// moving frame has the force and the inertial terms. A system with constraints has, by its explicit multiplier (5.29),
+/// on the vector space of the configuration. The field of a chart with a metric is −Γ(q̇, q̇) + g⁻¹F (5.19, 5.22). In a
+/// moving frame, the field also contains the inertial terms. The field of a system with constraints is, by the explicit
+/// multiplier (5.29),
 ///
 ///   q̈ = M⁻¹[f + Gᵀλ],   G M⁻¹Gᵀ λ = −D²g(q̇, q̇) − G M⁻¹ f,
 ///
@@ -17,7 +18,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// A second-order field. q, v, a are F::Vector. Functions return failures as values, as in a ConstrainedSystem.
+/// A second-order field. q, v, a are F::Vector. Functions return a failure as a Status, as in a ConstrainedSystem.
 template <class F>
 concept SecondOrderField = requires(const F field, double t, const typename F::Vector q, const typename F::Vector v,
                                     typename F::Workspace w, typename F::Vector a) {
@@ -26,15 +27,16 @@ concept SecondOrderField = requires(const F field, double t, const typename F::V
   { field.make_workspace() } -> std::same_as<typename F::Workspace>;
 };
 
-/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold.
+/// A field with an invariant manifold. `project` moves the position and velocity of a nearby state to the manifold, and
+/// fails if the iteration does not converge.
 template <class F>
 concept ProjectedField = SecondOrderField<F> &&
     requires(const F field, typename F::Vector q, typename F::Vector v, typename F::Workspace w) {
   { field.project(q, v, w) } -> std::same_as<Status>;
 };
 
-/// Properties on which a method may rely. A system declares them by members of the same names. A property without a
-/// member is false.
+/// Properties on which a method may rely. A system declares them by members of the same names. A property without such
+/// a member is false.
 template <class S>
 bool velocity_dependent(const S& system) {  // true if the force depends on v
   if constexpr (requires { system.velocity_dependent(); }) return system.velocity_dependent();

@@ -1,7 +1,7 @@
 #pragma once
-/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface:
-/// number of the face, plane, X and x. Plane 0 is the surface; 1, 2, 3 is the coordinate plane with this normal. The
-/// points of a face are consecutive rows.
+/// Columns of shapes.csv, the same for every model with material surfaces. A row is a point of a material surface. It
+/// has the number of the face, the plane, the reference position X and the position x. Plane 0 is the surface; 1, 2, 3
+/// is the coordinate plane with this normal. The points of a face are consecutive rows.
 
 #include <array>
 #include <cstddef>

@@ -1,7 +1,8 @@
 #pragma once
-/// Solves for the stages of a Gauss step of any second-order field. A field that can evaluate all stages at once in
-/// SIMD lanes has a member `solve_stages_in_lanes(stages)`. If it returns false, the stages are evaluated one by one,
-/// as for other fields. A field behind an interface (any_field.h) has `solve_stages(stages, workspace)`, which chooses.
+/// Solves for the stages of a Gauss step of any second-order field. A field that evaluates all stages at once in SIMD
+/// lanes has a member `solve_stages_in_lanes(stages)`. If this member returns false, the stages are evaluated one by
+/// one, as for other fields. A field behind an interface (any_field.h) has a member `solve_stages(stages, workspace)`,
+/// which chooses between the two ways.
 
 #include <concepts>
 #include <cstddef>
@@ -34,7 +35,7 @@ class StageByStage final : public GaussField {
     }
     return true;
   }
-  /// The reason why the last evaluation failed.
+  /// Status of the last evaluation; a failure has its reason.
   Status reason() const { return reason_; }
 
  private:
@@ -46,7 +47,7 @@ class StageByStage final : public GaussField {
 
 }  // namespace detail
 
-/// True if the stages of a field are evaluated in lanes, which takes about a quarter of the time.
+/// True if the field evaluates its stages in lanes, which takes about a quarter of the time.
 template <class F>
 bool has_stages_in_lanes(const F& field) {
   if constexpr (requires { field.has_stages_in_lanes(); })
@@ -55,8 +56,8 @@ bool has_stages_in_lanes(const F& field) {
     return requires(GaussStages & stages) { field.solve_stages_in_lanes(stages); };
 }
 
-/// Cost of an iteration on the eight stages, in forces of the system, the unit of the step search. A field with a
-/// member `cost_of_iteration()` has a measured value.
+/// Cost of an iteration on the eight stages. The unit is the cost of one force of the system, as in the step search. A
+/// member `cost_of_iteration()` of the field returns a measured cost.
 template <class F>
 double cost_of_iteration(const F& field) {
   if constexpr (requires { field.cost_of_iteration(); })
@@ -65,7 +66,7 @@ double cost_of_iteration(const F& field) {
     return gauss::n_stages;
 }
 
-/// Solves for the stages of any field, evaluated one by one.
+/// Solves for the stages of any field, evaluated one by one. Returns the failure if the last evaluation failed.
 template <SecondOrderField F>
 Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspace& w) {
   const detail::StageByStage<F> by_stage(field, w);
@@ -73,8 +74,8 @@ Status solve_one_by_one(const F& field, GaussStages& stages, typename F::Workspa
   return by_stage.reason();
 }
 
-/// Solves for the stages, and returns the failure of the field if it fails. `stages.converged` is true if the stages
-/// have been found.
+/// Solves for the stages in the fastest way that the field supports. Returns the failure if the field cannot be
+/// evaluated. `stages.converged` is true afterwards if the stages have been found.
 template <SecondOrderField F>
 Status solve_stages(const F& field, GaussStages& stages, typename F::Workspace& w) {
   if constexpr (requires { field.solve_stages(stages, w); }) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Failures as values. A force, a constraint or a step returns them instead of an exception or a NaN.
+/// Failures as values. A force, a constraint or a step returns a Status instead of an exception or a NaN.
 
 #include <cstdio>
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// The text of x with six digits, for sentences. Fixed notation would write hundreds of digits for a large number, and
-/// 0.000000 for a small number.
+/// Returns x as text with six digits, for sentences. Fixed notation would write hundreds of digits for a large number,
+/// and 0.000000 for a small number.
 [[gnu::cold, gnu::noinline]] inline std::string six_digits(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", x);
@@ -34,7 +34,7 @@ class [[nodiscard]] Status {
   std::shared_ptr<const std::string> reason_;
 };
 
-/// Outcome of a Gram solve with its number of iterations. The number is 0 if the solve is a division.
+/// Status of a Gram solve and its number of iterations. The number is 0 if the solver is direct.
 struct [[nodiscard]] SolveReport {
   Status status;
   int iterations = 0;

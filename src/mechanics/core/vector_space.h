@@ -1,10 +1,11 @@
 #pragma once
-/// Operations of methods on vectors of any kind. Every vector has a copy, y ← y + a x, x ← a x and |x|_∞. Frequency
-/// estimates also use xᵀy. Iterative solvers also use sums of several vectors, and several products with one sum over
-/// the processes. A distributed vector specialises VectorSpace; its max_norm, dot and dots are collective.
+/// Operations of methods on vectors of any type. Every vector can be copied and has y ← y + a x, x ← a x and |x|_∞.
+/// Estimates of frequencies also use xᵀy. Iterative solvers also use sums of several vectors, and several scalar
+/// products with one sum over the processes. For a distributed vector VectorSpace is specialised; its max_norm, dot and
+/// dots are collective.
 ///
-/// Long sums of small increments store their round-off c (compensated summation, Kahan 1965; Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, VIII.5). With t = a x + c,
+/// A long sum of small increments also stores its round-off c (compensated summation, Kahan 1965; Hairer, Lubich,
+/// Wanner, Geometric Numerical Integration, VIII.5). With t = a x + c,
 ///
 ///   y ← fl(y + t),   c ← (y_old + t) − y   (exact, by Knuth's two-sum).
 
@@ -54,7 +55,7 @@ struct VectorSpace<double> {  // the multiplier of one constraint
   static std::span<double> local_values(double& x) { return {&x, 1}; }
 };
 
-/// Multiplier of a system without constraints.
+/// The multiplier of a system without constraints, an empty object.
 struct NoMultiplier {};
 
 template <>
@@ -81,7 +82,7 @@ template <class V>
 double dot(const V& x, const V& y) {
   return VectorSpace<V>::dot(x, y);
 }
-/// y ← y + a x. If the space compensates, c stores the round-off; initially c is zero.
+/// y ← y + a x. If the sums of this type are compensated, c stores the round-off; initially c is zero.
 template <class V>
 void add(double a, const V& x, V& y, V& c) {
   if constexpr (VectorSpace<V>::compensated)
@@ -89,7 +90,7 @@ void add(double a, const V& x, V& y, V& c) {
   else
     axpy(a, x, y);
 }
-/// The entries that this process owns.
+/// The entries of x that this process owns.
 template <class V>
 std::span<double> local_values(V& x) {
   return VectorSpace<V>::local_values(x);

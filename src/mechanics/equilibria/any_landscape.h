@@ -1,6 +1,6 @@
 #pragma once
 /// One type for the landscapes of all systems, so that the search for critical points is compiled only once. The object
-/// refers to the data of the landscape, which must outlive it.
+/// contains a landscape. If the landscape refers to a system, the system must exist as long as the object.
 
 #include <concepts>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
-/// The potential landscape of a system in a chart. It has no constraint, the mass M = g(q), the Hessian of U by
-/// automatic differentiation, and the damping C = −∂F/∂v at v = 0.
+/// The potential landscape of a system in a chart. It has no constraint. The mass is M = g(q), automatic
+/// differentiation gives the Hessian of U, and the damping is C = −∂F/∂v at v = 0.
 
 #include <utility>
 

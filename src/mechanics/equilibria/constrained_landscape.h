@@ -1,6 +1,7 @@
 #pragma once
-/// The potential landscape of a system in constrained form. The force at rest is −∇V, and its differences give the
-/// Hessian of V. The Hessian of V − λᵀg is less by Σ λ_k D²g_k, whose product with v is the rate of Gᵀλ along v.
+/// The potential landscape of a system in constrained form. The force at rest is −∇V, and differences of the force give
+/// the Hessian ∇²V. The Hessian of V − λᵀg is ∇²V − Σ λ_k D²g_k. The product of Σ λ_k D²g_k with v is the rate of Gᵀλ
+/// along v, which the system computes.
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ class ConstrainedLandscape {
   using Vector = Eigen::VectorXd;
   using Matrix = Eigen::MatrixXd;
 
-  /// The system must outlive its landscape.
+  /// The system must exist as long as its landscape.
   explicit ConstrainedLandscape(const S& system) : system_(system), workspace_(system.make_workspace()) {}
 
   int n_coordinates() const { return static_cast<int>(system_.make_vector().size()); }

@@ -11,17 +11,17 @@
 namespace pseudorigid::mechanics {
 namespace {
 
-/// Eigenvalues below this fraction of the largest count as zero, since Hessians by differences have errors of about
-/// 1e-12.
+/// Eigenvalues of H below this fraction of the largest count as zero, since Hessians by differences have errors of
+/// about 1e-12.
 constexpr double zero_curvature = 1e-8;
-/// Eigenvalues below this absolute bound also count as zero, since they can be round-off of terms of order 1 that
+/// Eigenvalues of H below this absolute bound also count as zero, since they can be round-off of terms of order 1 that
 /// cancel. The relative bound is not enough: without any force, the largest eigenvalue can be 1e-170.
 constexpr double round_off_curvature = 1e-14;
-/// Rates with smaller real parts, relative to the largest rate, count as zero. With little damping, an error of a zero
-/// eigenvalue of H gives rates of the size of its square root.
+/// Rates count as neither stable nor unstable if their real part is below this fraction of the largest rate. With
+/// little damping, an error of a zero eigenvalue of H causes rates whose size is the square root of this error.
 constexpr double zero_rate = 1e-6;
 
-/// A basis T of ker G with TᵀMT = Id.
+/// Returns a basis T of ker G with TᵀMT = Id.
 Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G) {
   const Eigen::LLT<Eigen::MatrixXd> factor(M);  // M = LLᵀ, T = L⁻ᵀZ with Z ⟂ L⁻¹Gᵀ
   Eigen::MatrixXd Z = Eigen::MatrixXd::Identity(M.rows(), M.cols());
@@ -33,7 +33,7 @@ Eigen::MatrixXd tangent_basis(const Eigen::MatrixXd& M, const Eigen::MatrixXd& G
   return factor.matrixU().solve(Z);
 }
 
-/// Rates without damping: z² = −κ for each eigenvalue κ of H. z is 0 if κ counts as zero.
+/// Sets rates and directions without damping: z² = −κ for each eigenvalue κ of H. z is 0 if κ counts as zero.
 void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.values.size();
   p.rates.resize(2 * n);
@@ -47,7 +47,7 @@ void linearise_undamped(const SymmetricSpectrum& H, double zero, const Eigen::Ma
   p.n_unstable = p.n_stable = p.morse_index;
 }
 
-/// Rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
+/// Sets rates and directions of ÿ + Dẏ + Hy = 0 with δq = T y.
 void linearise(const Eigen::MatrixXd& H, const Eigen::MatrixXd& D, const Eigen::MatrixXd& T, CriticalPoint& p) {
   const Eigen::Index n = H.rows();
   Eigen::MatrixXd A(2 * n, 2 * n);  // the matrix of (y, ẏ)

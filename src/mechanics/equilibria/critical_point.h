@@ -1,13 +1,14 @@
 #pragma once
-/// A critical point of V on N = {g = 0}, with ∇V = Gᵀλ, and the motions near it (Oliva, Geometric Mechanics, 5.8). With
-/// the mass M, the damping C, and a basis T of the tangent space ker G that is orthonormal in the metric, TᵀMT = Id,
+/// A critical point of the potential energy V on N = {g = 0}, with ∇V = Gᵀλ, G = Dg, and the motions near it (Oliva,
+/// Geometric Mechanics, 5.8). With the mass M, the damping C, and a basis T of the tangent space ker G that is
+/// orthonormal in the metric, TᵀMT = Id,
 ///
 ///   H = Tᵀ(∇²V − Σ λ_k D²g_k)T,   D = TᵀCT,
-///   ÿ + Dẏ + Hy = 0:   z²y + zDy + Hy = 0.
+///   small motions T y:   ÿ + Dẏ + Hy = 0,   and for y ~ e^{zt}:   z²y + zDy + Hy = 0.
 ///
-/// Morse index and nullity of the point are the numbers of negative and of zero eigenvalues of H. If the damping is
-/// strongly dissipative and H is regular, the point is hyperbolic. Its unstable manifold then has the dimension of the
-/// Morse index (5.8.3).
+/// The Morse index and the nullity of the point are the numbers of negative and of zero eigenvalues of H. If the system
+/// is strongly dissipative and H is regular, the point is hyperbolic. The dimension of its unstable manifold is then
+/// the Morse index (5.8.3).
 
 #include <Eigen/Core>
 
@@ -20,7 +21,7 @@ struct CriticalPoint {
   double V = 0;
   int morse_index = 0, nullity = 0;
   Eigen::VectorXd hessian_eigenvalues;  // eigenvalues of H, increasing: squares of the frequencies without damping
-  Eigen::VectorXcd rates;               // rates z
+  Eigen::VectorXcd rates;               // rates z of the small motions
   Eigen::MatrixXcd directions;          // δq = T y for each rate, of length 1 in the metric
   int n_unstable = 0, n_stable = 0;     // numbers of rates with positive and with negative real part
 
@@ -29,7 +30,8 @@ struct CriticalPoint {
   bool obeys_5_8_3() const { return hyperbolic() && n_unstable == morse_index; }
 };
 
-/// Describes the critical point (q, λ). `added_damping` is a covector force −C v in addition to the system's own.
+/// Sets p to the description of the critical point (q, λ). `added_damping` is the matrix C of a force −C v in addition
+/// to the system's own damping. Fails if M or the second derivatives are singular or not finite at the point.
 Status describe_critical_point(const AnyLandscape& landscape, const Eigen::VectorXd& q, const Eigen::VectorXd& lambda,
                                const Eigen::MatrixXd& added_damping, CriticalPoint& p);
 

@@ -53,8 +53,8 @@ class CriticalPointFinder {
 
   static constexpr int max_iterations = 200, max_halvings = 20;
   static constexpr double converged = 1e-12;  // |r|, relative to the gradient and the Hessian at the start
-  static constexpr double same_place = 1e-6;  // solutions agree more closely, except at degenerate points
-  static constexpr double singular = 1e-10;   // pivots of Newton's matrix, relative to the largest
+  static constexpr double same_place = 1e-6;  // relative distance of equal points; most solutions agree more closely
+  static constexpr double singular = 1e-10;   // bound of zero pivots in Newton's matrix, relative to the largest
 
   /// Moves q to a critical point and sets λ to its multiplier. Returns false if the iteration does not converge from q.
   bool newton(Vector& q, Vector& lambda) const {
@@ -106,7 +106,8 @@ class CriticalPointFinder {
     return r.allFinite();
   }
 
-  /// Sets λ such that |∇V − Gᵀλ| is least, and `scale` to the size of the terms of r.
+  /// Sets λ such that |∇V − Gᵀλ| is smallest, and sets `scale` to the size of the terms of r. Returns false if a
+  /// derivative fails.
   bool initial_multiplier(const Vector& q, Vector& lambda, double& scale) const {
     Vector dV;
     Matrix G;
@@ -128,7 +129,7 @@ class CriticalPointFinder {
     return q;
   }
 
-  /// Maps periodic coordinates to (−P/2, P/2]; a value just above −P/2 becomes P/2.
+  /// Maps periodic coordinates to (−P/2, P/2] up to `same_place`: a value just above −P/2 is increased by P.
   Vector canonical(Vector q) const {
     for (Eigen::Index i = 0; i < q.size(); ++i)
       if (const double P = periods_[i]; P > 0) {
@@ -160,14 +161,14 @@ class CriticalPointFinder {
   std::mt19937_64 generator_;
 };
 
-/// The matrix of the linear damping −M v, which exists for every system.
+/// The matrix M of the damping force −M v, which exists for every system.
 Eigen::MatrixXd unit_damping(const AnyLandscape& landscape, const Eigen::VectorXd& q) {
   Eigen::MatrixXd M;
   landscape.mass(q, M);
   return M;
 }
 
-/// Replaces the rates and directions by those without added damping.
+/// Replaces the rates and directions of the point by their values without added damping.
 Status find_own_rates(const AnyLandscape& landscape, CriticalPoint& p) {
   CriticalPoint undamped;
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(p.q.size(), p.q.size());

@@ -1,6 +1,6 @@
 #pragma once
-/// Interface between the search for critical points and a system of any size, in a chart or with constraints. It has
-/// the potential energy V on N = {g = 0} with its derivatives, the mass and the linear damping at rest:
+/// Interface between the search for critical points and a system of any size, in a chart or with constraints. A
+/// landscape has the potential energy V on N = {g = 0} with its derivatives, the mass and the linear damping at rest:
 ///
 ///   ∇V,   g,   G = Dg,   H_L = ∇²V − Σ λ_k D²g_k,   M,   C = −∂f/∂v at v = 0.
 
@@ -16,13 +16,13 @@ concept Landscape = requires(const L l, const Eigen::VectorXd q, Eigen::VectorXd
   { l.n_coordinates() } -> std::convertible_to<int>;
   { l.n_constraints() } -> std::convertible_to<int>;
   { l.periods() } -> std::convertible_to<Eigen::VectorXd>;  // period of each coordinate; 0: not periodic
-  { l.potential(q) } -> std::convertible_to<double>;        // V
-  { l.gradient(q, x) } -> std::same_as<Status>;             // ∇V
-  { l.constraint(q, x) } -> std::same_as<Status>;           // g
-  l.constraint_gradient(q, A);                              // G
-  { l.hessian(q, x, A) } -> std::same_as<Status>;           // (q, λ) → H_L
-  l.mass(q, A);                                             // M
-  { l.damping(q, A) } -> std::same_as<Status>;              // C
+  { l.potential(q) } -> std::convertible_to<double>;        // potential energy V
+  { l.gradient(q, x) } -> std::same_as<Status>;             // gradient ∇V
+  { l.constraint(q, x) } -> std::same_as<Status>;           // constraints g
+  l.constraint_gradient(q, A);                              // derivative G of the constraints
+  { l.hessian(q, x, A) } -> std::same_as<Status>;           // (q, λ) → H_L, the Hessian of V − λᵀg
+  l.mass(q, A);                                             // mass matrix M
+  { l.damping(q, A) } -> std::same_as<Status>;              // damping matrix C
 };
 
 }  // namespace pseudorigid::mechanics

@@ -1,22 +1,22 @@
 #pragma once
-/// Linear stability of a relative equilibrium, in the frame in which it is at rest. Small motions y, in coordinates in
-/// which the mass is the identity and the constraints hold, satisfy
+/// Linear stability of a relative equilibrium, in the frame in which the equilibrium is at rest. Small motions y, in
+/// coordinates in which the mass is the identity and the constraints hold, satisfy
 ///
 ///   ÿ + 2Gẏ + Ky = 0,   G = −Gᵀ,   K = Kᵀ,
 ///
-/// This is a linear Hamiltonian system Wẋ = −Sx in x = (y, ẏ), with the conserved energy ½xᵀSx, S = diag(K, Id), and
-/// the symplectic form W = [2G, Id; −Id, 0].
+/// with the gyroscopic matrix G and the stiffness K. This is a linear Hamiltonian system Wẋ = −Sx in x = (y, ẏ). It has
+/// the conserved energy ½xᵀSx, S = diag(K, Id), and the symplectic form W = [2G, Id; −Id, 0].
 ///
-/// A symmetry maps the equilibrium to others. Its direction (y, ẏ) belongs to an invariant space N with known rates
-/// that do not depend on the equilibrium. The remaining space has fixed momenta, modulo the group that preserves them
-/// (Marsden–Weinstein):
+/// A symmetry maps the equilibrium to other equilibria. The directions (y, ẏ) of all symmetries span an invariant space
+/// N, whose rates are known and do not depend on the equilibrium. The remaining space contains the motions with fixed
+/// momenta, modulo the group that preserves these momenta (Marsden–Weinstein):
 ///
 ///   N^W / (N ∩ N^W),   N^W = {x: nᵀWx = 0 for n in N},
 ///
-/// On this space S and W are again well defined. The space has no double zero rate of a symmetry, which round-off would
-/// split.
+/// On this space S and W are again well defined. A symmetry causes a double rate zero, which round-off would split into
+/// two small rates. The space does not contain these rates.
 ///
-/// Time is scaled by the largest frequency of K and G, so that all thresholds are relative.
+/// Time is scaled by √max(|K|, |G|²), a bound of the frequencies, so all thresholds are relative.
 
 #include <Eigen/Core>
 #include <complex>
@@ -26,18 +26,18 @@
 
 namespace pseudorigid::mechanics {
 
-/// Directions (y, ẏ) that span N, in columns. They need not be independent.
+/// Directions (y, ẏ) that span N, in the columns of `y` and `rate`. They may be linearly dependent.
 struct SymmetryDirections {
   Eigen::MatrixXd y, rate;
 };
 
-/// The linear system on the reduced space in the scaled time t': dx/dt' = −W⁻¹S x, d/dt = scale · d/dt'.
+/// The linear system dx/dt' = −W⁻¹S x on the reduced space. Its time t' is scaled: d/dt = scale · d/dt'.
 struct ReducedLinearSystem {
   Eigen::MatrixXd S, W;
   double scale = 1;
 };
 
-/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. Off the imaginary axis the sign
+/// A rate s of the motion, y ~ exp(st), and the sign of its energy ½x̄ᵀSx: −1, 0 or +1. If s is not imaginary, the sign
 /// is 0.
 struct Rate {
   std::complex<double> s;
@@ -55,15 +55,16 @@ struct LinearStability {
 /// Real parts below this fraction of the largest rate count as zero. Round-off ε splits colliding rates by √ε, times a
 /// condition number.
 inline constexpr double zero_growth = 1e-6;
-/// Eigenvalues of the second variation are of order 1. Those below this bound count as zero.
+/// Eigenvalues of the second variation are of order 1. Eigenvalues with a smaller absolute value than this bound count
+/// as zero.
 inline constexpr double zero_variation = 1e-12;
 
-/// S and W on N^W / (N ∩ N^W), represented on the orthogonal complement of N ∩ N^W in N^W. Directions of N and momenta
-/// smaller than `absent` times the largest count as zero.
+/// Returns S and W on N^W / (N ∩ N^W), represented on the orthogonal complement of N ∩ N^W in N^W. Directions of N, and
+/// momenta, count as zero below `absent` times the largest.
 ReducedLinearSystem reduce(Eigen::MatrixXd K, Eigen::MatrixXd G, const SymmetryDirections& symmetries, double absent);
 
-/// Computes rates, second variation and stability. Fails if the system, which contains second derivatives, is not
-/// finite.
+/// Sets the rates, the second variation and the stability in `result`. Fails if the system is not finite or if the
+/// eigenvalues do not converge.
 Status analyse_stability(const ReducedLinearSystem& system, LinearStability& result);
 
 }  // namespace pseudorigid::mechanics

@@ -1,11 +1,12 @@
 #pragma once
-/// Initial states of motions on the unstable and the stable manifold of a critical point q*, with q = q* + x, q̇ = y
-/// and small (x, y). The pair (x, y) is in an eigenspace of the linearised field. For a rate z with the direction δ,
-/// this space is spanned by (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the state is on the manifold
+/// Initial states of motions on the unstable and the stable manifold of a critical point q*. They are q = q* + x, q̇ =
+/// y with small (x, y) in an eigenspace of the linearised field. The eigenspace for a rate z with the direction δ is
+/// spanned by the pairs (Re δ, Re zδ) and (Im δ, Im zδ). Up to terms of second order the states are on the manifold
 /// (Oliva, Geometric Mechanics, 5.8.3).
 ///
-/// If a point has several unstable directions, all motions would leave along the fastest one. Therefore the initial
-/// size in each direction is ε^{Re z/Re z_min}: all directions then reach order 1 at the same time.
+/// If a point has several unstable directions, all motions with equal initial sizes would leave along the fastest one.
+/// With the size ε in the slowest direction z_min, the initial size in each direction is therefore ε^{Re z/Re z_min}.
+/// All directions then reach order 1 at the same time.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -21,10 +22,10 @@ namespace pseudorigid::mechanics {
 
 struct PhaseVector {
   Eigen::VectorXd q, v;
-  double rate = 0;  ///< |Re z|
+  double rate = 0;  ///< growth or decay rate |Re z|
 };
 
-/// A basis of the tangent space of the unstable or the stable manifold, with the fastest rates first.
+/// Returns a basis of the tangent space of the unstable or the stable manifold, the fastest rates first.
 inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unstable) {
   constexpr double zero_rate = 1e-6;  // the bound in critical_point.cpp
   const double zero = zero_rate * (p.rates.size() > 0 ? p.rates.cwiseAbs().maxCoeff() : 0);
@@ -48,7 +49,7 @@ inline std::vector<PhaseVector> manifold_basis(const CriticalPoint& p, bool unst
   return basis;
 }
 
-/// States at ε and −ε along each vector of the basis.
+/// Returns the states at ε and −ε times each vector of the basis.
 inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis, double epsilon) {
   std::vector<PhaseVector> starts;
   for (const PhaseVector& e : basis)
@@ -56,7 +57,7 @@ inline std::vector<PhaseVector> both_ways(const std::vector<PhaseVector>& basis,
   return starts;
 }
 
-/// n states around the point: at equal angles if the basis has two vectors, otherwise in random directions.
+/// Returns n states around the point: at equal angles if the basis has two vectors, otherwise in random directions.
 inline std::vector<PhaseVector> all_around(const std::vector<PhaseVector>& basis, int n, double epsilon) {
   constexpr double least = 1e-12;  // least size for a fast direction, above the round-off of q*
   std::vector<double> sizes;

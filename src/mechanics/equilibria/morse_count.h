@@ -5,14 +5,16 @@
 ///
 ///   Σ c_k t^k − Σ b_k t^k = (1 + t) Σ r_k t^k,   r_k ≥ 0      (Milnor, Morse Theory, 5)
 ///
-/// so that r_k = Σ_{j ≤ k} (−1)^{k−j}(c_j − b_j) ≥ 0 and r_n = 0. A list of points that violates this is not complete.
+/// Therefore r_k = Σ_{j ≤ k} (−1)^{k−j}(c_j − b_j) ≥ 0 and r_n = 0. A list of points that violates this condition is
+/// not complete.
 
 #include <span>
 #include <vector>
 
 namespace pseudorigid::mechanics {
 
-/// True if a list of points with these indices can be complete. `betti` has at most n + 1 numbers; the others are 0.
+/// True if a list of points with these indices satisfies Morse's condition and can be complete. `betti` has at most n +
+/// 1 numbers; missing numbers are 0.
 bool obeys_morse(const std::vector<int>& indices, int dimension, std::span<const int> betti);
 
 }  // namespace pseudorigid::mechanics

@@ -1,23 +1,26 @@
 #pragma once
-/// Special points along a family of relative equilibria. They are located to the round-off of a smooth test function:
+/// Special points along a family of relative equilibria. Each kind has a smooth test function, whose zero is located to
+/// round-off. F = 0 are the equations of the family, t is its tangent and t₀ a fixed tangent nearby. J is the angular
+/// momentum and Z the circulation.
 ///
 ///   fold          a quantity of the family (its spin, a momentum) has an extremum:   ∇q·t = 0
 ///   branch point  another branch of steady motions crosses:                          det[DF; t₀ᵀ] = 0
 ///   index         the number of negative eigenvalues of the second variation of the energy at fixed J and Z changes:
 ///                 the k-th eigenvalue in increasing order is zero, and a rate of the motion passes through 0. Without
-///                 dissipation the motion need not become unstable. With dissipation it may, as Maclaurin's spheroid at
-///                 Jacobi's bifurcation ("secular instability"). The number also jumps by 2 if J or Z passes through 0,
-///                 which is not a change of the motion.
+///                 dissipation the motion may remain stable. With dissipation it may become unstable, as Maclaurin's
+///                 spheroid does at Jacobi's bifurcation ("secular instability"). The number also jumps by 2 if J or Z
+///                 passes through 0, which is not a change of the motion.
 ///   instability   rates leave the imaginary axis or return to it: two rates of opposite energy collide (Krein), or a
 ///                 pair ±s collides at 0
 ///
-/// Beyond an instability the largest real part grows like a square root and is noisy. For the two colliding rates s,
-/// s', however,
+/// Beyond an instability the largest real part of the rates grows like a square root and is noisy. For the two
+/// colliding rates s, s', however,
 ///
 ///     δ = Re (s − s')²
 ///
-/// is a smooth function of the matrix: −(difference of frequencies)² before and +(2 growth rate)² after the collision.
-/// Rates with equal signs of the energy ½x̄ᵀSx (x is the vector of a rate) pass each other and are omitted.
+/// is a smooth function of the matrix. Before the collision δ is −(difference of frequencies)², and after the collision
+/// +(2 growth rate)². Rates with equal signs of the energy ½x̄ᵀSx (linear_stability.h; x is the vector of a rate)
+/// cannot collide and are omitted.
 
 #include <functional>
 #include <limits>
@@ -51,7 +54,8 @@ struct SpecialPoint {
   double s;  ///< parameter in the searched interval
 };
 
-/// The largest δ of two rates that can collide, divided by the square of the largest rate.
+/// Returns the largest δ of two rates that can collide, divided by the square of the largest rate. Returns 0 if all
+/// rates are 0, and −∞ if no two rates can collide.
 inline double collision(const LinearStability& stability) {
   double largest = 0;
   for (const Rate& r : stability.rates) largest = std::max(largest, std::abs(r.s));
@@ -74,10 +78,11 @@ inline double collision(const LinearStability& stability) {
   return delta / (largest * largest);
 }
 
-/// Linear stability along a curve of motions s ↦ motion(s); empty if there is no motion at s.
+/// Linear stability along a curve of motions s ↦ motion(s). Returns an empty optional if there is no motion at s.
 using StabilityAlong = std::function<std::optional<LinearStability>(double s)>;
 
-/// Appends the changes of index and of stability between a and b. `resolution` is that of bracketed_root.
+/// Appends the zeros of the test functions for index and instability between a and b to `found`. If there is no motion
+/// at a or b, appends nothing. `resolution` is the argument of bracketed_root.
 inline void locate_changes_of_stability(const StabilityAlong& stability, double a, double b,
                                         std::vector<SpecialPoint>& found,
                                         double resolution = std::numeric_limits<double>::epsilon()) {
@@ -95,7 +100,8 @@ inline void locate_changes_of_stability(const StabilityAlong& stability, double 
       return std::abs(x) <= zero_variation ? 0 : x;
     };
     const auto s = bracketed_root(eigenvalue, a, b, resolution);
-    // Skip a jump through 0 and a root at the last place: on spheroids two eigenvalues vanish together.
+    // Skip a jump of the eigenvalue through 0. Also skip a root at the same place as the last one, since on spheroids
+    // two eigenvalues vanish together.
     if (!s || std::abs(eigenvalue(*s)) > 1e-6 || std::abs(*s - last) <= 1e-7 * std::abs(b - a)) continue;
     found.push_back({SpecialKind::index, *s});
     last = *s;

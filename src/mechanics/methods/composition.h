@@ -4,8 +4,9 @@
 ///
 ///   Ψ_h = Φ_{γ_s h} ∘ … ∘ Φ_{γ_1 h},   γ_i = γ_{s+1−i},   Σγ_i = 1.
 ///
-/// The result is symmetric, and symplectic if Φ is. Its order is declared by the coefficients. The composed method
-/// itself declares chosen_by_auto, which permits Method = auto to choose it.
+/// The composed method is symmetric. If Φ is symplectic, the composed method is symplectic too. The coefficients
+/// declare the order of the composed method. Each composed method declares chosen_by_auto itself, which permits Method
+/// = auto to choose it.
 
 #include <array>
 #include <cstddef>
@@ -62,7 +63,8 @@ struct Composition {
   template <class S>
   static constexpr bool fits = Base::template fits<S>;
 
-  /// Fails for dissipative systems, because some substeps go backwards in time and would add energy.
+  /// Fails for dissipative systems. Some substeps go backwards in time, and dissipation would add energy in these
+  /// substeps.
   template <class S>
   static Status accepts(const S& system) {
     if (dissipative(system))

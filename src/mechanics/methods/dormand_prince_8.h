@@ -1,22 +1,22 @@
 #pragma once
 /// The explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince for q̈ = a(t, q, q̇), with error estimates
 /// of orders 5 and 3 and dense output of order 7. It is described in Hairer, Nørsett, Wanner, Solving Ordinary
-/// Differential Equations I, II.5, II.6 and II.10. With q̇ = v, only accelerations are stored as stages
-/// (dormand_prince_8_tableau.h):
+/// Differential Equations I, II.5, II.6 and II.10. Since q̇ = v, the stages store only accelerations A_j. The
+/// coefficients are in dormand_prince_8_tableau.h:
 ///
 ///   A_i = a(t + c_i h, q_i, v_i),   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j
-///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field can
+///   v_{n+1} = v_n + h Σ_j b_j A_j,   q_{n+1} = q_n + h v_n + h² Σ_j b̄_j A_j,   projected if the field has `project`
 ///
-/// The embedded formulas of orders p = 5, 3 give errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j), and
+/// The embedded formulas of orders p = 5, 3 estimate the errors e_p = (h² Σ ē^p_j A_j, h Σ e^p_j A_j) of (q, v), and
 ///
 ///   |e|² = |e_q|²/(1 + |q|)² + |e_v|²/(1 + |v|)²  (Euclidean norms: a rotation of space does not change the steps),
 ///   error = |e_5|² / √(|e_5|² + |e_3|²/100) ≤ tolerance.
 ///
-/// So `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|. The global error is proportional
-/// to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6, max(1/3, 0.9
-/// (tolerance/error)^{1/8})).
+/// Thus `tolerance` bounds the local error of one step, relative to 1 + |q| and 1 + |v|. The global error is
+/// proportional to the tolerance, with a factor that depends on the motion. The size of the next step is h · min(6,
+/// max(1/3, 0.9 (tolerance/error)^{1/8})). After a rejected trial the size does not grow.
 ///
-/// If the force fails or is not finite, the step is tried again with a quarter of its size. If the size falls below
+/// If the force fails or is not finite in a trial, the next trial has a quarter of the size. If the size falls below
 /// round-off, the motion ends with a failure. The increments of q and v are summed with compensation (vector_space.h).
 
 #include <algorithm>
@@ -64,11 +64,11 @@ struct DormandPrince8Workspace {
   Vector q_stage, v_stage;
   std::array<Vector, dop853::n_all_stages> A;  // A[12] is the acceleration at the end of the step
   std::array<Vector, 4> dense_q, dense_v;
-  bool acceleration_known = false;  // A[12] is the acceleration at the state; a change of the state must clear it
+  bool acceleration_known = false;  // A[12] is the acceleration at the state; clear this flag if you change the state
   bool dense_known = false;
   Counters counters;
 
-  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -103,8 +103,8 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// Makes one accepted step that ends at t_limit at the latest; the step goes backwards if t_limit < state.t. A
-  /// failure leaves the state unchanged. Every trial counts as a substep.
+  /// Makes one accepted step that ends at t_limit at the latest, or none if state.t is t_limit. The step goes backwards
+  /// if t_limit < state.t. A failure leaves the state unchanged. Every trial counts as a substep.
   template <SecondOrderField F>
   static Status step(const F& field, double t_limit, State<F>& state, Workspace<F>& w) {
     if (t_limit == state.t) return {};
@@ -116,7 +116,7 @@ struct DormandPrince8 {
     for (bool rejected = false;; rejected = true) {
       const bool last = std::abs(distance) <= 1.01 * std::abs(w.h);  // avoids a tiny step to t_limit
       const double h = last ? distance : w.h;
-      double error = 0;  // relative to the tolerance
+      double error = 0;  // estimate divided by the tolerance
       Status status = try_step(field, h, state, w, error);
       if (status && error <= 1) {
         const double factor = std::clamp(0.9 * std::pow(error, -0.125), 1.0 / 3, rejected ? 1.0 : 6.0);
@@ -131,7 +131,8 @@ struct DormandPrince8 {
     }
   }
 
-  /// The state at a time t within the last step, by the polynomial of order 7 in θ = (t − t_n)/h.
+  /// Sets `out` to the state at the time t, by the polynomial of order 7 in θ = (t − t_n)/h. Fails if t is not within
+  /// the last step.
   template <SecondOrderField F>
   static Status interpolate(const F& field, double t, State<F>& out, Workspace<F>& w) {
     const double theta = (t - w.t_start) / w.h_last;
@@ -171,7 +172,9 @@ struct DormandPrince8 {
     return {};
   }
 
-  /// First step size by Hairer, Nørsett, Wanner II.4: h⁸ max(|a|, |ȧ|) is a hundredth of the tolerance.
+  /// Returns the size of the first step by Hairer, Nørsett, Wanner, II.4. With this size, h⁸ times the larger norm of
+  /// (v, a) and (a, ȧ) is a hundredth of the tolerance. Norms are relative to 1 + |q| and 1 + |v|. The size is at most
+  /// 100 times a first guess and at most the distance to t_limit.
   template <class F>
   static double first_step(const F& field, double t_limit, const State<F>& state, Workspace<F>& w) {
     const auto norm = [&](const auto& x, const auto& y) {
@@ -191,8 +194,8 @@ struct DormandPrince8 {
     return std::copysign(std::min({100 * h0, h1, longest}), direction);
   }
 
-  /// Computes stages and error in the workspace. If the error is permitted, it also computes the projected new state
-  /// and its acceleration.
+  /// Computes the stages and sets `error` to the estimate divided by the tolerance. If error ≤ 1, also computes the
+  /// projected new state and its acceleration. All results except `error` are in the workspace.
   template <class F>
   static Status try_step(const F& field, double h, const State<F>& state, Workspace<F>& w, double& error) {
     ++w.counters.n_substeps;
@@ -208,7 +211,7 @@ struct DormandPrince8 {
     return finish(field, h, state, w);
   }
 
-  /// Accelerations at the stages first, …, last − 1 of the step from (t, q, v).
+  /// Computes the accelerations at the stages first, …, last − 1 of the step from (t, q, v).
   template <int first, int last, class F>
   static Status evaluate_stages(const F& field, double t, double h, const typename F::Vector& q,
                                 const typename F::Vector& v, Workspace<F>& w) {

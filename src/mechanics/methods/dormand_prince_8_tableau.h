@@ -1,19 +1,19 @@
 #pragma once
 /// Coefficients of the explicit Runge–Kutta method DOP853 of order 8 by Dormand and Prince, in the form for q̇ = v, v̇
-/// = a(t, q, v). They are those of Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5–II.6, and
-/// of their code DOP853. With the accelerations A_j of the stages,
+/// = a(t, q, v). The numbers are from Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.5–II.6,
+/// and from the authors' code DOP853. With the accelerations A_j of the stages,
 ///
 ///   v_i = v + h Σ_j a_ij A_j,   q_i = q + c_i h v + h² Σ_j ā_ij A_j,   ā = a·a,
 ///
-/// The same product gives b̄ = b a for the new state, ē = e a for the error estimates and d̄ = d a for the dense
-/// output. Row 12 of a is b; rows 13 to 15 are the additional stages of the dense output.
+/// The same product with the matrix a gives b̄ = b a for the new state, ē = e a for the error estimates and d̄ = d a
+/// for the dense output. Row 12 of a is b. Rows 13 to 15 are the additional stages of the dense output.
 
 #include <array>
 
 namespace pseudorigid::mechanics::dop853 {
 
 inline constexpr int n_stages = 12;      // stages of a step
-inline constexpr int n_all_stages = 16;  // 12: the new state; 13, 14, 15: dense output
+inline constexpr int n_all_stages = 16;  // 12: the new state; 13, 14, 15: additional stages of the dense output
 template <class T>
 using Row = std::array<T, n_all_stages>;
 template <int n_rows>
@@ -114,7 +114,7 @@ inline constexpr Rows<4> d_exact{
       -0.43533456590011143754432175058e2L, 0.96324553959188282948394950600e2L, -0.39177261675615439165231486172e2L,
       -0.14972683625798562581422125276e3L}}};
 
-/// One row x of coefficients for the velocities, and x̄ = x a for the positions.
+/// One row x of coefficients for the velocities (x.v), and the row x̄ = x a for the positions (x.q).
 struct Pair {
   Row<double> v{}, q{};
 };

@@ -1,44 +1,50 @@
 #pragma once
 /// The method energy-momentum: a step of any size conserves energy, momenta and constraints up to round-off. It uses
 /// the discrete gradients of O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with constraints as in Physica D 132 (1999)
-/// 165, in phase space and with the velocity constraint. With X = (q, p) and p = M v, Hamilton's function is H = K(p) +
-/// V(q). The constraints are g(q) = 0, and their rates γ(X) = G(q) M⁻¹p = 0. A step of size h is
+/// 165, in phase space and with the constraint of the velocity. With X = (q, p) and p = M v, Hamilton's function is H =
+/// K(p) + V(q). The constraints are g(q) = 0 and, for their rates, γ(X) = G(q) M⁻¹p = 0 with G = Dg. A step of size h
+/// is
 ///
 ///   ΔX = h 𝒥 ∇̄F,   F = H − λ·g + μ·γ,   g(q₁) = 0,   γ(q₁, p₁) = 0,   X_m = (X₀ + X₁)/2,
 ///   ∇̄F = ∇F(X_m) + C,   C = ΠD + θP,   θ = [ΔF − (∇F(X_m) + ΠD)·ΔX]/|P|²,   P = Π ΔX,
 ///   D = ½[∇F(X₁ − P/2) + ∇F(X₀ + P/2)] − ∇F(X_m),
 ///
-/// with the canonical antisymmetric matrix 𝒥. The projection Π removes the components along the orbit of the system's
-/// symmetries at X_m, of covectors and of vectors, in (q, v) (orbit_complement.h). In (q, v), with ∇F = (−A, M v + B):
+/// with the canonical antisymmetric matrix 𝒥 and multipliers λ, μ. The projection Π acts on vectors and on covectors in
+/// the coordinates (q, v). It removes their components along the orbit of the system's symmetries at X_m
+/// (orbit_complement.h). In these coordinates, with ∇F = (−A, M v + B) at X_m:
 ///
 ///   A = f(q_m) + G(q_m)ᵀλ − D²g(q_m)(v_m, ·)ᵀμ,   B = G(q_m)ᵀμ,
 ///   Δv = h M⁻¹(A − C_q),   Δq = h [v_m + M⁻¹(B + C_v)].
 ///
-/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. If g = γ = 0 at both ends, ΔH = 0. The quadratic K adds 0 to C.
+/// - ∇̄F·ΔX = ΔF and 𝒥 is antisymmetric, so ΔF = 0. If g = γ = 0 at both ends, ΔH = 0. K is quadratic, so D does not
+/// contain K.
+///
 /// - A momentum J is bilinear in (q, p), so ΔJ = ∇J(X_m)·ΔX = −h ∇̄F·(𝒥∇J)(X_m). The vector 𝒥∇J(X_m) is tangent to the
-/// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to it, so ΔJ = 0.
+/// orbit. The invariants H, g, γ are constant on the orbit and C is orthogonal to the orbit, so ΔJ = 0.
+///
 /// - The step is symmetric and of order 2: C = O(h²), μ = O(h²).
+///
 /// - D is needed near relative equilibria, which are motions along the orbit with P = 0. X_m lies inside the arc of the
 /// motion, so ∇F(X_m) differs from ∇F on the arc by O(h²). Without D, θP would have to correct this difference, but θP
-/// has no limit as P → 0. The two points of D lie P/2 from the ends. A Cayley transform maps one to the other if one
-/// group of rotations or translations acts, or if both rotations of a body have the same axis. Then θP is O(h|P|). Near
-/// a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
+/// has no limit as P → 0. The two points of D lie P/2 from the ends. If one group of rotations or translations acts, or
+/// if both rotations of a body have the same axis, a Cayley transform maps one point to the other. In this case θP is
+/// O(h|P|). Near a steady motion with two different axes θP is O(h²), and the iteration may need smaller steps.
 ///
-/// Round-off. Let ν be the round-off of V; then θP is known to within ν/|P|. A step corrects only the part of the
-/// energy error that exceeds ν. Later steps include the remainder, so that the total error stays about ν. The round-off
-/// of V is measured at every step, since terms of V cancel differently after a rotation of the body. If P is so large
-/// that a correction of mere round-off is harmless, ν is the value measured at the first state. Otherwise ν is the
-/// largest value so far, because a correction by it would change P by more than the fraction 10⁻⁴ in a step. On
-/// relative equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off
-/// without θ if |P| ≤ 10⁻⁷|ΔX|, and θ is then 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
+/// Round-off. Let ν be the round-off of V. Then θP has the error ν/|P|. A step corrects only the part of the energy
+/// error that exceeds ν. Later steps include the remainder, so the total error stays about ν. The round-off of V is
+/// measured at every step, since terms of V cancel differently after a rotation of the body. A correction of pure
+/// round-off is harmless if it changes P by less than the fraction 10⁻⁴ in a step. If the largest ν so far is harmless
+/// in this sense, the step uses the ν measured at the first state, otherwise the largest ν so far. On relative
+/// equilibria H is critical among the states with the same momenta. Therefore the energy is right to round-off without
+/// θ if |P| ≤ 10⁻⁷|ΔX|, and the step sets θ = 0. The round-off of the momenta is corrected as well (momentum_keeper.h).
 ///
 /// A Gauss–Seidel iteration on (Δv, Δq) solves the step. Each iteration makes the corrections
 ///
 ///   h G(q₁)M⁻¹G(q_m)ᵀ δλ = −γ(q₁, v₁),   G(q₁)M⁻¹G(q_m)ᵀ (h δμ + (h²/2) δλ) = −g(q₁)
 ///
 /// with the Gram matrix GM⁻¹Gᵀ. The iteration ends when the increments are round-off. The last iterations keep C
-/// constant, because C would add the noise of V and of small components. An iteration multiplies the error of an
-/// oscillation of frequency ω by (hω/2)².
+/// constant, because a new C would add the round-off of V and of small components. Each iteration multiplies the error
+/// of an oscillation of frequency ω by (hω/2)².
 
 #include <algorithm>
 #include <cmath>
@@ -94,7 +100,7 @@ struct EnergyMomentumWorkspace {
   typename S::Workspace system;
   Vector dq, dv, dq_before, dv_before;                      // Δq and Δv, and their values in the previous iteration
   Vector q_middle, v_middle, q_end, v_end, q_side, v_side;  // X_m, X₁, X₀ + P/2 or X₁ − P/2
-  Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas above
+  Vector force, A, B, C_q, C_v, P_q, P_v;                   // see the formulas at the top of this file
   Vector acceleration;                                      // Δv/h of the last step
   Vector q_rounding, v_rounding;                            // remainders of the compensated sums of q and v
   Multiplier lambda, mu, residual, delta;                   // λ, μ; g or γ; δ
@@ -102,13 +108,13 @@ struct EnergyMomentumWorkspace {
   OrbitComplement<S> orbit;
   MomentumKeeper<S> momenta;
   double V_start = 0, theta = 0;  // V(q₀), θ
-  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is kept
+  int hold = 0;                   // 1: θ is kept from an earlier iteration; 2: C is kept as well
   double energy_gained = 0;       // energy error due to round-off since the first step
   double first_noise = -1;        // round-off of V near the first state; negative: not yet measured
   double largest_noise = 0;       // largest round-off of V near the states so far
   Counters counters;
 
-  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     if constexpr (requires { system.visit_memory(visit); }) system.visit_memory(visit);
@@ -151,7 +157,7 @@ struct EnergyMomentum {
   template <class S>
   static constexpr bool fits = ConservativeSystem<S>;
 
-  /// Fails if the system violates the method's requirements.
+  /// Fails if a force dissipates energy or depends on velocity or time.
   template <ConservativeSystem S>
   static Status accepts(const S& system) {
     if (dissipative(system) || velocity_dependent(system) || time_dependent(system))
@@ -161,7 +167,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// One substep. A failed step leaves the state unchanged.
+  /// Makes one substep. A failed step leaves the state unchanged.
   template <ConservativeSystem S>
   static Status advance(const S& system, double h, State<S>& state, EnergyMomentumWorkspace<S>& w) {
     using Verdict = detail::ConvergenceMonitor::Verdict;
@@ -183,8 +189,8 @@ struct EnergyMomentum {
       axpy(-1.0, w.dv, w.dv_before);
       const double increment = std::max(max_norm(w.dq_before), max_norm(w.dv_before));
       const double step = std::max(max_norm(w.dq), max_norm(w.dv));
-      // The first iterations renew θ and C. After noise stops the decrease of the increments, θ is kept. After the
-      // increments are small, or stop decreasing again, C is kept too.
+      // The first iterations compute θ and C anew. When round-off stops the decrease of the increments, θ is kept. When
+      // the increments are small, or stop decreasing again, C is kept as well.
       if (w.hold < 2 && (monitor.stalled(increment, 1e-6 * step) || increment <= 1e-14 * step)) {
         w.hold = increment <= 1e-14 * step ? 2 : w.hold + 1;
         monitor.start_again();
@@ -196,7 +202,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Velocities satisfy G v = 0 after every substep.
+  /// Does nothing, because velocities satisfy G v = 0 after every substep.
   template <ConservativeSystem S>
   static Status project_velocity(const S&, State<S>&, EnergyMomentumWorkspace<S>&) {
     return {};
@@ -206,7 +212,7 @@ struct EnergyMomentum {
   static constexpr double epsilon = std::numeric_limits<double>::epsilon();
   /// The ratio |P|/|ΔX| below which the motion counts as a relative equilibrium.
   static constexpr double relative_equilibrium = 1e-7;
-  /// The value of |hθ| up to which a correction of mere round-off is harmless: it hardly changes the increments.
+  /// Largest |hθ| for which a correction of pure round-off is harmless, as it hardly changes the increments.
   static constexpr double harmless = 1e-4;
 
   static Status does_not_converge(double increment) {
@@ -215,8 +221,8 @@ struct EnergyMomentum {
                            "; use a smaller step");
   }
 
-  /// The largest change of V if the entries of q change by a few units in their last place. The value of V alone does
-  /// not show the round-off of terms that cancel.
+  /// Returns the largest change of V if the entries of q change by up to two units of size 2ε max|q_i|. The round-off
+  /// of V alone does not show the round-off of its terms, which may be larger and cancel.
   template <ConservativeSystem S>
   static double noise_of_potential(const S& system, const typename S::Vector& q) {
     const double V = system.potential_energy(q), unit = 2 * epsilon * max_norm(q);
@@ -230,7 +236,7 @@ struct EnergyMomentum {
     return noise;
   }
 
-  /// Predicts ΔX from the acceleration of the last step, and extrapolates λ.
+  /// Sets the initial guess: ΔX from the acceleration of the last step, λ by extrapolation, and μ = 0.
   template <ConservativeSystem S>
   static void predict(double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.dv = w.acceleration;
@@ -252,7 +258,7 @@ struct EnergyMomentum {
     axpy(1.0, w.dv, w.v_end);
   }
 
-  /// Computes Δv and Δq from the previous values and multipliers.
+  /// Computes new Δv and Δq from their values and the multipliers of the previous iteration.
   template <ConservativeSystem S>
   static Status improve(const S& system, double h, const State<S>& state, EnergyMomentumWorkspace<S>& w) {
     w.q_middle = state.q;
@@ -299,7 +305,7 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// C = Π D + θ P.
+  /// Sets C = Π D + θ P. Computes θ unless it is kept.
   template <ConservativeSystem S>
   static Status correct(const S& system, double h, double t, EnergyMomentumWorkspace<S>& w) {
     w.P_q = w.dq;
@@ -330,8 +336,9 @@ struct EnergyMomentum {
     return {};
   }
 
-  /// Sets θ from the energy error that exceeds ν: the sum of ΔF − (∇F(X_m) + ΠD)·ΔX and the remainder of earlier steps.
-  /// Both covectors vanish along the orbit, so their products with ΔX and with P are equal.
+  /// Sets θ from the part of the energy error that exceeds ν. The energy error is ΔF − (∇F(X_m) + ΠD)·ΔX plus the
+  /// remainder of earlier steps. The covectors ∇F(X_m) and ΠD vanish along the orbit, so their products with ΔX and
+  /// with P are equal.
   template <ConservativeSystem S>
   static Status set_theta(const S& system, double h, double P, EnergyMomentumWorkspace<S>& w) {
     w.theta = 0;

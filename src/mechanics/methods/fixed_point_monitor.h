@@ -1,5 +1,5 @@
 #pragma once
-/// Test for the end of a fixed-point iteration x ← Φ(x). Its increments decrease by a constant factor until they
+/// Test for the end of a fixed-point iteration x ← Φ(x). The increments decrease by a constant factor until they
 /// consist of round-off.
 
 #include <algorithm>
@@ -9,13 +9,14 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Verdict on an increment: done, go on, or stuck.
+/// Judges each increment: the iteration is done, must go on, or is stuck.
 struct FixedPointMonitor {
   static constexpr int max_iterations = 150;
   double previous = HUGE_VAL, least = HUGE_VAL;
   int iteration = 0, n_since_least = 0;
 
-  /// True if the least increment is three iterations old and the current increment is at most `limit`.
+  /// Records the increment. Returns true if none of the last three increments was a new least one, and the current
+  /// increment is at most `limit`.
   bool stalled(double increment, double limit) {
     n_since_least = increment < least ? 0 : n_since_least + 1;
     least = std::min(least, increment);

@@ -1,27 +1,27 @@
 #pragma once
-/// The table of methods, for code that chooses a method at run time. A new method needs a header and one line of the
-/// table.
+/// The table of methods, for code that chooses a method at run time. To add a method, write a header and add one line
+/// to the table.
 ///
 /// A method is an empty struct with these members:
 ///
-///     name, documentation                  as in parameter files
+///     name, documentation                  as shown in parameter files
 ///     order, n_stages, symplectic, symmetric, adaptive, stability_limit
-///     resonance_limit                      optional, a smaller bound of the steps that a search tries
-///     chosen_by_auto                       true if Method = auto may choose it
+///     resonance_limit                      optional, a smaller bound on hω for the steps that a search tries
+///     chosen_by_auto                       true if Method = auto may choose the method
 ///     Workspace<S>                         with `system`, `counters` and visit_memory (memory.h)
-///     fits<S>                              true if it can be compiled for a system of type S
-///     takes_any_vector                     true if it needs only the operations of VectorSpace
-///     accepts(system) → Status             fails with the reason if its properties do not hold for this system
+///     fits<S>                              true if the method compiles for a system of type S
+///     takes_any_vector                     true if the method needs only the operations of VectorSpace
+///     accepts(system) → Status             fails with the reason if the method must not integrate this system
 ///
-/// A method with fixed steps (adaptive = false) also has
+/// A method with steps of fixed size (adaptive = false) also has
 ///
-///     advance(system, h, state, workspace) → Status            one step; the velocity may lack its projection
-///     project_velocity(system, state, workspace) → Status      sets the valid velocity, needed at samples
+///     advance(system, h, state, workspace) → Status            makes one step; the velocity may lack its projection
+///     project_velocity(system, state, workspace) → Status      makes the velocity valid, needed at samples
 ///
-/// A method that chooses its steps (adaptive = true) has instead
+/// A method that chooses the sizes of its steps (adaptive = true) has instead
 ///
-///     step(field, t_limit, state, workspace) → Status          one step that ends at t_limit at the latest
-///     interpolate(field, t, state, workspace) → Status         the state at a time within the last step
+///     step(field, t_limit, state, workspace) → Status          makes one step that ends at t_limit at the latest
+///     interpolate(field, t, state, workspace) → Status         sets the state to that at a time t in the last step
 
 #include <algorithm>
 #include <array>
@@ -41,7 +41,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// The methods, by increasing order within each family.
+/// The methods. Within each family the order increases.
 using MethodTable = std::tuple<Rattle,          //
                                Rattle4,         //
                                Rattle6,         //
@@ -53,7 +53,7 @@ using MethodTable = std::tuple<Rattle,          //
                                Gauss16,         //
                                DormandPrince8>;
 
-/// A type with the traits of a method. A method without one of them does not compile.
+/// The traits that every method must declare. If a method of the table lacks one, the compiler reports an error.
 template <class M>
 concept DeclaresTraits = requires {
   { M::name } -> std::convertible_to<std::string_view>;
@@ -68,8 +68,8 @@ static_assert([]<class... Methods>(std::tuple<Methods...>*) { return (DeclaresTr
                   static_cast<MethodTable*>(nullptr)),
               "a method of the table leaves out a trait");
 
-/// Largest hω of the steps that a search tries, before a reserve; ω is the largest frequency of small motions. It is
-/// the stability limit, or the first resonance for methods with resonances (multistep_coefficients.h).
+/// Largest hω of the steps that a search tries, without safety factor; ω is the largest frequency of small motions. The
+/// value is the stability limit, or the first resonance if it is smaller (multistep_coefficients.h).
 template <class Method>
 inline constexpr double step_limit = [] {
   if constexpr (requires { Method::resonance_limit; })
@@ -101,7 +101,7 @@ constexpr void for_each_method(Visitor&& visitor) {
   std::apply([&](auto... method) { (visitor(method), ...); }, MethodTable{});
 }
 
-/// Calls visitor(Method{}) with the method `id`, and returns the result.
+/// Calls visitor(Method{}) with the method `id`, and returns the visitor's result.
 template <class Visitor, std::size_t place = 0>
 constexpr decltype(auto) with_method(MethodId id, Visitor&& visitor) {
   using Method = std::tuple_element_t<place, MethodTable>;
@@ -114,7 +114,7 @@ constexpr std::string_view method_name(MethodId id) {
   return with_method(id, []<class Method>(Method) { return std::string_view(Method::name); });
 }
 
-/// The method with this name; empty if there is none.
+/// Returns the method with this name, or an empty optional if there is none.
 constexpr std::optional<MethodId> find_method(std::string_view name) {
   std::optional<MethodId> found;
   for_each_method([&]<class Method>(Method) {

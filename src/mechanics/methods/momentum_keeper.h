@@ -1,8 +1,9 @@
 #pragma once
-/// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them. Each step changes
-/// the momenta by some 10⁻¹⁸, and these errors would accumulate. If the error of a momentum exceeds its own round-off,
-/// the velocity is changed along the orbit of the symmetries. In the metric of the kinetic energy this is the smallest
-/// change that restores the momenta:
+/// Correction of the round-off of the momenta p_i = ⟨M v, ξ_i(q)⟩, for a method that conserves them; ξ_i(q) is the
+/// velocity field of the i-th symmetry. Each step changes the momenta by about 10⁻¹⁸, and these errors would
+/// accumulate. If
+/// the error of one momentum exceeds its own round-off, the correction changes the velocity along the orbit of the
+/// symmetries. In the metric of the kinetic energy this is the smallest change that restores the momenta:
 ///
 ///   v ← v + Σ α_i ξ_i(q),   Σ_j ⟨M ξ_i, ξ_j⟩ α_j = p_i(0) − p_i.
 ///
@@ -21,8 +22,8 @@ namespace pseudorigid::mechanics {
 
 namespace detail {
 
-/// Solution α of Σ_j gram_ij α_j = lost_i. A combination of symmetries that does not move the body does not contribute.
-/// An example is a rotation of space and of the body about a common axis.
+/// Returns the solution α of Σ_j gram_ij α_j = lost_i with the least norm. Combinations of symmetries that do not move
+/// the body have no part in α. An example is a rotation of space and of the body about a common axis.
 Eigen::VectorXd least_solution(const Eigen::MatrixXd& gram, const Eigen::VectorXd& lost);
 
 }  // namespace detail
@@ -38,7 +39,7 @@ class MomentumKeeper {
         unused_(momentum_),
         start_(xi_.size()) {}
 
-  /// Stores the momenta of the state at the first call; `keep` restores them.
+  /// Stores the momenta of the state at the first call, and does nothing later. `keep` restores the stored momenta.
   void begin(const S& system, const State<S>& state) {
     if (known_) return;
     known_ = true;
@@ -88,7 +89,7 @@ class MomentumKeeper {
 
   std::vector<Vector> xi_;
   Vector momentum_, unused_;
-  std::vector<double> start_;  // p(0)
+  std::vector<double> start_;  // the stored momenta p(0)
   bool known_ = false;
 };
 

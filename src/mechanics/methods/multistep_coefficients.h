@@ -13,13 +13,13 @@
 /// For constraints the roots of σ(ζ) = Σβ_j ζ^j other than 0 must also be simple and on the unit circle. The reason is
 /// that the multipliers obey a recursion with σ (Console, Hairer, Lubich, Numer. Math. 124 (2013) 517). The a_i of
 /// orders 8 and 12 result from a search among numbers with two decimals. They satisfy three conditions: the roots of ρ
-/// and of σ are well separated, the step is stable for hω ≤ stability_limit, and the error constant is small. Order 4
-/// has a = 0. The roots ±i of ρ are then midway between 1 and −1, at which pairs of roots would coincide.
+/// and the roots of σ are well separated, the step is stable for hω ≤ stability_limit, and the error constant is small.
+/// Order 4 has a = 0. The roots ±i of ρ are then midway between 1 and −1, at which the two roots would coincide.
 ///
-/// A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'} if hω is the difference of θ and θ' (G. D.
-/// Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is larger than at slightly longer and shorter
-/// steps. For order 8 at hω = 0.305, the error is 7 times the error of a step that is longer by a tenth.
-/// resonance_limit is the smallest difference of θ and θ' for two parasitic roots.
+/// Parasitic roots are the roots of ρ other than 1. A motion of frequency ω couples two parasitic roots e^{iθ}, e^{iθ'}
+/// if hω is the difference of θ and θ' (G. D. Quinlan, arXiv:astro-ph/9901136, 1999). At such a step the error is
+/// larger than at slightly longer and shorter steps. For order 8 at hω = 0.305, the error is 7 times the error of a
+/// step that is longer by a tenth. The smallest difference of θ and θ' for two parasitic roots is resonance_limit.
 
 #include <array>
 
@@ -30,14 +30,15 @@ struct MultistepFormula {
   /// Formula for the differences d_n = q_n − q_{n−1}, the newest first:
   ///   d_{n+1} = Σ_i difference[i] d_{n−i} + h² Σ_i acceleration[i] a_{n−i},   i = 0 … k − 2.
   std::array<double, k - 1> difference{}, acceleration{};
-  /// Formula for the velocity from the last difference and past accelerations, exact for motions of degree k + 1:
+  /// Formula for the velocity from the last difference and the last k accelerations. It is exact if the motion is a
+  /// polynomial in time of degree at most k + 1:
   ///   v_n = d_n/h + h Σ_i velocity[i] a_{n−i},   i = 0 … k − 1.
   std::array<double, k> velocity{};
 };
 
 namespace detail {
 
-/// Solves A x = b by elimination with row pivoting.
+/// Returns the solution x of A x = b by elimination with row pivoting.
 template <int n>
 constexpr std::array<long double, n> solve(std::array<std::array<long double, n>, n> A, std::array<long double, n> b) {
   const auto size = [](long double x) { return x < 0 ? -x : x; };
@@ -66,7 +67,7 @@ constexpr std::array<long double, n> solve(std::array<std::array<long double, n>
 
 constexpr long double power(long double x, int n) { return n == 0 ? 1 : x * power(x, n - 1); }
 
-/// Coefficients of ρ, the lowest power first.
+/// Coefficients of ρ for the given a_i, the lowest power first.
 template <int k>
 constexpr std::array<long double, k + 1> first_polynomial(const std::array<long double, k / 2 - 1>& a) {
   std::array<long double, k + 1> rho{1, -2, 1};
@@ -89,8 +90,8 @@ constexpr std::array<long double, k / 2> second_polynomial(const std::array<long
   return solve<m>(A, b);
 }
 
-/// Weights c_i of the accelerations in the velocity. v_n − d_n/h is an integral of the polynomial through the a_{n−i}.
-/// The weights are exact for a = (t − t_n)^s with h = 1:
+/// Weights c_i of the accelerations a_{n−i} in the formula for the velocity. v_n − d_n/h is an integral of the
+/// polynomial through the a_{n−i}. The formula is exact for a = (t − t_n)^s with h = 1:
 ///   Σ_i c_i (−i)^s = v_n − (q_n − q_{n−1}) = (−1)^s / ((s + 1)(s + 2)),   s = 0 … k − 1.
 template <int k>
 constexpr std::array<long double, k> velocity_weights() {

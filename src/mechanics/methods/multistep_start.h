@@ -1,15 +1,15 @@
 #pragma once
 /// The first k − 1 steps of a symmetric multistep method (symmetric_multistep.h), made by another method. For orders 8
-/// and 12 it is the explicit method of order 8 with a tolerance at round-off. For order 4 it is a composition of RATTLE
-/// of the same order.
+/// and 12 this method is the explicit method of order 8 with a tolerance at round-off. For order 4 it is a composition
+/// of RATTLE of order 4.
 ///
-/// Each is a type Start<S> for a system S. An object is made once and begins again when the step changes:
+/// Each starting method is a type Start<S> for a system S. An object exists as long as the run and has these functions:
 ///
-///   begin(system, w)                       begins at the state, whose sum of q has its compensation in w
+///   begin(system, w)                       starts at the state, also after a change of h; w has the remainder of q
 ///   acceleration(system, state, w, a)      a ← M⁻¹(f + Gᵀλ) at the state
-///   step(system, h, state, w)              one step of h
+///   step(system, h, state, w)              makes one step of size h
 ///   project(system, state, w)              makes the velocity valid if the steps do not
-///   visit_memory(visit)                    passes the data kept from step to step to `visit`
+///   visit_memory(visit)                    passes the members that a checkpoint must contain to `visit`
 
 #include <limits>
 
@@ -36,7 +36,8 @@ struct ExplicitStart {
     return field.acceleration(state.t, state.q, state.v, workspace.system, a);
   }
   Status step(const S&, double h, State<S>& state, RattleWorkspace<S>& w) {
-    // For a step that accuracy or stability permits, a few tens of small steps suffice. They cannot be interrupted.
+    // A step h that accuracy or stability permits needs a few tens of small steps. The limit is needed because the
+    // small steps cannot be interrupted.
     constexpr int most = 2000;
     const double t_end = state.t + h;
     for (int n = 0; state.t != t_end; ++n) {

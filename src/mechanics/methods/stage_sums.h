@@ -1,6 +1,6 @@
 #pragma once
-/// Sums of stages, Σ_j c_j k_j, with coefficients known to the compiler. Zero coefficients are omitted. One loop over
-/// the entries of dense Eigen vectors computes all sums of a stage, without a temporary vector.
+/// Sums Σ_j c_j k_j over the stages k_j, with coefficients c_j known to the compiler. Zero coefficients are omitted.
+/// One loop over the entries of dense Eigen vectors computes all sums of a stage, without a temporary vector.
 
 #include <Eigen/Core>
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics::detail {
 
-/// Σ_j c_j k_j at entry i. If `c` is a constexpr variable, the compiled code has only the terms with c_j ≠ 0.
+/// Returns entry i of Σ_j c_j k_j. If `c` is a constexpr variable, the compiled code has only the terms with c_j ≠ 0.
 template <class V, std::size_t n>
 [[gnu::always_inline]] inline double stage_sum(const std::array<double, n>& c, const std::array<V, n>& k,
                                                Eigen::Index i) {

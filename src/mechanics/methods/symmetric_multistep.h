@@ -4,26 +4,28 @@
 ///
 ///   Σ_j α_j q_{n+j} = h² Σ_j β_j M⁻¹[f(q_{n+j}) + G(q_{n+j})ᵀ λ_{n+j}],   g(q_{n+k}) = 0,   β_0 = β_k = 0.
 ///
-/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. It advances the differences d_n
-/// = q_n − q_{n−1} (multistep_coefficients.h) with a_n = M⁻¹[f + Gᵀλ]_n, and sums q with compensation:
+/// A step needs one force and one constraint solve for the newest multiplier λ_{n+k−1}. With the differences d_n = q_n
+/// − q_{n−1} and the accelerations a_n = M⁻¹[f + Gᵀλ]_n, the step is (multistep_coefficients.h has α̂ and β̂)
 ///
 ///   d_{n+1} = Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i},   q_{n+1} = q_n + d_{n+1}.
 ///
-/// Another method makes the first k − 1 steps (multistep_start.h), also after a change of h. The steps do not use the
-/// velocity. If the velocity is requested, it is
+/// The sum for q is compensated. The steps do not use the velocity. The first k − 1 steps, also after a change of h,
+/// are made by another method (multistep_start.h). If the velocity is requested, it is
 ///
 ///   v_n = d_n/h + h Σ_i c_i a_{n−i}   (order k + 1),   then projected onto G v = 0.
 ///
-/// An error of λ_n does not matter: it changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The
-/// projection needs less work if a_n contains an extrapolated λ_n. The errors of the states oscillate along a motion,
-/// but a restart keeps the error of its first state. The energy error of this state shifts the phase more and more.
+/// An error of λ_n changes v only along M⁻¹G(q_n)ᵀ, and the projection removes this part. The projection needs less
+/// work if a_n contains an extrapolated λ_n. The energy errors of the states oscillate along a motion. A restart begins
+/// at one of these states and keeps its energy error, which shifts the phase more and more.
 ///
 /// For small systems the errors of energy and momenta oscillate within bounds of size h^order. For the ball, the energy
-/// error is of the same order but grows as the motion spreads to modes of high frequency (step_search.h). Measured for
-/// order 4 at 0.8 of the stability limit, in a release by 0.3: the relative energy error is 2e-5 at t = 100 r/c and
-/// 1e-2 at 1430 r/c. The error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3. A round-off error ε of the
-/// constraint causes an error ε/h² of the multipliers. The history multiplies it by the weights β̂ (up to 5 for order
-/// 8, 62 for order 12), and it grows as the square root of the number of steps. Therefore use order 8 for long runs.
+/// error is of the same order but grows as the motion spreads to modes of high frequency (step_search.h). Order 4 was
+/// measured at 0.8 of the stability limit, in a release from a deformation of 0.3. The relative energy error is 2e-5 at
+/// t = 100 r/c and 1e-2 at 1430 r/c. The error of Q at 100 r/c is 1e-5; RATTLE with the same step has 7e-3.
+///
+/// A round-off error ε of the constraint causes an error ε/h² of the multipliers. The history multiplies this error by
+/// the coefficients β̂ (up to 5 for order 8, 62 for order 12). The resulting error of the motion grows as the square
+/// root of the number of steps. Therefore use order 8 for long runs.
 
 #include <algorithm>
 #include <array>
@@ -41,8 +43,8 @@
 
 namespace pseudorigid::mechanics {
 
-/// Workspace of a symmetric multistep method. Slot i mod (k − 1) of the history has d_i and a_i of the last k − 1
-/// points. The base class has the members that both methods share.
+/// Workspace of a symmetric multistep method. Slot i mod (k − 1) of the history contains d_i and a_i for the last k − 1
+/// values of i. The base class has the members that RATTLE uses as well.
 template <ConstrainedSystem S, int k, template <class> class Start>
 struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   static constexpr int n_slots = k - 1;
@@ -59,14 +61,14 @@ struct SymmetricMultistepWorkspace : RattleWorkspace<S> {
   Start<S> start;
   typename S::Multiplier multiplier;
   std::array<typename S::Vector, n_slots> d, a;
-  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // multipliers of the last steps
+  std::array<typename S::Multiplier, n_extrapolated> multipliers;  // of the last steps, as a ring
   double h = 0;
   int newest = 0;             // slot of the state's d
-  int n_known = 0;            // number of steps in the history
+  int n_known = 0;            // number of differences d in the history
   int newest_multiplier = 0;  // slot of λ_{n−1}
   int n_multipliers = 0;
 
-  /// Passes the parts of the computation's state that a checkpoint must contain to `visit`.
+  /// Passes each member that a checkpoint must contain to `visit`.
   template <class Visit>
   void visit_memory(Visit&& visit) {
     RattleWorkspace<S>::visit_memory(visit);
@@ -107,7 +109,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// One step. Only `project_velocity` sets the velocity.
+  /// Makes one step. Only `project_velocity` sets a valid velocity, except in the first steps by the other method.
   template <ConstrainedSystem S>
   static Status advance(const S& system, double h, State<S>& state, Workspace<S>& w) {
     if (!same_step(h, w.h)) {
@@ -129,13 +131,13 @@ struct SymmetricMultistep {
     state.v = w.d[w.newest];
     scale(1 / w.h, state.v);
     axpy(w.h * formula.velocity[0], w.acceleration, state.v);
-    for (int i = 1; i <= w.n_slots; ++i)  // the slot of the state still has a_{n−(k−1)}
+    for (int i = 1; i <= w.n_slots; ++i)  // in its own slot the state has a_{n−(k−1)}, not a_n
       axpy(w.h * formula.velocity[i], w.a[(w.newest + w.n_slots - i) % w.n_slots], state.v);
     return Rattle::project_velocity(system, state, w);
   }
 
  private:
-  /// True if the steps differ only by the round-off of the sample times.
+  /// True if the step sizes differ only by the round-off of the sample times.
   static bool same_step(double h, double h_before) { return std::abs(h - h_before) <= 1e-10 * std::abs(h); }
 
   template <class S>
@@ -150,7 +152,7 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Makes a step by the starting method and adds it to the history.
+  /// Makes a step by the starting method. Stores the acceleration at its start and the difference d.
   template <class S>
   static Status start_up(const S& system, State<S>& state, Workspace<S>& w) {
     if (Status status = w.start.acceleration(system, state, w, w.a[w.newest]); !status) return status;
@@ -170,8 +172,8 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// w.acceleration ← M⁻¹f at the state, or M⁻¹(f + Gᵀλ) with the extrapolated λ if the system computes this sum at
-  /// little cost. At the end of the start-up λ is 0, so the known acceleration is valid.
+  /// Sets w.acceleration to M⁻¹f at the state. If the system computes f + Gᵀλ at little cost, sets it to M⁻¹(f + Gᵀλ)
+  /// with the extrapolated λ. At the end of the start-up no λ is known and λ = 0, so a known M⁻¹f is valid.
   template <class S>
   static Status ensure_predicted_acceleration(const S& system, const State<S>& state, Workspace<S>& w) {
     if constexpr (FindsForceWithReaction<S>) {
@@ -188,9 +190,9 @@ struct SymmetricMultistep {
     }
   }
 
-  /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects them until g(q_{n+1}) =
-  /// 0. The function is flattened, because calls kept the temporaries of small systems in memory. This took a sixth of
-  /// the time of a step for a body on SL(3).
+  /// Computes d_{n+1} and q_{n+1} with a_n from the extrapolated multiplier, and then corrects all three until
+  /// g(q_{n+1}) = 0. All calls are inlined, because calls kept the temporaries of small systems in memory. This took a
+  /// sixth of the time of a step for a body on SL(3).
   template <class S>
   PSEUDORIGID_FLATTEN static Status make_step(const S& system, State<S>& state, Workspace<S>& w) {
     constexpr bool dense = VectorSpace<typename S::Vector>::dense;
@@ -232,19 +234,19 @@ struct SymmetricMultistep {
     return {};
   }
 
-  /// Residual |g| below which one more iteration needs no check. For a fixed number of constraints the Gram matrix is
-  /// exact, so Newton's iteration gives the square of the residual times the curvature of g. The factor 1e-4 permits
-  /// curvatures up to 10⁴.
+  /// Residual |g| below which the iteration ends after one more correction, without a check. For a fixed number of
+  /// constraints the Gram matrix is exact. An iteration of Newton then reduces the residual to its square times the
+  /// curvature of g. The factor 1e-4 permits curvatures up to 10⁴.
   template <class S>
   static double foregone(const S&, const Workspace<S>& w) {
     return S::n_constraints == dynamic_constraints ? 0 : std::sqrt(1e-4 * w.constraint_tolerance);
   }
 
-  /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}. `sum` may be the oldest d.
+  /// sum ← Σ_i α̂_i d_{n−i} + h² Σ_i β̂_i a_{n−i}. `sum` may be the oldest d_{n−i}.
   template <class S>
   static void sum_history(Workspace<S>& w, typename S::Vector& sum) {
     const auto slot = [&](int i) { return w.newest >= i ? w.newest - i : w.newest - i + w.n_slots; };
-    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, since they may not be ready yet
+    if constexpr (VectorSpace<typename S::Vector>::dense) {  // newest terms last, they may not be ready yet
       sum = w.d[slot(w.n_slots - 1)];
       scale(formula.difference[w.n_slots - 1], sum);
       axpy(w.h * w.h * formula.acceleration[w.n_slots - 1], w.a[slot(w.n_slots - 1)], sum);
@@ -258,7 +260,7 @@ struct SymmetricMultistep {
           for (Eigen::Index k = 0; k < sum.size(); ++k) sum.data()[k] += of_d * d[k] + of_a * a[k];
         }
       }
-    } else {  // in one pass over the memory
+    } else {  // computes all terms in one pass over the memory
       std::array<const double*, Workspace<S>::n_slots> d, a;
       for (int i = 0; i < w.n_slots; ++i) {
         d[i] = local_values(w.d[slot(i)]).data();
@@ -277,7 +279,7 @@ struct SymmetricMultistep {
     }
   }
 
-  /// w.multiplier ← λ_n, extrapolated by the polynomial through the last multipliers.
+  /// Sets w.multiplier to λ_n, extrapolated by the polynomial through the last multipliers.
   template <class S>
   static void extrapolate_multiplier(Workspace<S>& w) {
     constexpr double weights[7][6]{

@@ -1,6 +1,7 @@
 #pragma once
-/// The time loop with samples t_k = k T/N, k = 0 … N. Each interval contains a whole number n of steps, so that the
-/// steps end at the samples and the last sample is exactly T: h = (t_{k+1} − t_k)/n, t = t_k + j h.
+/// The time loop with samples t_k = k T/N, k = 0 … N. If the steps have a fixed size, each interval contains a whole
+/// number n of steps, h = (t_{k+1} − t_k)/n. The steps therefore end at the samples, and the last sample is exactly at
+/// T.
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +20,7 @@ struct SampleTimes {
   long n_samples = 1;
   double operator[](long k) const { return end * (static_cast<double>(k) / static_cast<double>(n_samples)); }
   double interval() const { return end / static_cast<double>(n_samples); }
-  /// Least number of equal steps, none longer than `step`, that fill an interval.
+  /// Least number of equal steps that fill an interval and are not longer than `step`.
   long steps_per_interval(double step) const {
     const double n = std::ceil(interval() / step * (1 - 1e-12));
     constexpr double most = 9e18;  // below the largest long; a run cannot make so many steps
@@ -27,19 +28,19 @@ struct SampleTimes {
   }
 };
 
-/// Position of a run: the number of steps already made in the interval after sample `sample`.
+/// Position of a run: the last sample and the number of steps since that sample.
 struct Cursor {
   long sample = 0, step = 0;
 };
 
 struct RunResult {
   Outcome outcome = Outcome::finished;
-  std::string reason;  ///< one sentence about a failure
+  std::string reason;  ///< the reason of a failure in one sentence, or "interrupted"
   double t = 0;        ///< time reached
 };
 
-/// Actions of the caller during the loop:
-///   sample(k, state, workspace) → Status: at sample k (k = 0 included), with the projected velocity;
+/// Functions of the caller during the loop. The first one also runs at k = 0, with the initial velocity:
+///   sample(k, state, workspace) → Status: called at sample k, with the projected velocity;
 ///   steps_per_interval(k, state, workspace) → long: steps from sample k to k+1, not called for adaptive methods;
 ///   step_done(cursor, state, workspace) → bool: after each step and the samples up to its time; false interrupts.
 template <class H, class S, class W>
@@ -49,8 +50,8 @@ concept TimeLoopHooks = requires(H hooks, long k, const State<S> state, W w, Cur
   { hooks.step_done(cursor, state, w) } -> std::same_as<bool>;
 };
 
-/// Runs from `cursor` (the start or a checkpoint) to the last sample. `cursor` and `state` change with the run. If a
-/// step fails, `state` is not valid afterwards.
+/// Runs from `cursor` (the start or a checkpoint) to the last sample, and advances `cursor` and `state`. Returns the
+/// outcome and the time reached. After a failed step `state` is not valid.
 template <class Method, class S, TimeLoopHooks<S, typename Method::template Workspace<S>> Hooks>
 requires(!Method::adaptive) RunResult
     run_time_loop(const S& system, const SampleTimes& times, State<S>& state, Cursor& cursor,
@@ -80,7 +81,7 @@ requires(!Method::adaptive) RunResult
   return {Outcome::finished, "", state.t};
 }
 
-/// The same for methods that choose their steps. The steps do not end at the samples; the state at a sample is
+/// Runs a method that chooses the sizes of its steps. The steps do not end at the samples, so the state at a sample is
 /// interpolated. The last step ends at T.
 template <class Method, class F, TimeLoopHooks<F, typename Method::template Workspace<F>> Hooks>
 requires(Method::adaptive) RunResult

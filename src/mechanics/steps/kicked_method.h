@@ -1,10 +1,11 @@
 #pragma once
-/// An adaptive method with a perturbation (kick) of the state after every step, of the size of its round-off:
+/// An adaptive method with a perturbation (kick) of the state after every step. The kick has the size of round-off:
 ///
 ///   x ← x (1 ± ε part)   for each component x of q and q̇,
 ///
-/// with pseudo-random signs that are the same in every run; ε is the spacing of floating-point numbers at 1. Other
-/// rounding errors could lead to the same motion. As in arithmetic, an exact 0 remains 0.
+/// with pseudo-random signs that are the same in every run; ε is the spacing of floating-point numbers at 1. The
+/// perturbed motion could also result from other rounding errors. As in floating-point arithmetic, an exact 0 remains
+/// 0.
 
 #include <Eigen/Core>
 #include <bit>
@@ -35,7 +36,8 @@ struct Kicked : Method {
   }
 
  private:
-  /// A sign from the parity of the bits of a multiple of the golden ratio; the signs are neither constant nor periodic.
+  /// The sign for kick k, from the parity of the bits of k times a 64-bit multiple of the golden ratio. The signs are
+  /// neither constant nor periodic.
   static double sign(std::uint64_t k) { return std::popcount(k * 0x9e3779b97f4a7c15u) % 2 == 0 ? 1 : -1; }
 };
 

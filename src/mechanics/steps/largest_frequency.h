@@ -1,5 +1,6 @@
 #pragma once
-/// Largest frequency ω of small motions about a state, tangent to the constraints. With λ the multiplier of the motion,
+/// Largest frequency ω of small motions about a state that are tangent to the constraints. With the multiplier λ of the
+/// motion,
 ///
 ///   ω² = max over G u = 0 of  uᵀK u / uᵀM u,     K u = −D_q[f + G(q)ᵀλ] u   (by differences, λ and v fixed).
 ///
@@ -7,15 +8,15 @@
 ///
 ///   γ = max over G u = 0 of  uᵀC u / uᵀM u,      C u = −D_v f u,
 ///
-/// It limits the step of a method that iterates on the damping. Both numbers are computed by Lanczos' iteration for
-/// M⁻¹K or M⁻¹C in the inner product of M. The projection
+/// γ limits the step of a method that iterates on the damping. Both ω and γ are computed by Lanczos' iteration for M⁻¹K
+/// or M⁻¹C in the inner product of M. The projection
 ///
 ///   u ← u − M⁻¹Gᵀ(G M⁻¹Gᵀ)⁻¹G u,
 ///
 /// keeps u tangent to the constraints. Each u is stored together with w = M u, so only M⁻¹ is needed, and ⟨u, u'⟩_M =
-/// uᵀw'. This holds also if M⁻¹ has zeros for components that are held fixed: u = 0 there for every w. Differences are
-/// central, with errors of about 1e-10. If vectors are distributed and forces cost much, differences are forward, with
-/// errors of about 1e-8.
+/// uᵀw'. M⁻¹ may have zeros for components that are held fixed, since there u = 0 for every w. Differences are central,
+/// with errors of about 1e-10. For distributed vectors, whose forces are costly, differences are forward, with errors
+/// of about 1e-8.
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +30,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// The frequency ω, or the reason why it could not be computed.
+/// The frequency ω, or in `status` the reason why ω could not be computed.
 struct [[nodiscard]] FrequencyReport {
   Status status;
   double omega = 0;
 };
-/// The damping rate γ, or the reason why it could not be computed.
+/// The damping rate γ, or in `status` the reason why γ could not be computed.
 struct [[nodiscard]] DampingReport {
   Status status;
   double gamma = 0;
@@ -70,11 +71,11 @@ void fill_irregular(const S& system, typename S::Vector& x) {
   }
 }
 
-/// The operator K, or C if `of_velocity`, by differences of the force.
+/// The operator K, or C if `of_velocity` is true, computed by differences of the force.
 template <ConstrainedSystem S>
 class TangentOperator {
  public:
-  /// `scale` is the size of the vector that the differences change; 0 is replaced by 1.
+  /// `scale` is the size of the vector that the differences change. A scale of 0 is replaced by 1.
   TangentOperator(const S& system, const State<S>& state, typename S::Workspace& workspace, bool of_velocity,
                   double scale)
       : system_(system),
@@ -96,8 +97,9 @@ class TangentOperator {
     return evaluate(force_at_state_);
   }
 
-  /// w ← K u, u ← M⁻¹K u, projected. The increment is reduced if the force fails, as for a body that is thin compared
-  /// with its length.
+  /// Sets result.w to K u and result.u to M⁻¹K u, and projects both. For C, replace K by C. If the force fails, the
+  /// increment of the difference is divided by 10, up to five times. This occurs for a body that is thin compared with
+  /// its length.
   Status apply(const typename S::Vector& u, MassPair<S>& result) {
     Status status = difference(u, result.w);
     for (int n_smaller = 0; !status && n_smaller < 5; ++n_smaller) {
@@ -125,7 +127,7 @@ class TangentOperator {
   }
 
  private:
-  /// w ← K u, or C u.
+  /// Computes w = K u, or w = C u if `of_velocity_` is true, by a difference of forces.
   Status difference(const typename S::Vector& u, typename S::Vector& w) {
     const double increment = increment_ / max_norm(u);
     typename S::Vector& changed = of_velocity_ ? moved_.v : moved_.q;
@@ -146,7 +148,7 @@ class TangentOperator {
     }
   }
 
-  /// force ← f + G(q)ᵀλ at `moved_`; without the reaction for C.
+  /// Sets `force` to f + G(q)ᵀλ at `moved_`, or to f if `of_velocity_` is true.
   Status evaluate(typename S::Vector& force) {
     if (Status status = system_.force(state_.t, moved_.q, moved_.v, workspace_, force); !status) return status;
     if constexpr (!unconstrained<S>)
@@ -167,15 +169,15 @@ class TangentOperator {
   typename S::Multiplier lambda_, residual_, delta_;
 };
 
-/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta) and the residual |β_n s_n| of its
-/// eigenvector s. An eigenvalue of the operator lies within this distance.
+/// Largest eigenvalue of the Lanczos matrix (diagonal alpha, off-diagonal beta), and the residual |β_n s_n| of its
+/// eigenvector s. An eigenvalue of the operator is within the residual of this value.
 struct RitzValue {
   double value = 0, residual = 0;
 };
 RitzValue largest_ritz_value(const std::vector<double>& alpha, const std::vector<double>& beta);
 
-/// Number of independent displacements tangent to the constraints, if it is known. After this number of steps the
-/// iteration is complete. Further vectors would consist of round-off, which can grow without bound.
+/// Number of independent displacements tangent to the constraints, for distributed vectors the largest int. After this
+/// number of steps the iteration is complete. Further vectors would consist of round-off, which can grow without bound.
 template <ConstrainedSystem S>
 int most_directions(const S& system) {
   if constexpr (VectorSpace<typename S::Vector>::dense) {
@@ -186,8 +188,8 @@ int most_directions(const S& system) {
   return std::numeric_limits<int>::max();
 }
 
-/// Largest eigenvalue from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the residual is at
-/// most `accuracy` times the eigenvalue.
+/// Sets `value` to the largest eigenvalue from at most `n_iterations` steps of Lanczos, plus its residual, or to 0 if
+/// this sum is negative. The iteration ends earlier if the residual is at most `accuracy` times the eigenvalue.
 template <ConstrainedSystem S>
 Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_iterations, double accuracy,
                           double& value) {
@@ -223,10 +225,10 @@ Status largest_eigenvalue(TangentOperator<S> tangent, const S& system, int n_ite
 
 }  // namespace detail
 
-/// ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω² is at
-/// most `accuracy`. The residual is added to the Ritz value, so that a short iteration gives a large ω and a small
-/// step. If the iteration finds every mode, the only errors are those of the differences. ω is 0 if no motion
-/// oscillates.
+/// Returns ω from at most `n_iterations` steps of Lanczos. The iteration ends earlier if the relative uncertainty of ω²
+/// is at most `accuracy`. The residual is added to the eigenvalue, so a short iteration gives an ω that is too large
+/// and a step that is too small, which is safe. If the number of steps is the number of modes, only the differences
+/// have errors. ω is 0 if no motion oscillates.
 template <ConstrainedSystem S>
 FrequencyReport largest_frequency(const S& system, const State<S>& state, typename S::Workspace& workspace,
                                   int n_iterations, double accuracy = 0) {
@@ -237,8 +239,8 @@ FrequencyReport largest_frequency(const S& system, const State<S>& state, typena
   return {std::move(status), std::sqrt(omega_squared)};
 }
 
-/// Largest damping rate γ, computed like ω. `omega` is the largest frequency: ω|q| is the scale of velocity for the
-/// differences if it exceeds |v|. Without dissipation γ is 0.
+/// Returns the largest damping rate γ, computed like ω. `omega` is the largest frequency. The differences change a
+/// velocity of the size |v| or ω|q|, whichever is larger. If the system does not dissipate energy, γ is 0.
 template <ConstrainedSystem S>
 DampingReport largest_damping(const S& system, const State<S>& state, typename S::Workspace& workspace, double omega,
                               int n_iterations, double accuracy = 0) {

@@ -1,5 +1,5 @@
 #pragma once
-/// Pilot runs: short runs over the beginning of the motion, from which the program chooses the method and the step.
+/// Pilot runs are short runs over the beginning of the motion. From them the program chooses the method and the step.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -24,11 +24,11 @@ struct StepRequest {
   double window = 0;        ///< length w of the pilot runs
   double tolerance = 0;     ///< permitted error of the configuration over [0, T]
   double rattle_limit = 0;  ///< largest stable step of RATTLE (rattle_step_limit); other limits are proportional to it
-  double step_bound = HUGE_VAL;  ///< largest outer step that the user allows
+  double step_bound = HUGE_VAL;  ///< largest step that the user allows, with all its substeps
   double interval = HUGE_VAL;    ///< time between samples, a bound for methods with fixed steps
-  bool stiff = false;            ///< the damping is too strong for the methods whose step it limits
+  bool stiff = false;            ///< the damping would limit the step of all methods except RATTLE
   bool spare_pilots = false;     ///< forces are costly: the search makes short estimates and does not seek small gains
-  std::optional<MethodId> method{};    ///< empty: the cheapest method
+  std::optional<MethodId> method{};    ///< the requested method; empty: the cheapest method
   std::function<bool()> give_up = {};  ///< called after every pilot step; true ends the search
 };
 
@@ -36,18 +36,18 @@ namespace detail {
 
 inline constexpr double error_safety = 0.5;  ///< fraction of the tolerance that the error estimate may use
 inline constexpr long max_pilot_samples = 32;
-/// Differences of two pilot runs above this bound, in the system's unit of length, do not follow the order of the
-/// method. Collisions and chaos cause such differences.
+/// If the configurations of two pilot runs differ by more than this bound, in the system's unit of length, the
+/// difference does not follow the order of the method. Collisions and chaos cause such differences.
 inline constexpr double asymptotic_difference = 0.1;
-/// Bound of the number of forces of one pilot run, and of the search for the step of one method. A collapsing body
-/// would need any number of forces, because its steps shrink.
+/// Bound of the number of forces of one pilot run, and of all pilot runs for one method with fixed steps. The steps of
+/// a collapsing body shrink, so a run without bound would never end.
 inline constexpr long max_pilot_forces = 4'000'000;
 /// Tolerance of the constraints in pilot runs with costly forces, as a fraction of the permitted difference of two
-/// pilot runs. For the ball, the steps found are the same to three digits for fractions 0 … 5e-3; with 5e-2 one step
+/// pilot runs. For the ball, fractions 0 … 5e-3 give the same steps to three digits. With the fraction 5e-2 one step
 /// changed by 4 %.
 inline constexpr double pilot_constraint = 5e-3;
 
-/// Configurations at the samples of a pilot run, and the largest velocity.
+/// Result of a pilot run: the configurations at the samples, the largest velocity, and the number of forces.
 struct PilotRun {
   Status status;
   double t = 0;  ///< time reached
@@ -56,28 +56,30 @@ struct PilotRun {
   long n_force = 0;
 };
 
-/// Replaces the function for kinetic and potential energy if the energies are not requested.
+/// Type of the argument `energies_of` if the caller does not give a function for kinetic and potential energy.
 struct NoEnergies {};
 
-/// Data of a method for the searches, with functions that make pilot runs of one system.
+/// A method with steps of fixed size, with functions that make pilot runs of one system. `n_stages` is the cost of a
+/// step in forces, and `step_limit` the largest hω.
 struct FixedStepMethod {
   MethodId id;
   double order, n_stages, step_limit;
-  /// Pilot run over a window, with n_steps from each sample to the next.
+  /// Makes a pilot run over `window`, with n_steps steps from each sample to the next.
   std::function<PilotRun(double window, long n_samples, long n_steps)> pilot;
-  /// The same pilot run with kinetic and potential energy instead of the configuration; empty if they are not known.
+  /// Makes the same pilot run, but records kinetic and potential energy instead of the configuration. Empty if the
+  /// method is symplectic or the energies are not given.
   std::function<PilotRun(double window, long n_samples, long n_steps)> energies{};
 };
 struct AdaptiveMethod {
   MethodId id;
   std::function<PilotRun(double local_tolerance)> pilot;
-  /// The same pilot run with a perturbation of `part` times round-off after every step (kicked_method.h).
+  /// Makes the same pilot run with a perturbation of `part` times round-off after every step (kicked_method.h).
   std::function<PilotRun(double local_tolerance, double part)> kicked_pilot;
 };
 
 inline double pilot_window(const StepRequest& request) { return std::min(request.window, request.end); }
 
-/// Hooks of the time loop that record a pilot run. The tolerance applies to the configuration Q_of(state).
+/// Hooks of the time loop that record a pilot run. The recorded configuration is Q_of(state).
 template <class S, class QOf>
 struct PilotHooks {
   const QOf& Q_of;
@@ -103,14 +105,14 @@ struct PilotHooks {
   }
 };
 
-/// The reason why a pilot run did not reach its end.
+/// Returns the reason why a pilot run did not reach its end.
 inline Status failure_of(RunResult result) {
   return Status::failure(result.outcome == Outcome::failed ? std::move(result.reason)
                                                            : "it takes too many steps to look ahead");
 }
 
-/// Makes a pilot run. `form` is the form of the system that the method integrates; `prepare(workspace)` is called
-/// first.
+/// Makes a pilot run. `form` is the form of the system that the method integrates (field_of.h). `prepare(workspace)` is
+/// called before the first step.
 template <class Method, class Form, class QOf, class Prepare>
 PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& request, const QOf& Q_of, double window,
                    long n_samples, long n_steps, Prepare&& prepare) {
@@ -127,7 +129,7 @@ PilotRun run_pilot(const Form& form, State<Form> state, const StepRequest& reque
 
 /// Longest step of a pilot run with perturbations. An adaptive step does not react to perturbations far below its
 /// tolerance. Without this bound, the steps of a body at rest would exceed the stability limit, and the method itself
-/// would amplify the perturbations. For a stiff system the bound permits at most 4096 steps.
+/// would amplify the perturbations. For a stiff system the bound is the window divided by 4096.
 inline double longest_kicked_step(const StepRequest& request) {
   constexpr double most_steps = 4096;
   if (request.rattle_limit == 0) return HUGE_VAL;  // not known
@@ -143,12 +145,12 @@ double forces_of_step(const S& system) {
     return Method::n_stages;
 }
 
-/// Makes a FixedStepMethod that keeps references to the arguments.
+/// Makes a FixedStepMethod, whose functions keep references to the arguments.
 template <class Method, class S, class QOf, class EnergiesOf>
 FixedStepMethod fixed_step_method(MethodId id, const S& system, const State<S>& initial, const StepRequest& request,
                                   const QOf& Q_of, const EnergiesOf& energies_of) {
   const auto prepare = [&request](auto& workspace) {
-    // If halvings made the steps of both pilot runs equal, their difference would be meaningless.
+    // Halvings of a step could make the steps of both pilot runs equal. Their difference would then be meaningless.
     if constexpr (requires { workspace.most_halvings; }) {
       workspace.most_halvings = 0;
       workspace.iteration_tolerance = Method::iteration_tolerance(request.tolerance, request.end);
@@ -197,8 +199,9 @@ inline double largest_difference(const PilotRun& a, const PilotRun& b) {
   return d;
 }
 
-/// Error at `end` from the random walk of round-off over n_substeps of size h. Every substep rounds the velocity. If
-/// sums are compensated, only the increments of the velocity have round-off, which is smaller by hω.
+/// Error at `end` from the random walk of round-off over n_substeps substeps of size h. Every substep rounds the
+/// velocity. If sums are compensated, only the increments of the velocity have round-off, which is smaller by the
+/// factor hω.
 inline double round_off_walk(bool compensated, double speed, double end, double n_substeps, double h_omega) {
   const double part = compensated ? std::min(1.0, h_omega) : 1.0;
   return 0.5 * std::numeric_limits<double>::epsilon() * (1 + part * std::sqrt(n_substeps) * std::max(1.0, speed * end));
@@ -208,12 +211,12 @@ inline double round_off_walk(bool compensated, double speed, double end, double 
 struct Trial {
   enum class Verdict { accepted, dearer, failed } verdict = Verdict::failed;
   MethodId method = id_of<Rattle>;
-  double limit = 0, step = 0;  ///< outer step, or the bound of the step of an adaptive method
+  double limit = 0, step = 0;  ///< step with all its substeps, or the bound of the step of an adaptive method
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0, n_forces_of_run = 0;
   bool at_round_off = false;
   bool set_by_energy = false;  ///< the energy error determines the step
-  /// Time after which round-off exceeds the tolerance, if it does.
+  /// Time after which round-off exceeds the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   std::string reason{};
 };

@@ -12,7 +12,7 @@ constexpr int max_step_halvings = 12;
 constexpr double max_run_forces = 1e11;
 
 /// Division of a window into n_samples intervals of n_steps steps, none longer than h. The number of samples is chosen
-/// such that the total number of steps is least.
+/// such that the total number of steps is smallest.
 struct Grid {
   long n_samples, n_steps;
   Grid(double window, double h) {
@@ -30,9 +30,10 @@ struct Grid {
 /// True if the method has one force per step and an order above that of RATTLE.
 bool is_multistep(const FixedStepMethod& method) { return method.n_stages == 1 && method.order > 2; }
 
-/// Change of the energy over the whole run, extrapolated from the pilot run. It is relative to the energy of the motion
-/// above the least potential energy. The oscillating part is the largest change in the pilot run. The lasting part is
-/// the difference of the means over both halves, which is assumed to grow like t^(3/2).
+/// Returns the change of the energy over the whole run, extrapolated from the pilot run. The change is relative to the
+/// energy of the motion above the least potential energy. The oscillating part is the largest change in the pilot run.
+/// The lasting part is the difference of the means over both halves, which is assumed to grow like t^(3/2). If the
+/// largest change is round-off, returns 0.
 double change_of_energy(const PilotRun& run, double part) {
   const double of_halves = 0.8 - 0.2 * std::sqrt(2.0);  // difference of the means of t^(3/2) over both halves of [0, 1]
   const double start = run.q.front().sum();
@@ -55,7 +56,8 @@ double change_of_energy(const PilotRun& run, double part) {
 }
 
 /// True if the runs with steps h and h/2 fail at nearly the same time, many steps after the start. The motion then ends
-/// there, and no step helps. Steps beyond the stability limit would fail within the first few steps.
+/// at this time, and a smaller step does not help. Steps beyond the stability limit would fail within the first few
+/// steps.
 bool motion_ends(const PilotRun& coarse, const PilotRun& fine, double h) {
   return !coarse.status && !fine.status && coarse.t > 8 * h && std::abs(coarse.t - fine.t) <= 0.2 * coarse.t;
 }
@@ -101,16 +103,17 @@ double StepSearch::window_of(const FixedStepMethod& method) const {
   return std::min(request_.end, std::max(pilot_window(request_), least));
 }
 
-/// Forces of the run if the difference d at h decreases according to the order. For large errors, which saturate, this
-/// prediction is too small. Therefore a method that it excludes is too costly.
+/// Returns the number of forces of the run if the difference d at h decreases according to the order. Large errors
+/// saturate, so the true number may be larger than this prediction. A method that the prediction excludes is therefore
+/// certainly too costly.
 double StepSearch::predicted_forces(const FixedStepMethod& method, double h, double d) const {
   const double e = d * std::max(1.0, request_.end / window_), target = allowed_error();
   return run_forces(method, h) * std::max(1.0, std::pow(e / target, 1 / method.order));
 }
 
-/// Estimates the error at the stability limit over a part of the window, and multiplies it by its possible growth in
-/// the remaining window. Accepts the stability limit if the product is permitted. The longer part is tried only if the
-/// estimate of the shorter part permits it.
+/// Estimates the error at the stability limit over a part of the window, and multiplies the estimate by its possible
+/// growth in the rest of the window. If the product is permitted, accepts the stability limit and returns true. Tries
+/// the longer part only if the estimate of the shorter part would be permitted with the smaller factor.
 bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   double error = 0;
   for (double part : {1.0 / 8, 1.0 / 2}) {
@@ -130,7 +133,7 @@ bool StepSearch::glance(const FixedStepMethod& method, Trial& trial) {
   return false;
 }
 
-/// Shortens the step until the change of the energy over the run is permitted (step_search.h).
+/// Shortens the step until the predicted change of the energy over the run is permitted (step_search.h).
 void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   // Both values were chosen after the measurements in step_search.h, and so was the power in change_of_energy().
   constexpr double part = 1.0 / 8, least_windows = 5;
@@ -140,7 +143,7 @@ void StepSearch::keep_energy(const FixedStepMethod& method, Trial& trial) {
   const PilotRun run = method.energies(window, grid.n_samples, grid.n_steps);
   n_force_ += run.n_force;
   const double p = method.order, h = window / static_cast<double>(grid.n_samples * grid.n_steps);
-  if (!run.status || run.q.size() < 2) return;  // if it fails, the run itself shortens its step
+  if (!run.status || run.q.size() < 2) return;  // if the pilot run fails, the run itself shortens its step
   const double change = change_of_energy(run, part) * std::pow(trial.step / h, p);
   if (change <= allowed_error()) return;
   const double shorter = std::pow(allowed_error() / change, 1 / p);
@@ -156,7 +159,7 @@ PilotRun StepSearch::pilot(const FixedStepMethod& method, double window, long n_
   return run;
 }
 
-/// Sets the step if the differences d at h, and d_before at 2h (0: unknown), are sufficient. Returns true if it is set.
+/// Sets the step and returns true if the differences d at h, and d_before at 2h (0: unknown), are sufficient.
 bool StepSearch::settle(const FixedStepMethod& method, Trial& trial, double h, double d, double d_before,
                         double speed) const {
   const double p = method.order;

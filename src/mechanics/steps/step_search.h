@@ -8,51 +8,54 @@
 ///
 /// The factor T/w assumes that the error grows linearly after the window. This holds for symmetric methods on regular
 /// motions (Hairer, Lubich, Wanner, Geometric Numerical Integration, X.3). The window should contain several periods of
-/// the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes, all met
-/// their tolerances. Another release, from the stretches 1.29, 1.29, 0.60, had 1.12 times its tolerance: its motion
-/// magnifies a change of its initial state 2000 times in 6.4 r/c.
+/// the slowest important motion. On a chaotic motion only w = T is safe. In a test with 1500 short scenes, all runs met
+/// their tolerances. A release from the stretches 1.29, 1.29, 0.60, which is not in the test, had 1.12 times its
+/// tolerance. Its motion magnifies a change of its initial state 2000 times in 6.4 r/c.
 ///
-/// The search starts at the stability limit and halves the step. It ends if e ≤ target, or if a small e falls by 2^p
-/// (to within √2) at a halving. Then the relation e ~ hᵖ gives the step. No pilot run has so small a step, so e gets a
-/// reserve of 2^(p/4).
+/// The search starts at the stability limit and halves the step. It ends if e ≤ target, or if a difference of at most
+/// 0.1 falls by 2^p (to within √2) at a halving. Then the relation e ~ hᵖ gives the step. If this step is smaller than
+/// h, no pilot run has tested it, so e is multiplied by a reserve of 2^(p/4).
 ///
-/// A multistep method of order p begins with p − 1 steps of another method, which do not show its own error. Therefore
-/// its window contains at least 4p of its steps, or the whole run.
+/// A multistep method of order p begins with p − 1 steps of another method. These steps do not show the error of the
+/// multistep method. Therefore the window contains at least 4p steps, or the whole run.
 ///
-/// If forces are costly, the search first makes a shorter estimate over a part w' of the window: w/8, and then w/2 if
-/// the first estimate permits. The errors have hardly begun to grow in it, so the estimate is multiplied by
-/// (w/w')^(3/2), 23 or 2.8. This factor was tested in releases, spins, tides and figures of equilibrium of the ball.
-/// Without it, the estimate was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order
-/// at its stability limit often passes this test, and the pilot runs then cost only a fifth or a half as much.
+/// If forces are costly, the search first makes a shorter estimate over a part w' of the window. The errors have hardly
+/// begun to grow in w', so the estimate is multiplied by (w/w')^(3/2). The first part is w/8 with the factor 23. If
+/// this product is too large, but 2.8 times the estimate is not, the search also tries w/2 with the factor 2.8. The
+/// factor was tested in releases, spins, tides and figures of equilibrium of the ball. Without the factor, the estimate
+/// was 0.07 to 9 times too small at w/8, and 0.4 to 2.1 times at w/2. A method of high order at its stability limit
+/// often passes this test. The pilot runs then cost only a fifth or a half as much.
 ///
 /// A symmetric multistep method conserves a modified energy. For a mode of frequency ω and energy E_ω it is
 ///
 ///   E_ω (1 + C (hω)^p + …),   C = 0.094 for order 4 (5/2 of the coefficient of its modified differential equation),
 ///
-/// so that the energy changes if the motion transfers energy from slow modes to fast modes. For a body of many modes
-/// this transfer continues for a long time, with and without constraints, but not in small motions. RATTLE-4 has C =
-/// −0.0009, and the change of its energy has the opposite sign and a hundredth of the size.
+/// The energy therefore changes if the motion transfers energy from slow modes to fast modes. For a body with many
+/// modes this transfer continues for a long time, with and without constraints, but not in small motions. RATTLE-4 has
+/// C = −0.0009. The change of its energy has the opposite sign and a hundredth of the size.
 ///
-/// Therefore another pilot run uses the step found, over the first eighth of the run, if this eighth has at least five
-/// windows. D is the largest change of the energy in it. δ is the difference of the means of the energy over both
-/// halves of the eighth. Both are divided by the energy of the motion. The step is shortened to h' such that
+/// Therefore one more pilot run uses the step found, over the first eighth of the run, if this eighth has at least five
+/// windows. D is the largest change of the energy in this pilot run. δ is the difference of the mean energies in the
+/// first and the second half. D and δ are divided by the energy of the motion above the least potential energy. The
+/// step is shortened to h' such that
 ///
 ///   (D + 44 δ) (h'/h)^p ≤ target,
 ///
 /// since a change that grows like t^(3/2) is 44 δ at the end of the run. In small motions the energy oscillates, and δ
-/// is small. In 123 runs of releases and spins of the ball the change at the end was 0.09 to 42 times D + 44 δ, with
-/// the median 0.9. (Stretches were 1.001 to 1.3, degrees 2 to 4, and 3 to 9 of polynomials, with and without the
-/// constraint, t = 20 to 1000.) In 12 runs it was more than 5 times: violent motions become more violent with time, and
-/// in the worst case a compressible ball is compressed to a fifth. The power 3/2 was chosen after these measurements.
-/// The target and the reserve of the models permit a factor of 5. A larger excess comes from the parasitic roots of the
-/// method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies do so from hω = 0.79 on,
-/// sums of three from 0.52 on. This part of the error falls faster than h^p.
+/// is small. In 123 runs of releases and spins of the ball, the change at the end was 0.09 to 42 times D + 44 δ, with
+/// the median 0.9. (Stretches were 1.001 to 1.3, degrees 2 to 4 of elements and 3 to 9 of polynomials, with and without
+/// the constraint, t = 20 to 1000.) In 12 runs the change was more than 5 times D + 44 δ, since violent motions become
+/// more violent with time. In the worst case a compressible ball is compressed to a fifth. The power 3/2 was chosen
+/// after these measurements. The target and the reserve of the models permit a factor of 5. A larger excess comes from
+/// the parasitic roots of the method, ±i for order 4, which resonate with sums of frequencies. Sums of two frequencies
+/// resonate from hω = 0.79 on, sums of three from 0.52 on. The error of these resonances falls faster than h^p.
 ///
 /// The random walk of round-off in the velocity causes an error of the configuration of about
 ///
-///   e₀ = ½ ε √N max(1, |v|_∞ T),   N substeps.
+///   e₀ = ½ ε √N max(1, |v|_∞ T),   with N substeps and the round-off ε.
 ///
-/// If sums are compensated, e₀ has the additional factor hω. The step is never smaller than the step at which e = e₀.
+/// If sums are compensated, e₀ has the additional factor min(1, hω). Unless the stability limit is smaller, the step is
+/// not smaller than the step at which e = e₀.
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +70,8 @@ class StepSearch {
   StepSearch(const StepRequest& request, bool compensated)
       : request_(request), compensated_(compensated), window_(pilot_window(request)) {}
 
-  /// Finds the step of one method. The search ends early if the run would need more than `n_forces_to_beat` forces.
+  /// Finds the step of one method and returns the result. The search ends early with the verdict `dearer` if the run
+  /// would need more than `n_forces_to_beat` forces.
   Trial try_method(const FixedStepMethod& method, double n_forces_to_beat) {
     Trial trial = meet_tolerance(method, n_forces_to_beat);
     if (trial.verdict == Trial::Verdict::accepted && trial.n_forces_of_run < n_forces_to_beat)
@@ -75,13 +79,13 @@ class StepSearch {
     return trial;
   }
 
-  /// Forces of the whole run with the largest permitted step, the least cost of the method.
+  /// Number of forces of the whole run with the largest permitted step. The method cannot need fewer forces.
   double least_forces(const FixedStepMethod& method) const { return run_forces(method, limit(method)); }
   long n_force() const { return n_force_; }
 
  private:
   bool given_up() const { return request_.give_up && request_.give_up(); }
-  /// The target of the estimate e.
+  /// Target of the estimate e, a fraction of the tolerance.
   double allowed_error() const { return error_safety * request_.tolerance; }
   double limit(const FixedStepMethod& method) const {
     return std::min(request_.rattle_limit * (method.step_limit / Rattle::stability_limit),

@@ -23,9 +23,9 @@ namespace {
 /// are costly, it compares with all later methods.
 constexpr double clearly_dearer = 4;
 /// If forces are costly, a method is tried only if its least cost is below this fraction of the least cost so far.
-/// Otherwise its pilot runs would cost more than it can save.
+/// Otherwise its pilot runs would cost more than the method can save.
 constexpr double worth_dear_pilots = 0.8;
-/// Value of the invariants of a motion: a geometric method may need this number of forces for each force of an adaptive
+/// A method that conserves the invariants of the motion may need this number of forces for each force of an adaptive
 /// method.
 constexpr double price_of_invariants = 2;
 
@@ -106,11 +106,12 @@ class MethodChoice {
   }
 
  private:
-  /// Likely cost of a method. A method of order 2 counts twice, since accuracy seldom permits a step near its limit.
+  /// Cost by which the methods are ordered. The cost of a method of order 2 is doubled, since accuracy seldom permits a
+  /// step near its limit.
   static double likely_forces(const StepSearch& search, const FixedStepMethod& method) {
     return search.least_forces(method) * (method.order == 2 ? 2 : 1);
   }
-  /// Cost of the adaptive method in the comparison; infinite if it does not reach the tolerance.
+  /// Cost of the adaptive method in the comparison; infinite if there is none or if its error exceeds the tolerance.
   double adaptive_cost() const {
     return adaptive_ && !adaptive_->at_round_off ? price_of_invariants * adaptive_->n_forces_of_run : HUGE_VAL;
   }

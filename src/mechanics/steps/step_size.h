@@ -3,14 +3,15 @@
 /// maximum norm over the samples.
 ///
 /// An adaptive method (tolerance_search.h) is tried first. It can follow motions of every kind, and its cost bounds the
-/// cost of the search among the other methods. It does not conserve the invariants of the motion. Therefore it is
-/// chosen only if it needs less than half of the forces of the others. This occurs on short runs, since its error grows
-/// like T², and on motions with short violent phases.
+/// cost of the search among the other methods. An adaptive method does not conserve the invariants of the motion. It is
+/// therefore chosen only if it needs less than half of the forces of the other methods. This occurs on short runs,
+/// since its error grows like T², and on motions with short violent phases.
 ///
-/// Then methods of fixed step are tried (step_search.h), in the order of their least cost, the cost at the stability
-/// limit. A method is skipped if its least cost exceeds the cost of the best method so far. Pilot runs predict the cost
-/// of a method. Its search ends if this cost exceeds the cost of the best method so far, or is clearly above the least
-/// cost of a later method of higher order.
+/// Then methods with fixed steps are tried (step_search.h), in the order of their least cost, which is the cost at the
+/// stability limit. For methods of order 2 this cost counts twice. A method is skipped if its least cost exceeds the
+/// cost of the best method so far. During the search for its step, pilot runs predict the cost of a method. The search
+/// ends if this cost exceeds the cost of the best method so far, or is four times the least cost of a later method of
+/// higher order.
 
 #include <Eigen/Core>
 #include <optional>
@@ -22,42 +23,43 @@
 
 namespace pseudorigid::mechanics {
 
-/// The chosen method and step, or the reason why no method can run. Times are in internal units.
+/// The chosen method and step, or the reason why no step can be found. Times are in internal units.
 struct [[nodiscard]] StepChoice {
   Status status{};
   MethodId method = id_of<Rattle>;
-  double step = 0;             ///< outer (composed) step, an upper bound
+  double step = 0;             ///< upper bound of the step with all its substeps
   double local_tolerance = 0;  ///< for adaptive methods only
   double error = 0;            ///< estimated error of the configuration over the run
   bool at_round_off = false;   ///< the tolerance is below the limit of double precision
-  /// Time after which round-off, which grows with the motion, exceeds the tolerance.
+  /// Time after which round-off grows beyond the tolerance; empty if no such time is known.
   std::optional<double> round_off_rules_from{};
   double rattle_limit = 0;  ///< the value of the request
   long n_force = 0;         ///< forces spent on pilot runs
   std::string why{};        ///< the reason of the choice, one sentence for the log
 };
 
-/// |Q⁻¹Q̇|₂, the rate of an affine motion. It estimates how fast the modes of vibration rotate and stretch.
+/// |Q⁻¹Q̇|₂, the rate of an affine motion. It is an estimate of the rate at which the modes of vibration rotate and
+/// stretch.
 double affine_rate(const Eigen::Matrix3d& Q, const Eigen::Matrix3d& Qdot);
 
-/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). Small motions about a motion have the
-/// largest frequency ω, and `rate` is the rate of that motion.
+/// Step at which RATTLE is stable with some reserve: safety · 2/(ω + rate). Small motions about the present motion have
+/// the largest frequency ω, and `rate` is the rate of the present motion.
 inline double rattle_step_limit(double omega, double rate, double safety = 0.8) {
   return safety * Rattle::stability_limit / (omega + rate);
 }
 
-/// Step at which RATTLE's iteration on a force that depends on the velocity converges well. An iteration multiplies the
-/// error by hγ/2 with the largest damping rate γ. At this step it gains more than half a digit.
+/// Step at which RATTLE's iteration on a force that depends on the velocity converges well. With the largest damping
+/// rate γ, an iteration multiplies the error by hγ/2. At this step an iteration gains more than half a digit.
 inline double damped_step_limit(double gamma, double safety = 0.8) { return safety * 0.5 / gamma; }
 
-/// True if Method = auto chooses the method only for systems whose stages are evaluated in lanes.
+/// True if Method = auto chooses the method only for systems that evaluate stages in lanes (stage_by_stage.h).
 template <class Method>
 inline constexpr bool wants_stages_in_lanes = requires {
   Method::for_stages_in_lanes;
 };
 
-/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If forces are cheap,
-/// methods of fixed step that are not symplectic are considered only if stages in lanes make their steps as cheap.
+/// True if Method = auto considers the method for systems of type S, provided `accepts` agrees. If forces are cheap, a
+/// method with fixed steps must be symplectic or declare `for_stages_in_lanes`.
 template <class Method, class S>
 inline constexpr bool auto_considers = Method::chosen_by_auto &&
                                        (Method::adaptive || Method::symplectic || wants_stages_in_lanes<Method> ||
@@ -65,15 +67,15 @@ inline constexpr bool auto_considers = Method::chosen_by_auto &&
 
 namespace detail {
 
-/// The best of these methods, in the order of the table. `compensated` is true if sums of the system's vectors are
+/// Returns the best of the given methods and its step. `compensated` is true if sums of the system's vectors are
 /// compensated.
 StepChoice choose_among(const std::vector<FixedStepMethod>& fixed, const std::vector<AdaptiveMethod>& adaptive,
                         bool compensated, const StepRequest& request);
 
 /// True for the requested method. Without a request, true for each method that Method = auto may choose and that
-/// accepts the system. If a force is costly, an adaptive method is only for dissipative systems, which exclude methods
-/// of fixed step and high order. If the system is stiff, RATTLE is the only candidate, because its kicks solve for the
-/// velocity.
+/// accepts the system. If a force is costly, an adaptive method is a candidate only for dissipative systems, because
+/// these systems exclude methods with fixed steps of high order. If the system is stiff, RATTLE is the only candidate,
+/// because RATTLE solves a linear system for the velocity.
 template <class Method, class S>
 bool is_candidate(const S& system, const StepRequest& request) {
   if (request.method) return *request.method == id_of<Method>;
@@ -88,9 +90,9 @@ bool is_candidate(const S& system, const StepRequest& request) {
 }  // namespace detail
 
 /// Chooses the cheapest method and its step, or the step of the requested method. The tolerance applies to the
-/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A pilot run that fails is repeated
-/// with half the step. If given, energies_of(state) returns the kinetic and the potential energy. Methods that are not
-/// symplectic may change the sum of both by the tolerance.
+/// configuration Q_of(state), a matrix or vector of Eigen. `initial` is at t = 0. A failed pilot run with fixed steps
+/// is repeated with half the step. The function energies_of(state), if given, returns the kinetic and the potential
+/// energy. A multistep method may then change their sum by the tolerance, relative to the energy of the motion.
 template <class S, class QOf, class EnergiesOf = detail::NoEnergies>
 StepChoice choose_step(const S& system, const State<S>& initial, const StepRequest& request, const QOf& Q_of,
                        const EnergiesOf& energies_of = {}) {

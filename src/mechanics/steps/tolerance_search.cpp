@@ -10,11 +10,11 @@ namespace {
 
 double size_of(const PilotRun& pilot) { return pilot.q.empty() ? 0 : max_norm<Eigen::VectorXd>(pilot.q.front()); }
 
-/// Distance of a pilot run from two runs that are perturbed by round-off in opposite directions.
+/// Distance of a pilot run from two pilot runs that are perturbed by round-off in opposite directions.
 struct RoundOff {
   double difference = 0;
-  bool magnified = false;               ///< grows with the motion, faster than a random walk
-  std::optional<double> beyond_from{};  ///< the first sample at which the distance exceeds the bound
+  bool magnified = false;               ///< the distance is much larger than that of a random walk
+  std::optional<double> beyond_from{};  ///< time of the first sample at which the distance exceeds the bound
 };
 
 RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, double tau, const PilotRun& pilot,
@@ -38,7 +38,8 @@ RoundOff round_off_of(const StepRequest& request, const AdaptiveMethod& method, 
   return found;
 }
 
-/// True if neither positions nor velocities differ from those of a body at rest by more than round-off.
+/// True if the body rests in the pilot run: all velocities are round-off, and all positions equal the initial ones up
+/// to round-off.
 bool rests(const PilotRun& pilot) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, size_of(pilot));
   return pilot.speed <= round_off && std::ranges::all_of(pilot.q, [&](const Eigen::VectorXd& q) {

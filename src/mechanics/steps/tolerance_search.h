@@ -8,21 +8,23 @@
 /// because the error of a method without geometric structure grows like t²: its energy drifts (Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, X.3). The relation e ~ τ then gives τ.
 ///
-/// Round-off grows with the motion, near an unstable point like e^{λt}. Two pilot runs with the same rounding errors do
-/// not show this growth. Therefore, unless forces are costly, two more pilot runs are perturbed by round-off after
-/// every step, in opposite directions (kicked_method.h). Their distance from the first pilot run is part of the
-/// estimate. On a regular motion the distance grows like t^(3/2), since the perturbations have random signs. If it is
-/// more than a thousand times as large as on a regular motion, the motion amplifies round-off. The result then has the
-/// time after which round-off exceeds the tolerance.
+/// Round-off also grows with the motion, for example like e^{λt} near an unstable point. Two pilot runs with the same
+/// rounding errors do not show this growth. If forces are cheap, the search therefore makes two more pilot runs, which
+/// are perturbed by round-off after every step, in opposite directions (kicked_method.h). Their distance from the run
+/// with tolerance τ is part of the estimate. On a regular motion this distance grows like t^(3/2), because the
+/// perturbations have random signs. If the distance is more than a thousand times as large as on a regular motion, the
+/// motion amplifies round-off. The result then contains the first time at which the distance exceeds (w/T)² times the
+/// tolerance, if the distance does so within the window.
 ///
-/// For a body at rest that does not amplify perturbations, the error and the number of steps do not grow after the
-/// window.
+/// A body at rest that does not amplify perturbations is assumed to remain at rest. Its error and its number of steps
+/// are not extrapolated from the window to the run.
 
 #include "mechanics/steps/pilot_run.h"
 
 namespace pseudorigid::mechanics::detail {
 
-/// `compensated` is true if sums of the system's vectors are compensated. Adds the forces of the pilot runs to n_force.
+/// Searches for the local tolerance and returns the result. `compensated` is true if sums of the system's vectors are
+/// compensated. n_force is increased by the number of forces of the pilot runs.
 Trial search_tolerance(const StepRequest& request, bool compensated, const AdaptiveMethod& method, long& n_force);
 
 }  // namespace pseudorigid::mechanics::detail
