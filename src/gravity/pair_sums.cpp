@@ -35,7 +35,8 @@ struct Rated {
   }
 };
 
-/// As many targets as a vector has lanes, with their sums. `g` does not contain the part along N_i.
+/// A block of targets, one in each lane, with their sums. `g` does not contain the terms along N_i, which are N_i
+/// along_N.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -69,7 +70,8 @@ void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// Writes the sums of a block to the targets from number `first` on. `part` selects the value or the time derivative.
+/// Writes the sums of a block to `sums`, for the targets from number `first` on. `part` selects the value or the time
+/// derivative.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);
@@ -84,7 +86,7 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// A block of as many points as a vector has lanes, from number `first` on, with sums of 0.
+/// A block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point repeat it.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -94,16 +96,16 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point: Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
+/// Sums over the images of one point: a = Σ a/|d|, b = Σ b/|d| and w = Σ ab/|d|³, with the symbols of PairWithImages.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
-/// The pairs of a point y and its mirror images with as many points x as a vector has lanes. Each distance serves both
-/// points of a pair. Under a set k of reflections the image of y is R_k y, R_k = diag(s_k1, s_k2, s_k3), s = ±1. Let
-/// d = x − R_k y, a = d·N_x and b = d·R_k N_y. Seen from y, the image R_k x has the distance vector −R_k d, with −b and
-/// −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each axis c, Σ_k s_kc over the
-/// images are needed:
+/// The pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is used for
+/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3), s =
+/// ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. Seen from y, the image R_k x has the distance
+/// vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each
+/// axis c, Σ_k s_kc over the images are needed:
 ///
 ///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
 template <unsigned mirrors>
@@ -125,9 +127,9 @@ class PairWithImages {
     (std::make_integer_sequence<int, 8>());
   }
 
-  /// Σ_k
+  /// The sum Σ_k of `term` over the images.
   L sum(L ImageSums::*term) const { return all_.*term; }
-  /// Σ_k s_kc
+  /// The sum Σ_k s_kc of `term` over the images.
   L signed_sum(int c, L ImageSums::*term) const {
     return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
   }
@@ -161,8 +163,8 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain their parts along N_i and
-/// x_i.
+/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain the terms along N_i and
+/// x_i, whose factors are along_N and along_x.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
@@ -182,7 +184,7 @@ struct MutualSums {
   }
 };
 
-/// Adds the contributions of the block and its images to the point y, lane by lane.
+/// Adds the contributions of the points x and their images to the sums of the point y, lane by lane.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
                                          MutualSums& y) {
@@ -194,7 +196,7 @@ template <unsigned mirrors>
   }
 }
 
-/// Adds the contributions of the point y and its images to the block.
+/// Adds the contributions of the point y and its images to the sums of the points x.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void act(const PairWithImages<mirrors>& pair, const double (&y)[3],
                                        const double (&N_y)[3], MutualSums& x) {
@@ -206,8 +208,8 @@ template <unsigned mirrors>
   }
 }
 
-/// The sums Σ_j over the points and their images. Each pair of points is computed once, except for pairs within a
-/// block.
+/// The sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except for
+/// pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();

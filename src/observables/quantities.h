@@ -8,7 +8,7 @@
 
 namespace pseudorigid::mechanics {
 
-/// A value is true if the group is requested. The initial values are the defaults.
+/// A member is true if its group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;

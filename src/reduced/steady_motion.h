@@ -101,7 +101,7 @@ Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion
          m.lambda * m.A.inverse().transpose();
 }
 
-/// The largest of the terms of R, for the comparison with |R|.
+/// Size of the largest term of R, with which |R| is compared.
 template <SmoothPotential V>
 double steady_residual_scale(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return std::max({(m.omega.squaredNorm() + m.Lambda.squaredNorm()) * m.A.norm(), body.gradient(m.A).norm(),
