@@ -14,8 +14,8 @@ namespace {
 using L = mechanics::Lanes<mechanics::native_lanes>;
 constexpr std::size_t n_lanes = mechanics::native_lanes;
 
-/// A constant that is added to squared distances and is far below any relevant one. It makes the inverse distance of a
-/// point to itself finite. Such a pair adds 0, because all its terms have the factor d.
+/// A constant that is added to squared distances, and is far below any relevant squared distance. The constant makes
+/// the inverse distance of a point to itself finite. Such a pair adds 0, because all its terms have the factor d.
 constexpr double no_distance = 1e-36;
 
 /// A number with its time derivative.

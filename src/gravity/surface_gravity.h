@@ -45,7 +45,7 @@ struct PairSums {
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
 /// The sums if the sources are the targets and their images under the reflections x_c ↦ −x_c for which mirrors[c] is
-/// true. Each pair is computed once, which takes at most half of the time.
+/// true. Each pair is computed once, which takes at most half of the time of `sum_pairs`.
 PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
 /// Returns the total of the sums over two sets of sources, for the same targets.
 PairSums add(const PairSums& more, PairSums sums);

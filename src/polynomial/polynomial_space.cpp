@@ -118,7 +118,7 @@ double PolynomialSpace::orientation(int image) const {
   return std::popcount(static_cast<unsigned int>(image)) % 2 == 0 ? 1.0 : -1.0;
 }
 
-/// Number of the function that is a multiple of ξ_axis.
+/// Index of the function that is a multiple of ξ_axis.
 int PolynomialSpace::linear_function(int axis) const {
   int a = 1;
   while (functions_[a].parity() != 1U << axis) ++a;

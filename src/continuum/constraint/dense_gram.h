@@ -6,7 +6,7 @@
 ///
 ///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
 ///
-/// and is zero if they do not share a node.
+/// and is zero if the cells do not share a node.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
