@@ -29,10 +29,10 @@ class GramSolver {
   /// does not converge with a preconditioner at q₁.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as in CellKernels. With the dense inverse, it also stores the tangent at x for a
-  /// later solve at x.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ. Returns the least of J and of the law's reserve, as CellKernels::force. With the
+  /// dense inverse, this function also stores the tangent at x for a later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f += G(x)ᵀλ.
+  /// f ← f + G(x)ᵀλ
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
   /// Memory of the solver on which later solves depend, for checkpoints. The residuals depend on the preconditioner, so

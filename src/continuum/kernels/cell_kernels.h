@@ -31,8 +31,9 @@ class CellKernels {
   /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve. If this value is not positive, f is not
   /// valid.
   double force(const Vector& x, Vector& f) const;
-  /// The same with the reaction G(x)ᵀλ, which costs a third of a separate evaluation. If `at_x` is not null, it must
-  /// have double precision and is set to the tangent at x.
+  /// Computes the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. Here the reaction
+  /// costs a third of a separate evaluation. If `at_x` is not null, it must have double precision and is set to the
+  /// tangent at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// Computes g and returns the least J. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
@@ -44,7 +45,7 @@ class CellKernels {
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
-  /// f += viscous force; returns the power that it dissipates.
+  /// f ← f + viscous force; returns the power that this force dissipates.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
@@ -78,7 +79,7 @@ class CellKernels {
   int degree_;
 };
 
-/// Data of the kernels of a space.
+/// The reference cell, the nodes of the cells and the reference positions, for the kernels.
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.
