@@ -88,7 +88,7 @@ struct MetricStressPoint {
     G00 = entry(0, 0), G01 = entry(0, 1), G02 = entry(0, 2), G11 = entry(1, 1), G12 = entry(1, 2), G22 = entry(2, 2);
   }
 
-  /// The same as AnyStressPoint::stress.
+  /// Returns T and updates `least`, as AnyStressPoint::stress.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double unit_weight, const Tensor& H,
                                        L& least) const {

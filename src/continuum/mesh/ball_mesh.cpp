@@ -110,9 +110,9 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. It is the vertex on the sphere for
-/// an outward direction, and the vertex on the plane for a direction from a plane x_c = 0 that contains the poles. The
-/// direction along the axis of the poles is not graded.
+/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. For an outward direction, the small
+/// end is the vertex on the sphere. For a direction from a plane x_c = 0 that contains the poles, it is the vertex on
+/// this plane. The direction along the axis of the poles is not graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
