@@ -1,5 +1,6 @@
 #pragma once
-/// The ranks of a communicator, and sums and minima over ranks. A process that has not started MPI has one rank.
+/// Number of ranks of a communicator, number of this rank, and sums and minima over the ranks. If the process has not
+/// started MPI, the number of ranks is 1 and this rank is 0.
 
 #include <deal.II/base/mpi.h>
 
