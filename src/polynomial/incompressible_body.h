@@ -3,9 +3,9 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. λ = Σλ_bψ_b is
-/// the Kirchhoff pressure Jp, with the pressure p. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions
-/// have zero divergence at every point.
+/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
+/// λ = Σλ_bψ_b is the Kirchhoff pressure Jp, with the pressure p. The divergence maps (P_N)³ onto P_{N−1}. Therefore
+/// small motions have zero divergence at every point.
 
 #include <cmath>
 

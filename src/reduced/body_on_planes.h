@@ -5,9 +5,9 @@
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
 /// with the mass M, the loads b and T and the drag ζ (center_of_mass.h), the multiplier Λ, and Rayleigh's function R of
-/// the dissipation. f_Q is the force on Q without planes. As in dissipative_body.h, the velocities of two further
-/// coordinates s and s' are energies: the dissipated energy D, and the energy W that loads have given. The vectors are
-/// q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// the dissipation. The term f_Q is the force on Q without planes. As in dissipative_body.h, the velocities of two
+/// further coordinates s and s' are energies: the dissipated energy D, and the energy W that loads have given. The
+/// vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
