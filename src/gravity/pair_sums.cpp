@@ -35,8 +35,8 @@ struct Rated {
   }
 };
 
-/// A block of targets, one in each lane, with their sums. `g` does not contain the terms along N_i, which are N_i
-/// along_N.
+/// A block of targets, one in each lane, with their sums. `g` does not contain the terms along N_i. `along_N` is the
+/// factor of N_i in these terms.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -96,7 +96,8 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point: a = Σ a/|d|, b = Σ b/|d| and w = Σ ab/|d|³, with the symbols of PairWithImages.
+/// Sums over the images of one point, with the symbols of PairWithImages. The members a, b and w are Σ a/|d|, Σ b/|d|
+/// and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };

@@ -3,7 +3,7 @@
 /// basis φ_a of the positions, the deformation gradient F and J = det F, they are
 ///
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
-///  (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
+///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
 ///
 /// Vectors may have further entries after the unknowns of the space. The functions do not change the further entries.
 

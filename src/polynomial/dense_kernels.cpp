@@ -178,8 +178,9 @@ void contract_radially(const double* A, int n_levels, int n_radii, int n, const 
     }
 }
 
-/// Calls visitor(s, n) for pieces of n numbers from s on that cover 0 … length. The pieces are vectors, and the last
-/// vector may overlap the previous one. If `length` is less than a vector, the pieces are single numbers.
+/// Calls visitor(s, n) for pieces of n numbers from the index s on, which cover the range 0 … length. The pieces are
+/// SIMD vectors, and the last vector may overlap the previous one. If `length` is less than a vector, the pieces are
+/// single numbers.
 template <class Visitor>
 [[gnu::always_inline]] inline void for_each_piece(int length, Visitor&& visitor) {
   using Single = std::integral_constant<int, 1>;

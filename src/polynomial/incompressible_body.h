@@ -24,7 +24,7 @@ class IncompressibleBody : public PolynomialBody {
     /// Residual that is sufficient for the caller of solve_gram. The caller bounds the maximum norm, and the solver
     /// compares the larger Euclidean norm. If 0, the solver uses its default.
     double residual_sought = 0;
-    const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
+    const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

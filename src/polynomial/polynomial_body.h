@@ -43,9 +43,9 @@ struct BodySetup {
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
-  std::optional<int> n_gravity_points{};  ///< points of gravity per direction of an octant of the surface
-  std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
-  std::optional<int> n_contact_points{};  ///< points of contact per direction of an octant of the surface
+  std::optional<int> n_gravity_points{};  ///< number of gravity points per direction of an octant of the surface
+  std::optional<int> n_points{};          ///< number of points in the body, per direction of an octant
+  std::optional<int> n_contact_points{};  ///< number of contact points per direction of an octant of the surface
 };
 
 struct PotentialEnergies {
@@ -85,7 +85,7 @@ class PolynomialBody {
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
-  /// Null without self-gravity.
+  /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
   /// Contact with rigid planes at q, empty if there are none.
   loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }

@@ -1,8 +1,8 @@
 #pragma once
 /// Error of Q due to the quadrature of a polynomial body, and the number of points that a tolerance requires. The
 /// motion of a body depends on the quadrature rule. Two pilot runs with different rules cover a window w of a run of
-/// length T. They use RATTLE with the same long steps, so that the errors of the steps cancel. With their results Q and
-/// Q', the estimate of the error is
+/// length T. They use RATTLE with the same long steps, so that the errors of the steps cancel. With the results Q and
+/// Q' of the two runs at the times t_k, the estimate of the error is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///
@@ -37,7 +37,7 @@ struct QuadratureRequest {
   double end = 0;                   ///< T, measured from the state
   double stable_step = 0;           ///< stability limit of RATTLE; 0 if it is not known
   double tolerance = 1e-6;          ///< tolerance of Q
-  bool adds_points = false;         ///< add points until e is half of the tolerance or stops decreasing
+  bool adds_points = false;         ///< true: points are added until e is half of the tolerance or stops decreasing
   std::function<bool()> give_up{};  ///< called after every step of a pilot run; true ends the pilot run
 };
 

@@ -1,10 +1,10 @@
 #pragma once
-/// Small motions u of a polynomial ball about rest. The frequencies ω are the eigenvalues of
+/// Small motions u of a polynomial ball about rest. The squares of the frequencies ω are the eigenvalues of
 ///
-///   K u = ω² u on ker G     (rest_problem.h),
+///   K u = ω² u on ker G     (rest_problem.h).
 ///
 /// This is a problem for each of the eight parities, on an orthonormal basis of ker G without the six rigid motions.
-/// The function finds all other frequencies of the body, also those of unstable motions.
+/// All other frequencies of the body are found, also the frequencies of unstable motions.
 ///
 /// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. The square of the
 /// rotation of a field together with its values (turns.h) has the eigenvalues n(n + 1), and divides the motions of a
@@ -25,7 +25,7 @@ struct RestFrequency {
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< share of the degree in a mode, the least of the modes
+  double share;           ///< least share of the degree in one of the modes
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 

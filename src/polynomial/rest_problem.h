@@ -8,7 +8,7 @@
 /// Self-gravity at rest is exact. Its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
 /// (continuum/modes/parity_sector.h). This problem does not use the quadrature of gravity during a motion
 /// (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest harmonics exceeds the elastic
-/// stiffness. It mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
+/// stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
 
 #include <Eigen/Core>
 #include <array>

@@ -50,7 +50,7 @@ struct NearbyFigure {
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Sets a figure near the figure with this parameter. Required for families of ellipsoids.
+  /// Sets a figure near the figure with this parameter. The function is required for families of ellipsoids.
   std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 

@@ -13,7 +13,7 @@
 /// uniform motions, the rotations of space (J), and the rotations of the reference ball (Z). Rotations of the ball do
 /// not change exact integrals, but change quadrature sums by the error of the quadrature. For a fluid, all motions A
 /// w(X) that only exchange matter within the figure are also removed: div w = 0 in the ball and w·X = 0 on its surface.
-/// Their momenta are the circulations (Kelvin), so the remaining motions have fixed circulations.
+/// The momenta of these motions are the circulations (Kelvin), so the remaining motions have fixed circulations.
 ///
 /// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
 /// for each parity.

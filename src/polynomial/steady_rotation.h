@@ -17,11 +17,12 @@
 /// The equations of a fluid do not determine x, because a fluid does not resist motions that only exchange matter
 /// within its surface. However, a fluid ellipsoid is an exact figure for every degree (Dirichlet, Riemann). Therefore x
 /// is sought among affine motions, with the pressure p_c(1 − |X|²). The remaining r is due to the quadrature of
-/// gravity. For N − 1 < 2, it is also due to λ, which cannot represent this pressure.
+/// gravity. For N − 1 < 2, r is also due to λ, which cannot represent this pressure.
 ///
 /// The equations include the volumetric stabilisation, like the equations of motion. The stabilisation has no effect on
-/// an affine figure, or on small motions about such a figure, because div u = 0 at every point. Therefore it has no
-/// effect on a fluid. A soft elastic body under its own gravity needs the stabilisation. If its figure is not affine,
+/// an affine figure, or on small motions about such a figure, because div u = 0 at every point. Therefore the
+/// stabilisation has no effect on a fluid. A soft elastic body under its own gravity needs the stabilisation. If its
+/// figure is not affine,
 /// the second variation of the pressure term can be positive or negative.
 
 #include <memory>

@@ -19,7 +19,7 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;  ///< E₀ ∝ Id
+  bool isotropic = true;  ///< true if E₀ ∝ Id
   double volume = 1, inverse_m_bar = 1;
   Numbers9 E0{}, E0_inverse{};
 

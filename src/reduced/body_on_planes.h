@@ -107,7 +107,8 @@ class BodyOnPlanes {
   }
   void add_taken(double energy, Vector& v) const { v(0, 4) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 4); }
-  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time. 0 if there are no such loads.
+  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time. The result is 0 if there are no such
+  /// loads.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, 4);

@@ -102,8 +102,8 @@ class DissipativeBody {
   }
   void add_taken(double energy, Vector& v) const { v(0, 3) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 3); }
-  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads have given. 0 if there are
-  /// no such loads.
+  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads have given. The result is
+  /// 0 if there are no such loads.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return ExternalPotential(loads::driving(driving_, state.t)).energy(body_.reference(), matrix(state.q)) -

@@ -54,9 +54,9 @@ inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
 
-/// Sets m to a steady motion of a body whose axes have these ratios. On SL(3) this is motion(axes, m). On GL⁺(3) it is
-/// motion(size · axes, m), with the size nearest to 1 at which the multiplier is 0. The function `motion` must set
-/// m.lambda even if it fails because the square of a velocity is negative.
+/// Sets m to a steady motion of a body whose axes have these ratios. motion(a, m) sets m to the motion with the
+/// semi-axes a. On SL(3), a = axes. On GL⁺(3), a = size · axes with the size nearest to 1 at which the multiplier is 0.
+/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {

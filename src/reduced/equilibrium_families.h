@@ -149,7 +149,8 @@ EquilibriumFamily dedekind(const IsotropicBody<V>& body, const ParameterRange& a
   return equilibrium_family(body, a2_to_a1, {{quantities::omega_3, 0}, quantities::Lambda_3}, motion);
 }
 
-/// Motions of type S with ω ≥ |Λ|. If `dual` is true, the dual motions, in which ω and Λ are exchanged.
+/// The family of the motions of type S with ω ≥ |Λ|. If `dual` is true, it is the family of the dual motions, in which
+/// ω and Λ are exchanged.
 template <SmoothPotential V>
 EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -163,8 +164,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of ellipsoidal_motions.h. If `dual` is true,
-/// the motions for the other root.
+/// The family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of ellipsoidal_motions.h.
+/// If `dual` is true, it is the family for the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {

@@ -1,6 +1,7 @@
 #pragma once
-/// Nine states of a motion at the times t + jh, j = −4 … 4, around a given state, for differences along the path. Each
-/// other state is computed from its neighbour by short steps of the classical Runge–Kutta method.
+/// Nine states of a motion at the times t + jh, j = −4 … 4, around a given state, for differences along the path. The
+/// given state is the one with j = 0. Each other state is computed from its neighbour by short steps of the classical
+/// Runge–Kutta method.
 
 #include <array>
 

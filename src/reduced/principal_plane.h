@@ -96,8 +96,8 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
 
 namespace detail {
 
-/// Newton's step DF⁻¹F without the singular components of F that are at round-off. At a bifurcation, these components
-/// would be divided by a singular value near 0 and would lead to another branch.
+/// Newton's step DF⁻¹F by the singular value decomposition of DF. Components of F at round-off are set to 0. At a
+/// bifurcation, these components would be divided by a singular value near 0 and would lead to another branch.
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
 /// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small

@@ -246,7 +246,7 @@ class PseudoRigidBody {
 
   static bool has_volume(double J) { return J > 0 && std::isfinite(J); }
   bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
-  /// A separate function, because the code that makes the message would slow down the evaluation of the force.
+  /// This is a separate function, because the code that makes the message would slow down the evaluation of the force.
   [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       mechanics::six_digits(J));

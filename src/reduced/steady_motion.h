@@ -5,8 +5,9 @@
 ///
 ///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates at the rate ω in space, and matter
-/// circulates in the ellipsoid at the rate −Λ. The equation of motion (5.120) of pseudo_rigid_body.h requires
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates with the angular velocity ω in
+/// space, and matter circulates in the ellipsoid with the angular velocity −Λ. The equation of motion (5.120) of
+/// pseudo_rigid_body.h requires
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///

@@ -68,7 +68,7 @@ class BallBody {
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane vanish.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Adds the energy that the whole ball has dissipated to v. `energy` is the energy dissipated in the sector.
+  /// Adds a dissipated energy to the entry of v for the whole ball. `energy` is the energy dissipated in the sector.
   void add_taken(double energy, Vector& v) const;
   /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
   /// v. Collective.
@@ -85,7 +85,7 @@ class BallBody {
   const BallSpace& space() const { return space_; }
   const CellKernels& kernels() const { return *kernels_; }
   const LoadForces& loads() const { return loads_; }
-  /// Null without self-gravity.
+  /// The self-gravity, or null if there is none.
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
   /// A 3×3 integral over the whole ball from the integral over the sector. The (i, j) entry is odd under a reflection

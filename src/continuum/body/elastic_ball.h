@@ -24,7 +24,7 @@ class ElasticBall : public BallBody {
   struct Workspace {
     GramSolver gram;
     double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: automatic
-    const Vector* held_at = nullptr;  ///< BallBody::applied_force
+    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {

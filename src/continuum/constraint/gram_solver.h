@@ -40,7 +40,7 @@ class GramSolver {
   struct History {
     Vector renewed_at;  ///< positions of the preconditioner
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< the preconditioner must be renewed; also true before the first computation
+    bool stale = true;  ///< true if the preconditioner must be renewed, and before it is first computed
   };
   History& history();
   template <class Visit>

@@ -65,7 +65,7 @@ class CellKernels {
   /// Calls `use(cell, values)` for each cell. For n nodes, values[j·n + i] is ψ_j at node i of the cell.
   void pressure_basis_at_nodes(const UseRows& use) const;
 
-  /// Volumes of the sector and of its smallest cell, by the quadrature of the kernels.
+  /// Volume of the cells of this rank and volume of the smallest of these cells, by the quadrature of the kernels.
   double reference_volume() const { return local_->reference_volume(); }
   double least_cell_volume() const { return local_->least_cell_volume(); }
   /// Memory for geometry, indices and basis in bytes.

@@ -121,7 +121,7 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of the grading with 0 < g < 1, by bisection, because β/(exp β − 1) decreases with β.
+/// β of a grading with 0 < g < 1. It is found by bisection, because β/(exp β − 1) decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {

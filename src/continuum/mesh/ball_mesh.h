@@ -12,8 +12,8 @@
 /// Other sectors are reflections of the octant, so that all sectors have the same discretisation.
 ///
 /// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g. The grading changes local
-/// coordinates of the coarse cells before the transfinite map. The changed coordinates are those that run outwards, and
-/// those that run along the surface from a plane through the poles. They become
+/// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
+/// surface from a plane through the poles. They become
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,
 ///

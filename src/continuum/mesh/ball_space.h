@@ -27,7 +27,7 @@ namespace pseudorigid::continuum {
 
 class BallSpace {
  public:
-  /// `with_account` adds a node without mass to the vectors, for dissipated and given energies (body/ball_body.h).
+  /// `with_account` adds a node outside the mesh to the vectors, for dissipated and given energies (body/ball_body.h).
   BallSpace(BallMesh mesh, int degree, bool with_account = false);
 
   const BallMesh& mesh() const { return mesh_; }

@@ -32,7 +32,7 @@ struct BallFrequency {
   int degree;
   int overtone;      ///< 0 for the fundamental
   int multiplicity;  ///< 2·degree + 1
-  double share;      ///< share of the class in the squared surface displacement of a mode, the least of the modes
+  double share;      ///< least share of the class in the squared surface displacement of a mode
   Parity parity;     ///< parity of the shape
   Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1
 };
@@ -43,7 +43,7 @@ struct ModesReport {
 };
 
 /// Computes the lowest n_frequencies in ascending order. `give_up` is called between the runs of the iteration; if it
-/// returns true, the function fails. It also fails if the mesh is too coarse for so many frequencies.
+/// returns true, the function fails. The function also fails if the mesh is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 

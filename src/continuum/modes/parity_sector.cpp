@@ -248,7 +248,8 @@ void ParitySector::find_attraction() {
   for (int n = 0; n <= harmonics.max_degree(); ++n)
     for (const std::size_t field : harmonics.radial_fields(n)) {
       const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
-      // With the integral I over the octant, the integral over the sphere is 8 I. An eighth of its square is 8 I².
+      // With the integral I over the octant, the integral over the sphere is 8 I. The energy of the octant is an eighth
+      // of the energy of the sphere, and contains (8 I)²/8 = 8 I².
       rows.push_back(std::sqrt(8 * share * problem_.weight_of_density) * entries_of(harmonics.force(field)));
     }
   attraction_.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(n_unknowns_));

@@ -27,7 +27,7 @@
 /// harmonics that the mesh resolves. Higher harmonics would soften the springs of the surface by a fraction of at most
 /// 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate gradients with T of this B as the
 /// preconditioner. About ten iterations are sufficient for every mesh and strength of gravity. The surface integrals of
-/// a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the number l of a tide.
+/// a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
 
 #include <Eigen/Core>
 #include <memory>
@@ -113,7 +113,7 @@ class ParitySector {
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
   Eigen::VectorXd mass_, root_mass_;
-  Eigen::MatrixXd attraction_;  ///< its product with u has the norm √(second term of uᵀK_g u), for the octant
+  Eigen::MatrixXd attraction_;  ///< the second term of uᵀK_g u on the octant is −|attraction_ u|²
   std::unique_ptr<Interface> interface_;
 };
 

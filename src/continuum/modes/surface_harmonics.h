@@ -6,8 +6,8 @@
 ///  Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
 /// A mode of degree n contains only the fields of its kind and degree. A mode is not zero on the free surface, because
-/// displacement and traction would both vanish there. The computation uses only harmonics with the parity of the
-/// motion. Therefore an octant is sufficient.
+/// a mode without displacement and traction on the surface would vanish everywhere. The computation uses only harmonics
+/// with the parity of the motion. Therefore an octant is sufficient.
 
 #include <Eigen/Core>
 #include <cstddef>
