@@ -13,8 +13,8 @@
 ///
 /// Every term is positive. If the ratio of the arguments is large, a duplication replaces this ratio by about its
 /// square root. If the ratio is near 1, a duplication divides the relative differences by about 4. Let A = ⅓ Σ x_i and
-/// Z_i = 1 − x_i/A, with the elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let P(u) = 1 +
-/// E_2/u² − E_3/u³. For small Z_i, the expansion of the integrals over u = 1 + s/A gives
+/// Z_i = 1 − x_i/A, with the elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let
+/// P(u) = 1 + E_2/u² − E_3/u³. For small Z_i, the expansion of the integrals over u = 1 + s/A gives
 ///
 ///   d_i = A^(−3/2) (h_0 + Z_i h_1 + Z_j Z_k h_2),    t_k = A^(−5/2) (h_1 − Z_k h_2),
 ///   h_l = (3/2) ∫₁^∞ u^(−5/2−l) P^(−3/2) du = Σ_{m,n} (−1)^m (3/2)_{m+n} E_2^m E_3^n / (m! n! (1 + ⅔(l + 2m + 3n))).

@@ -103,8 +103,8 @@ struct ImageSums {
 };
 
 /// The pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is used for
-/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3), s =
-/// ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. Seen from y, the image R_k x has the distance
+/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3),
+/// s = ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. Seen from y, the image R_k x has the distance
 /// vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each
 /// axis c, Σ_k s_kc over the images are needed:
 ///

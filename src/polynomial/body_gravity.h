@@ -1,7 +1,7 @@
 #pragma once
 /// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). The
-/// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, x = Σ q_a φ_a and N
-/// = w ∂x/∂e_θ × ∂x/∂e_φ. The energy Ê_h of the discrete surface has only the error of the quadrature. Most of the
+/// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, x = Σ q_a φ_a and
+/// N = w ∂x/∂e_θ × ∂x/∂e_φ. The energy Ê_h of the discrete surface has only the error of the quadrature. Most of the
 /// motion is affine, and the energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of
 /// the affine part is subtracted:
 ///

@@ -32,9 +32,9 @@ struct DenseKernels {
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h: y_f[j n_directions + s] =
-  /// Σ_t D_ft(s) z_t[j width + s]. Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t)
-  /// width + s.
+  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h:
+  ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
+  /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
   /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], one term t after the other.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
@@ -82,7 +82,8 @@ struct DenseKernels {
   void (*transform_images)(double* slots, int n_images, int length);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
 /// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const DenseKernels& dense();

@@ -1,7 +1,7 @@
 #pragma once
 /// The linear problem of small displacements u of a polynomial ball about rest,
 ///
-///  K u,   K = D²V − Σ_b λ_b D²g_b   at x = X with the multiplier λ at rest,   on ker G,
+///   K u,   K = D²V − Σ_b λ_b D²g_b   at x = X with the multiplier λ at rest,   on ker G,
 ///
 /// as dense matrices of the whole ball, separated by parity (parity_parts.h).
 ///

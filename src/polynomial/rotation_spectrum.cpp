@@ -52,8 +52,8 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// Adds a class to parts_. On a spheroid, the class is divided by m. The joint rotation of a field about axis 3, u ↦
-/// ê₃×u − ∂_φ u, has the square −m².
+/// Adds a class to parts_. On a spheroid, the class is divided by m. The joint rotation of a field about axis 3,
+/// u ↦ ê₃×u − ∂_φ u, has the square −m².
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);

@@ -6,8 +6,8 @@
 ///
 /// with the projection P of steady_rotation.h. The motions are those of the whole body, without symmetry. They belong
 /// to classes that are not coupled. A class is even or odd under the reflection of axis 3, and even or odd under the
-/// half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components u ~
-/// e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
+/// half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components
+/// u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
 ///
 /// Some motions are removed together with their momenta, because they give no information on the figure. These are
 /// uniform motions, the rotations of space (J), and the rotations of the reference ball (Z). Rotations of the ball do

@@ -7,7 +7,7 @@
 /// the octant, whose symmetry planes exclude rotations of space and of the ball. A spheroid is sought among motions
 /// with rotational symmetry about axis 3,
 ///
-///  x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
+///   x = Σ u_nl (φ_nl1 e₁ + φ_nl,−1 e₂) + Σ w_nl φ_nl0 e₃.
 ///
 /// Within these motions the equations are not singular at a bifurcation to other figures. Quadrature by midpoints in
 /// the longitude keeps the symmetry, so a solution satisfies all equations. A figure of the family is determined by its
@@ -22,8 +22,7 @@
 /// The equations include the volumetric stabilisation, like the equations of motion. The stabilisation has no effect on
 /// an affine figure, or on small motions about such a figure, because div u = 0 at every point. Therefore the
 /// stabilisation has no effect on a fluid. A soft elastic body under its own gravity needs the stabilisation. If its
-/// figure is not affine,
-/// the second variation of the pressure term can be positive or negative.
+/// figure is not affine, the second variation of the pressure term can be positive or negative.
 
 #include <memory>
 

@@ -2,19 +2,19 @@
 /// Steady motions of a body with given semi-axes a₁, a₂, a₃, in closed form for every isotropic potential V on SL(3).
 /// The angular velocity ω of the axes, the internal rotation Λ and the residual R are defined in steady_motion.h.
 ///
-/// The entries of R off the diagonal do not contain the potential. They vanish if ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j =
-/// 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ therefore lie along one axis or in one
-/// principal plane (Riemann).
+/// The entries of R off the diagonal do not contain the potential. They vanish if
+/// ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ
+/// therefore lie along one axis or in one principal plane (Riemann).
 ///
 /// Type S: ω and Λ lie along axis 3. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] the second derivative per m̄, and E_ij the matrix
-/// with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and (a₂V₁ − a₁V₂)/(a₁² −
-/// a₂²) = E₁₂:∂²V[E₂₁]. The components along axis 3 satisfy
+/// with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and
+/// (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The components along axis 3 satisfy
 ///
 ///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃.
 ///
-/// These equations do not divide by a difference of axes. For the neo-Hookean law the two right-hand sides are κ =
-/// 5μ/(ρr²) and κ/(a₁a₂)³. For a fluid they are the right-hand sides of Riemann, with the symbols A_i, A_ij and B_ij of
-/// Chandrasekhar,
+/// These equations do not divide by a difference of axes. For the neo-Hookean law the two right-hand sides are
+/// κ = 5μ/(ρr²) and κ/(a₁a₂)³. For a fluid they are the right-hand sides of Riemann, with the symbols A_i, A_ij and
+/// B_ij of Chandrasekhar,
 ///
 ///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///

@@ -10,9 +10,9 @@
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
-/// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of r₂²
-/// − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. When Z = Id − C/A with A = ⅓ tr C is small, the
-/// series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
+/// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of
+/// r₂² − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. When Z = Id − C/A with A = ⅓ tr C is small,
+/// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
 /// All terms are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the round-off ε.
 
@@ -69,9 +69,9 @@ struct RootInvariants {
   T r1, r2;
 };
 
-/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The map r₁ ↦ √(I +
-/// 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, the map contracts by r₃/(r₁r₂) ≤
-/// 1/9. Most digits come from three Newton steps between the maps.
+/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The map
+/// r₁ ↦ √(I + 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, the map contracts by
+/// r₃/(r₁r₂) ≤ 1/9. Most digits come from three Newton steps between the maps.
 template <class T, class Root>
 [[gnu::always_inline]] inline RootInvariants<T> invariants_of_root(T r1, int n_maps, const T& I, const T& II,
                                                                    const T& r3, const Root& root) {

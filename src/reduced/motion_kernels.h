@@ -17,7 +17,8 @@ struct MotionKernels {
                        mechanics::GaussStages& stages);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<MotionKernels>> builds_of_motion_kernels();
 
 /// The table that this process uses.

@@ -7,7 +7,7 @@
 /// The displacements are in (Q_k)³, and the mass is lumped. With dissipation or loads that depend on time, the ball has
 /// one more node (BallSpace::account). Its coordinates s and s' obey
 ///
-///  s̈ = dissipated power,   s̈' = power that loads give by their change in time.
+///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
 ///
 /// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
 /// order. All quantities are in internal units. The system is the computed sector, and observables are for the whole

@@ -5,8 +5,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX for every node n. The integral is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with d = F
-/// = Id and 2η = −1.
+/// ∫∇φ_n dX for every node n. The integral is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with
+/// d = F = Id and 2η = −1.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();

@@ -2,7 +2,7 @@
 /// A preconditioner of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number of
 /// iterations depends little on mesh size and degree. The preconditioner is
 ///
-///  B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
+///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
 /// functions that vanish on the free surface, with m = 1 for k ≤ 4 and m = 2 for larger k. P is their L²-projection

@@ -1,9 +1,9 @@
 #pragma once
 /// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
 /// are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of P_{k−1}.
-/// The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of ∫m ⊗ m =
-/// LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat the first cell of the batch. The results
-/// omit these lanes.
+/// The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of ∫m ⊗
+/// m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat the first cell of the batch. The
+/// results omit these lanes.
 
 #include <algorithm>
 #include <array>

@@ -6,8 +6,8 @@
 ///
 /// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. In discrete
 /// motions, J ≠ 1 at some points. The second variation of the multiplier's term can then be negative, and the term κ
-/// (div u)² of U counteracts it. A body needs U under self-gravity, in strong motions, and always if it is a fluid (W =
-/// 0).
+/// (div u)² of U counteracts it. A body needs U under self-gravity, in strong motions, and always if it is a fluid
+/// (W = 0).
 
 #include <concepts>
 

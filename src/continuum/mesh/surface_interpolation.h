@@ -2,7 +2,7 @@
 /// Nodal functions at Gauss points of the free surface, and nodal forces from forces at these points. The functions use
 /// the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes. At a point (ξ_p, ξ_q) of a face,
 ///
-///  u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij.
+///   u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij.
 ///
 /// The sums are computed one direction after the other.
 

@@ -142,9 +142,9 @@ void ParitySector::number_unknowns() {
   root_mass_ = mass_.cwiseSqrt();
 }
 
-/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries, and cell.coupling =
-/// L⁻¹B_own,shared. The lower triangle of `schur` is set to that of B_shared − couplingᵀ coupling, where B_shared does
-/// not contain the shift.
+/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries, and
+/// cell.coupling = L⁻¹B_own,shared. The lower triangle of `schur` is set to that of B_shared − couplingᵀ coupling,
+/// where B_shared does not contain the shift.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());

@@ -2,11 +2,11 @@
 /// Small motions u of the ball about rest, computed in one octant. Under the reflection R_j of x_j a mode is even or
 /// odd,
 ///
-///  u(R_j X) = s_j R_j u(X),   s_j = ±1.
+///   u(R_j X) = s_j R_j u(X),   s_j = ±1.
 ///
-/// On the plane x_j = 0, u_j = 0 if s_j = +1 (the symmetry of the motion), and the other two components are 0 if s_j =
-/// −1. The eight choices of signs are eight problems on the same octant, the sectors. Together the sectors have all
-/// modes of the ball.
+/// On the plane x_j = 0, u_j = 0 if s_j = +1 (the symmetry of the motion), and the other two components are 0 if
+/// s_j = −1. The eight choices of signs are eight problems on the same octant, the sectors. Together the sectors have
+/// all modes of the ball.
 ///
 /// In each sector, the problem −ω² M u = −K u + Gᵀλ, G u = 0 is inverted about a shift −s below all ω²: u = T f solves
 ///
@@ -21,7 +21,7 @@
 /// Self-gravity adds its second variation, which couples all nodes of the surface. On the sphere, the second variation
 /// is
 ///
-///  uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm c_n (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
+///   uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm c_n (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
 ///
 /// The first term is a spring at each point, and K in B contains these springs. The second term is an attraction of the
 /// harmonics that the mesh resolves. Higher harmonics would soften the springs of the surface by a fraction of at most
@@ -79,8 +79,8 @@ class ParitySector {
   /// Sets u = T f for a force f on the octant.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y, and computes ω²
-  /// = uᵀKu / uᵀMu.
+  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y, and computes
+  /// ω² = uᵀKu / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;

@@ -3,7 +3,7 @@
 /// Let e = X/|X|, and let ∇ be the gradient on the unit sphere. With real spherical harmonics Y_nm and N = n(n+1), a
 /// field on the sphere is a sum of the orthonormal fields
 ///
-///  Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
+///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
 /// A mode of degree n contains only the fields of its kind and degree. A mode is not zero on the free surface, because
 /// a mode without displacement and traction on the surface would vanish everywhere. The computation uses only harmonics

@@ -3,7 +3,7 @@
 /// within the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the
 /// deformation,
 ///
-///  det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.
+///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.
 ///
 /// The stretch along the normal is λ_n = 1/(λ₁λ₂), because the volume is constant, and because the normal of a surface
 /// without shear traction is a principal direction. The measure is the ratio
