@@ -58,8 +58,8 @@ struct EllipsoidGravity {
   }
 
  private:
-  /// The factor by which F is scaled. It is 1 unless squares and their products could overflow or underflow. It is then
-  /// the power of two that brings the largest entry to [½, 1).
+  /// The factor by which F is scaled. If squares and their products cannot overflow or underflow, the factor is 1.
+  /// Otherwise it is the power of two that brings the largest entry to [½, 1).
   static double unit_scale(const Eigen::Matrix3d& F) {
     const double largest = F.cwiseAbs().maxCoeff();
     if (largest > 0x1p-20 && largest < 0x1p+20) return 1;

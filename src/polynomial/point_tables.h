@@ -20,8 +20,8 @@
 /// largest part of F, so F then has fewer rounding errors. For a body of degree 1, F has no rounding errors.
 ///
 /// A field is a function, or its derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
-/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. Its signs are therefore
-/// the signs of another parity, which differs in the bits of `shift`.
+/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. The signs of this
+/// derivative at the images are therefore the signs of another parity, which differs in the bits of `shift`.
 
 #include <Eigen/Core>
 #include <array>

@@ -1,8 +1,8 @@
 #pragma once
 /// Error of Q due to the quadrature of a polynomial body, and the number of points that a tolerance requires. The
 /// motion of a body depends on the quadrature rule. Two pilot runs with different rules cover a window w of a run of
-/// length T. They use RATTLE with the same long steps, so that the errors of the steps cancel. With the results Q and
-/// Q' of the two runs at the times t_k, the estimate of the error is
+/// length T. The pilot runs use RATTLE with the same long steps, so that the errors of the steps cancel. With the
+/// results Q and Q' of the two runs at the times t_k, the estimate of the error is
 ///
 ///   e = 6 max_k |Q(t_k) − Q'(t_k)| (T/w)^(3/2).
 ///

@@ -62,9 +62,9 @@ class StaticLandscape {
 /// True if Morse's count (mechanics/equilibria/morse_count.h) shows that some equilibria are not among these points.
 /// Let S be the singular values of Q. The parts |ln S| ≤ s of SL(3) and GL⁺(3) have SO(3) as a deformation retract,
 /// with the Betti numbers 1, 1, 1, 1 over Z/2. Let V increase outwards at such a boundary around all points. Then there
-/// is at least one point of each index 0 to 3, and the numbers of points of even and odd index are equal. This holds
-/// for every law and load. The result is false if a point is degenerate, as for rotations that do not change V, or if V
-/// decreases outwards.
+/// is at least one point of each index 0 to 3, and the numbers of points of even and odd index are equal. These facts
+/// hold for every law and load. The result is false if a point is degenerate, as for rotations that do not change V, or
+/// if V decreases outwards.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
 /// A search with n_starts random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. On SL(3) the mean

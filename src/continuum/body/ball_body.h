@@ -5,7 +5,7 @@
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// The displacements are in (Q_k)³, and the mass is lumped. With dissipation or loads that depend on time, the ball has
-/// one more node (BallSpace::account). Its coordinates s and s' obey
+/// one more node (BallSpace::account). The coordinates s and s' of this node obey
 ///
 ///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
 ///

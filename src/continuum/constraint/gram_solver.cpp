@@ -77,8 +77,8 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Computes the preconditioner at the positions of the history, unless this process has already computed it. This is
-  /// necessary after a restart from a checkpoint.
+  /// Computes the preconditioner at the positions of the history, unless this process has already computed it. The
+  /// computation is necessary after a restart from a checkpoint.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
