@@ -169,7 +169,7 @@ class PairWithImages {
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
-  /// Adds the sums over all lanes of `other` to one lane.
+  /// Adds the sum over all lanes of `other` to the lane `lane` of this object, for each member.
   void add_to_lane(int lane, const MutualSums& other) {
     const auto add = [lane](L& to, const L& from) {
       double sum = to[lane];

@@ -71,7 +71,7 @@ class PointTables {
   int n_fields() const { return static_cast<int>(shift_.size()); }
   /// Number of points of all images, including padding.
   int n_points() const { return n_images_ * stride_; }
-  /// Number of values of all fields for this number of components.
+  /// Number of entries of y in `evaluate`, for n_components components.
   std::size_t size(int n_components) const { return static_cast<std::size_t>(n_components) * n_fields() * n_points(); }
   /// Number of multiplications for one evaluation of a block.
   double n_multiplications(const Block& block) const;

@@ -49,7 +49,7 @@ struct BodySetup {
 };
 
 struct PotentialEnergies {
-  double elastic = 0;  ///< including the volumetric part
+  double elastic = 0;  ///< stored energy, including the volumetric part
   double volumetric = 0, gravitational = 0, external = 0, contact = 0;
   double total() const { return elastic + gravitational + external + contact; }
 };

@@ -42,15 +42,15 @@ class ModesOfParity {
     return u;
   }
 
-  /// The square of the rotations (turns.h) of fields. Each column is a field.
+  /// The operator −Σ_e J_e² (turns.h), applied to fields. Each column is a field.
   Eigen::MatrixXd square(const Eigen::MatrixXd& fields) const {
     Eigen::MatrixXd squares(fields.rows(), fields.cols());
     for (Eigen::Index j = 0; j < fields.cols(); ++j) squares.col(j) = turns_.square(whole(fields.col(j)))(unknowns_);
     return squares;
   }
 
-  /// Classifies a mode. `parts` are the coefficients of the mode in the motions whose eigenvalues n(n + 1) are
-  /// `squares`.
+  /// Classifies a mode. `parts` are its coefficients in the eigenvectors of −Σ_e J_e², and `squares` are the
+  /// eigenvalues n(n + 1).
   Mode classified(double omega_squared, const Eigen::VectorXd& shape, const Eigen::VectorXd& parts,
                   const Eigen::VectorXd& squares) const {
     std::vector<double> shares;

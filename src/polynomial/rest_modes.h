@@ -6,10 +6,10 @@
 /// This is a problem for each of the eight parities, on an orthonormal basis of ker G without the six rigid motions.
 /// All other frequencies of the body are found, also the frequencies of unstable motions.
 ///
-/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. The square of the
-/// rotation of a field together with its values (turns.h) has the eigenvalues n(n + 1), and divides the motions of a
-/// parity by degree. The degree of a mode is the degree with the largest share. A mode is spheroidal if
-/// u(−X) = (−1)^(n+1) u(X), and otherwise toroidal.
+/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. The operator −Σ_e
+/// J_e² of the joint rotations J_e (turns.h) has the eigenvalues n(n + 1), and divides the motions of a parity by
+/// degree. The degree of a mode is the degree with the largest share. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X),
+/// and otherwise toroidal.
 
 #include <vector>
 

@@ -21,7 +21,7 @@ namespace pseudorigid::continuum {
 /// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. The
 /// number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because only gravity
 /// makes the shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3 in the time
-/// 1/√(Gρ). With k + 2 points the quadrature computes the gravity of these waves with the correct sign.
+/// 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {

@@ -38,7 +38,7 @@ class TwoLevelGram final : public GramPreconditioner {
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override;
-  double renewal_cost() const override { return 30; }  // measured
+  double renewal_cost() const override { return 30; }  // measured, in iterations
   std::size_t memory() const override;
 
  private:
@@ -58,7 +58,7 @@ class TwoLevelGram final : public GramPreconditioner {
   unsigned int n_functions_;                                                  ///< number of functions N_i of a cell
   std::vector<std::vector<dealii::types::global_dof_index>> cell_functions_;  ///< N_i of each cell, global numbers
   std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
-  std::vector<bool> on_surface_;                                              ///< on the free surface; by local number
+  std::vector<bool> on_surface_;                                              ///< true on surface; by local number
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
   std::size_t n_rows_;                   ///< rows of the matrices of a cell: the multipliers and padding
   std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]

@@ -125,7 +125,7 @@ class ConstraintTangents {
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) set_batch(x, b, &stored[b * n]);
   }
 
-  /// Computes the planes of one batch.
+  /// Computes w H⁻ᵀ at the points of all planes of one batch.
   template <class Number>
   void set_batch(const double* x, std::size_t b, PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();

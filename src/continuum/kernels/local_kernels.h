@@ -17,7 +17,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The data that the kernels use. The data must outlive the kernels.
+/// The cells of this process as the kernels use them. All members must outlive the kernels.
 struct LocalCells {
   const ReferenceCell& reference;
   const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest

@@ -1,5 +1,5 @@
 #pragma once
-/// Data of the stress at a quadrature point, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
+/// Geometry of a quadrature point for the stress, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   w = ŵ det ∂X/∂ξ
 ///
@@ -73,7 +73,7 @@ struct AnyStressPoint {
   }
 };
 
-/// Data for a law with stress coefficients.
+/// Geometry and stress for a law with stress coefficients, with the seven numbers D and G.
 template <class L>
 struct MetricStressPoint {
   using Tensor = materials::Tensor<L>;

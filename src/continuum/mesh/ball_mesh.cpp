@@ -153,7 +153,7 @@ void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
 }
 
 /// Number of the coarse cell that contains a cell, in the order in which the mesh was created. In meshes of p4est, the
-/// number in the CellId is a different one.
+/// CellId of deal.II contains another number.
 int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
   while (cell->level() > 0) cell = cell->parent();
   return cell->index();

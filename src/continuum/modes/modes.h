@@ -1,8 +1,8 @@
 #pragma once
 /// The lowest eigenfrequencies of the ball at rest, from all eight parity sectors of one octant (parity_sector.h).
 ///
-/// The sphere has 2n + 1 modes for each frequency of a kind and degree n, which belong to different sectors. On a mesh,
-/// the computed frequencies of these modes differ by the error of the mesh. The modes are classified by the kind and
+/// The sphere has 2n + 1 modes for each frequency of a kind and degree n. These modes are distributed over the sectors.
+/// On a mesh, their computed frequencies differ by the error of the mesh. The modes are classified by the kind and
 /// degree of their surface displacement (surface_harmonics.h). The lowest 2n + 1 modes of one class are its
 /// fundamental, and the next 2n + 1 modes its first overtone (mechanics/equilibria/mode_groups.h). Rigid motions are
 /// omitted.

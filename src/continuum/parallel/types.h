@@ -50,7 +50,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     double* to = y.begin();
     for (std::size_t i = 0, n = y.locally_owned_size(); i < n; ++i) to[i] += a * from[i];
   }
-  /// A scale of 0 sets x to 0, even if x contains NaN.
+  /// x ← a x. The factor a = 0 sets x to 0, even if x contains NaN.
   static void scale(double a, Vector& x) {
     if (a == 0)
       x = 0.0;
