@@ -1,13 +1,14 @@
 #pragma once
-/// The elliptic integrals of an ellipsoid with semi-axes a_i. With x_i = a_i² and Δ = √((x_1+s)(x_2+s)(x_3+s)) they are
+/// The elliptic integrals of an ellipsoid with semi-axes a_i, in the notation R_F, R_D of Carlson. The indices i, j, k
+/// are different. With x_i = a_i² and Δ = √((x_1+s)(x_2+s)(x_3+s)), the integrals are
 ///
 ///   d_i = R_D(x_j, x_k, x_i) = (3/2) ∫₀^∞ ds/((x_i + s)Δ),      t_k = (3/2) ∫₀^∞ ds/((x_i + s)(x_j + s)Δ).
 ///
 /// Other integrals follow without cancellation: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
 ///
 /// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. Let
-/// r_i = √x_i and p_ij = r_i + r_j. The new arguments are x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik. They
-/// have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
+/// r_i = √x_i and p_ij = r_i + r_j. The new arguments are x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik. The new
+/// arguments have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
 ///
 ///   d_i = 3/(r_i x_i') + 2 d_i',      t_k = 3 (r_1 + r_2 + r_3)/(p_ij² r_i r_j p_ik p_jk) + 2 t_k'.
 ///

@@ -44,7 +44,8 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if S is singular.
+  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the iteration does not converge
+  /// with a factor at q₀, because S is then almost singular.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 

@@ -57,8 +57,9 @@ class SteadyRotations {
   /// Moves `rotation` to the figure near it that satisfies the condition. Fails if Newton's iteration does not
   /// converge.
   mechanics::Status solve(const FigureCondition& condition, SteadyRotation& rotation) const;
-  /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`. The
-  /// steps are as long as possible such that Newton's iteration stays close to its prediction.
+  /// Moves `rotation`, a known figure with the parameter `from`, along the family to the figure with `condition`.  The
+  /// steps are as long as possible such that Newton's iteration stays close to its prediction. Fails if the family ends
+  /// or turns back before `condition`.
   mechanics::Status follow(double from, const FigureCondition& condition, SteadyRotation& rotation) const;
   /// Derivative of Ω² with respect to the parameter along the family.
   double slope(const FigureCondition& condition, const SteadyRotation& rotation) const;

@@ -70,7 +70,7 @@ class BodyOnPlanes {
     const Eigen::Vector3d of_center = center(v) * body_.reference().mass, last = v.col(4);
     f << F, of_center, last;
   }
-  /// f ← f − ∂R/∂v, linear in v (mechanics/core/linear_damping.h).
+  /// f ← f − ∂R/∂v. This force is linear in v (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const {
     loads::AffineForce F;
     add_dissipation(matrix(q), center(q), matrix(v), center(v), F);

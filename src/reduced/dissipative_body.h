@@ -67,7 +67,7 @@ class DissipativeBody {
     const Eigen::Vector3d last = v.col(3);
     f << F, last;
   }
-  /// f ← f − ∂R/∂Q̇, linear in Q̇ (mechanics/core/linear_damping.h).
+  /// f ← f − ∂R/∂Q̇. This force is linear in Q̇ (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const {
     Eigen::Matrix3d F = matrix(f);
     dissipation_.add_force(body_.reference(), matrix(q), matrix(v), F);

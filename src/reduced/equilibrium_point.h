@@ -22,8 +22,8 @@ struct EquilibriumPoint {
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }
-  /// Riemann's f = ζ/Ω along axis 3. It is 0 without circulation, and infinite if the body has circulation but does not
-  /// rotate.
+  /// Riemann's f = ζ/Ω along axis 3. The ratio is 0 without circulation, and infinite if the body has circulation but
+  /// does not rotate.
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 

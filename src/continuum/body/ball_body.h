@@ -41,8 +41,8 @@ class BallBody {
   /// refined uniformly n_refinements times. The ranks of the communicator share the cells.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh. `n_gravity_points` is defined in body/surface_gravity_forces.h, and `n_contact_points` in
-  /// body/contact_forces.h.
+  /// The body of a mesh. If `n_gravity_points` or `n_contact_points` is empty, the function of this name in
+  /// surface_gravity_forces.h or contact_forces.h gives the number.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
   BallBody(const BallBody&) = delete;  // because its members have pointers to one another
@@ -66,7 +66,7 @@ class BallBody {
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
   /// Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative of Q_M.
   Eigen::Matrix3d mass_moment(const Vector& x) const;
-  /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane vanish.
+  /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
   /// Adds a dissipated energy to the entry of v for the whole ball. `energy` is the energy dissipated in the sector.
   void add_taken(double energy, Vector& v) const;

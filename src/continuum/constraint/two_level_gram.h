@@ -60,7 +60,7 @@ class TwoLevelGram final : public GramPreconditioner {
   std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
   std::vector<bool> on_surface_;                                              ///< true on surface; by local number
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::size_t n_rows_;                   ///< rows of the matrices of a cell: the multipliers and padding
+  std::size_t n_rows_;                   ///< number of rows of the matrices of a cell: multipliers and padding
   std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]
   std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
   std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< PETSc must have started before its construction

@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of the whole finite-element ball (continuum.csv), in internal units. Q_M, J, Z and the nonaffine
-/// quantities are computed relative to the centre of mass.
+/// Observables of the whole finite-element ball at one state (the columns of continuum.csv), in internal units. Q_M, J,
+/// Z and the nonaffine quantities are computed relative to the centre of mass.
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"

@@ -12,7 +12,7 @@
 
 namespace pseudorigid::continuum {
 
-/// An MPI type for one T, so that counts are numbers of entries.
+/// An MPI type for one entry of type T. The counts in calls of MPI are then numbers of entries.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class MpiType {

@@ -43,7 +43,7 @@ std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Co
   return sum;
 }
 
-/// The least value over the ranks. NaN counts as −∞.
+/// The least value over the ranks. If a rank has NaN, the result is −∞. Collective.
 inline double least_over_ranks(double value, MPI_Comm communicator) {
   return dealii::Utilities::MPI::min(std::isnan(value) ? -std::numeric_limits<double>::infinity() : value,
                                      communicator);
