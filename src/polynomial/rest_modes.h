@@ -25,7 +25,7 @@ struct RestFrequency {
   bool spheroidal;
   int degree;
   int overtone;           ///< 0 for the lowest frequency of this kind and degree
-  double share;           ///< least share of the degree in one of the modes
+  double share;           ///< share of the degree in a mode, least over the modes
   Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 

@@ -5,8 +5,8 @@
 ///
 /// as dense matrices of the whole ball, separated by parity (parity_parts.h).
 ///
-/// Self-gravity at rest is exact. Its second variation is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|², g = (4/3)πGρr
-/// (continuum/modes/parity_sector.h). This problem does not use the quadrature of gravity during a motion
+/// The self-gravity of this problem is exact. Its second variation at rest is ρg Σ (1 − 3/(2n + 1)) |∮(u·n) Y_nm dS|²,
+/// g = (4/3)πGρr (continuum/modes/parity_sector.h). This problem does not use the quadrature of gravity during a motion
 /// (body_gravity.h). If γ = ρgr/μ is large, the error of that quadrature in the highest harmonics exceeds the elastic
 /// stiffness. This error mixed kinds of modes from γ = 400 on for N = 3, and from 4000 on for N = 8.
 

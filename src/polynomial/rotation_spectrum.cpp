@@ -31,7 +31,7 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows whose norm exceeds round-off. A class has only the constraints with its own symmetry.
+/// The rows of A whose norm exceeds `round_off`. A class has only the constraints with its own symmetry.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)

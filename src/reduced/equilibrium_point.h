@@ -18,7 +18,7 @@ struct EquilibriumPoint {
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< J, Z
   Eigen::Vector3d vorticity;                      ///< ζ
-  double residual = 0;                            ///< |R| per largest norm of a term of R, 0 for 0/0
+  double residual = 0;                            ///< |R| / (largest norm of a term of R), with 0/0 = 0
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }

@@ -14,7 +14,8 @@
 /// r₂² − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. When Z = Id − C/A with A = ⅓ tr C is small,
 /// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
-/// All terms are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the round-off ε.
+/// All terms of the sum for D are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the
+/// round-off ε.
 
 #include <cmath>
 #include <type_traits>

@@ -11,8 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// The operator and the status of its products. PETSc does not have such a status. After a failure, the products are 0,
-/// and the iteration ends at its next check.
+/// The operator and the status of its products. Functions that PETSc calls cannot return a Status. After a failure, the
+/// products are 0, and the iteration ends at its next check.
 struct Product {
   const SymmetricOperator& apply;
   mechanics::Status status{};
