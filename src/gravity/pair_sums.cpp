@@ -141,7 +141,8 @@ class PairWithImages {
     L square[3][2], a[3][2], b[3][2];
   };
 
-  /// Adds the image under the reflections given by the bits of k, if `mirrors` contains all of them.
+  /// Adds the image under the reflections given by the bits of k to the sums, if `mirrors` contains all these
+  /// reflections.
   template <int k>
   [[gnu::always_inline]] void add_image(const Parts& parts) {
     if constexpr ((k & ~mirrors) == 0) {

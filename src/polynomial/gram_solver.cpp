@@ -73,7 +73,8 @@ GramMatrix::GramMatrix(const PolynomialSpace& space)
     if (gradients_[block.parity].empty()) gradients_[block.parity] = gradients_by_point(space, block);
 }
 
-/// Calls visitor(block, columns) with the columns of G of each block, padded with zeros to whole vectors.
+/// Calls visitor(block, columns) for each block, with the columns of G that belong to the block. The columns are padded
+/// with zeros to whole SIMD vectors.
 template <class Visitor>
 void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const {
   const int n_points = space_->n_points(), n_pressures = space_->n_pressures();

@@ -62,7 +62,7 @@ class GramSolver {
  private:
   bool factor(const Eigen::VectorXd& q);
   bool ensure_factor(const Eigen::VectorXd& q0);
-  /// Returns false if the iteration does not converge.
+  /// Solves S λ = r with the present factor. Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                int& n_iterations);
   double iteration_cost() const;

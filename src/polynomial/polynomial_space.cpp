@@ -11,7 +11,7 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The image R ξ under the reflections given by the bits of `slot`.
+/// The image of ξ under the reflections given by the bits of `slot`.
 std::array<double, 3> image(std::array<double, 3> xi, int slot, const std::vector<int>& free_axes) {
   for (std::size_t b = 0; b < free_axes.size(); ++b)
     if (slot >> b & 1) xi[free_axes[b]] = -xi[free_axes[b]];

@@ -97,7 +97,7 @@ class DiagonalBody {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
   double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
-  /// The state of this form with the same time, Q and Q̇.
+  /// The state of this form that has the same time, Q and Q̇ as `motion`.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     return {motion.t, motion.q.diagonal(), motion.v.diagonal()};
   }

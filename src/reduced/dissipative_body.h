@@ -109,7 +109,7 @@ class DissipativeBody {
     return ExternalPotential(loads::driving(driving_, state.t)).energy(body_.reference(), matrix(state.q)) -
            state.v(1, 3);
   }
-  /// The state of this form with the same time, Q and Q̇, and with D = W = 0.
+  /// The state of this form that has the same time, Q and Q̇ as `motion`, and D = W = 0.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
     state.q.leftCols<3>() = motion.q;

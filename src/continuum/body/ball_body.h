@@ -68,7 +68,7 @@ class BallBody {
   Eigen::Matrix3d mass_moment(const Vector& x) const;
   /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Adds a dissipated energy to the entry of v for the whole ball. `energy` is the energy dissipated in the sector.
+  /// Adds an energy dissipated in the sector, multiplied by the number of its images, to the dissipated energy in v.
   void add_taken(double energy, Vector& v) const;
   /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
   /// v. Collective.

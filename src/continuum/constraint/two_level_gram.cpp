@@ -170,7 +170,8 @@ void TwoLevelGram::make_coarse_solver() {
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
-/// Computes K at the positions x. K is diagonal in the functions that do not vanish on the surface.
+/// Computes K at the positions x. The rows and columns of K for functions that do not vanish on the surface are 0
+/// except for the diagonal.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);

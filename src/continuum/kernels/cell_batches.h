@@ -70,7 +70,7 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f, offsets[i].data());
   }
 
-  /// Coefficients of λ_h = Σ λ_j ψ_j in the monomials.
+  /// Sets `coefficients` to the coefficients of λ_h = Σ λ_j ψ_j in the monomials.
   void monomial_coefficients(const L* lambda, std::size_t batch, L* coefficients) const {
     const L* entry = basis(batch);
     for (int j = 0; j < n_pressure; ++j) coefficients[j] = L(0.0);

@@ -56,7 +56,7 @@ class CellKernels {
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
   /// Least reserve of the law over the quadrature points of this rank, with its place (materials/law_limits.h).
   LeastPlace locate_least_reserve(const Vector& x) const;
-  /// λ_h at the nodes of a cell (first direction fastest).
+  /// Sets `values` to λ_h at the nodes of a cell. The first direction is the fastest index.
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
   /// Calls `use(cell, rows)` for each cell. For n nodes, rows[j·3n + 3i + c] is the entry of G for function j, node i

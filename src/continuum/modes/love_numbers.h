@@ -17,7 +17,7 @@
 
 namespace pseudorigid::continuum {
 
-/// The mean Love numbers of a degree, and the differences of the largest and the smallest number of its harmonics.
+/// The mean Love numbers of a degree, and the differences between the largest and the smallest number of its harmonics.
 struct BallLoveNumbers {
   gravity::LoveNumbers mean;
   double spread_of_h = 0, spread_of_l = 0;

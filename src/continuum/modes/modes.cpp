@@ -54,7 +54,7 @@ struct SectorMode {
   double omega_squared;
   ModeClass kind;
   Parity parity;
-  int n_copies;  ///< copies in this sector and in the other sectors with the same spectrum
+  int n_copies;  ///< number of sectors with the same spectrum, which all have this mode
   Vector u;
 };
 

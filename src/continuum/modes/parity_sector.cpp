@@ -21,7 +21,7 @@ namespace {
 
 /// Numbers of corrections of G u: in the operator of the iteration for eigenvectors, and for the computation of a mode.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
-/// Tolerance of conjugate gradients with self-gravity, in the norm of the energy.
+/// Relative tolerance of the conjugate gradients with self-gravity, in the energy norm.
 constexpr double tolerance_with_gravity = 1e-9;
 constexpr int n_iterations_with_gravity = 100;
 /// Largest number of unknowns between cells for which their matrix is factorised as a dense matrix.
