@@ -1,20 +1,21 @@
 #pragma once
-/// The elliptic integrals of an ellipsoid with semi-axes a_i, x_i = a_i², Δ = √((x_1+s)(x_2+s)(x_3+s)):
+/// The elliptic integrals of an ellipsoid with semi-axes a_i, in the notation R_F, R_D of Carlson. The indices i, j, k
+/// are different. With x_i = a_i² and Δ = √((x_1+s)(x_2+s)(x_3+s)), the integrals are
 ///
 ///   d_i = R_D(x_j, x_k, x_i) = (3/2) ∫₀^∞ ds/((x_i + s)Δ),      t_k = (3/2) ∫₀^∞ ds/((x_i + s)(x_j + s)Δ).
 ///
 /// Other integrals follow without cancellation: R_F = ⅓ Σ x_i d_i, (d_i − d_j)/(x_i − x_j) = −t_k, ∂d_i/∂x_j = −½ t_k.
 ///
-/// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. With
-/// r_i = √x_i and p_ij = r_i + r_j, the new arguments x_i' = x_i + λ are p_ij p_ik, with the same differences as the
-/// x_i, and
+/// Carlson's duplication (Numer. Math. 33 (1979) 1; Numer. Algorithms 10 (1995) 13) is used without his factor ¼. Let
+/// r_i = √x_i and p_ij = r_i + r_j. The new arguments are x_i' = x_i + r_1 r_2 + r_2 r_3 + r_3 r_1 = p_ij p_ik. The new
+/// arguments have the same differences as the x_i. With the integrals d_i' and t_k' of the new arguments,
 ///
 ///   d_i = 3/(r_i x_i') + 2 d_i',      t_k = 3 (r_1 + r_2 + r_3)/(p_ij² r_i r_j p_ik p_jk) + 2 t_k'.
 ///
-/// Every term is positive. If the ratio of the arguments is large, a duplication replaces it by about its square root.
-/// Near 1, a duplication divides the relative differences by about 4. Let A = ⅓ Σ x_i and Z_i = 1 − x_i/A, with the
-/// elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let P(u) = 1 + E_2/u² − E_3/u³. For
-/// small Z_i, the expansion of the integrals over u = 1 + s/A gives
+/// Every term is positive. If the ratio of the arguments is large, a duplication replaces this ratio by about its
+/// square root. If the ratio is near 1, a duplication divides the relative differences by about 4. Let A = ⅓ Σ x_i and
+/// Z_i = 1 − x_i/A, with the elementary symmetric functions E_2 = Σ_{i<j} Z_i Z_j and E_3 = Z_1 Z_2 Z_3. Let
+/// P(u) = 1 + E_2/u² − E_3/u³. For small Z_i, the expansion of the integrals over u = 1 + s/A gives
 ///
 ///   d_i = A^(−3/2) (h_0 + Z_i h_1 + Z_j Z_k h_2),    t_k = A^(−5/2) (h_1 − Z_k h_2),
 ///   h_l = (3/2) ∫₁^∞ u^(−5/2−l) P^(−3/2) du = Σ_{m,n} (−1)^m (3/2)_{m+n} E_2^m E_3^n / (m! n! (1 + ⅔(l + 2m + 3n))).
@@ -47,7 +48,7 @@ inline constexpr double series_coefficient = [] {
   return c;
 }();
 
-/// The polynomial in E_2, with m ≤ M, that is the factor of E_3^n in h_l. Evaluated by Horner's rule.
+/// The factor of E_3^n in h_l, a polynomial in E_2 with the powers m ≤ M. Horner's rule evaluates this polynomial.
 template <int l, int n, int... m>
 double series_row(double E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -65,7 +66,7 @@ double series_rows(double E2, double E3, std::integer_sequence<int, n...>) {
   return sum;
 }
 
-/// h_l. The sums are unrolled, so that the processor can add the rows in parallel.
+/// The series h_l. The sums are unrolled, so that the processor can add the rows in parallel.
 template <int l>
 double series(double E2, double E3) {
   return series_rows<l>(E2, E3, std::make_integer_sequence<int, (series_degree - l) / 3 + 1>());
@@ -73,8 +74,8 @@ double series(double E2, double E3) {
 
 }  // namespace detail
 
-/// The integrals for semi-axes a_i ≥ 0, each 0 or within 10^±50. If `with_t` is false, t is not computed. The result is
-/// infinite if two axes vanish.
+/// The integrals for semi-axes a_i ≥ 0, each 0 or between 10⁻⁵⁰ and 10⁵⁰. If `with_t` is false, t is not computed. The
+/// result is infinite if two axes vanish.
 template <bool with_t = true>
 EllipsoidIntegrals ellipsoid_integrals(const Eigen::Vector3d& a) {
   using Eigen::Array3d;

@@ -1,17 +1,18 @@
 #pragma once
-/// Love numbers of a homogeneous incompressible elastic ball of radius r under its own gravity, g = (4/3)πGρr. The
-/// surface answers to a tidal potential V = V_n (|x|/r)^n Y_n with
+/// Love numbers of a homogeneous incompressible elastic ball of radius r under its own gravity, g = (4/3)πGρr. A tidal
+/// potential V = V_n (|x|/r)^n Y_n causes, at the surface,
 ///
-///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V,
+///   u_r = h_n V/g,    u_t = l_n r∇V/g,    k_n V.
 ///
-/// its radial and its tangential displacement, and the potential that the displaced mass adds. Inside, a pressure
-/// balances the force ρ∇V, so the tide acts at the surface alone. Its work on a displacement is ρ∮V u_r dS. The
-/// displaced mass is a layer ρu_r with the potential 3/(2n + 1) g u_r:
+/// These are the radial and the tangential displacement, and the potential that the displaced mass adds. In the
+/// interior, a pressure balances the force ρ∇V. The tide therefore acts at the surface alone, and its work on a
+/// displacement is ρ∮V u_r dS. The displaced mass is a layer ρu_r with the potential 3/(2n + 1) g u_r:
 ///
 ///   k_n = 3/(2n + 1) h_n.
 ///
-/// A mass on the surface that has the potential V presses there with (2n + 1)/3 ρV. The work of attraction and pressure
-/// is −(2/3)(n − 1) times that of the tide. The load Love numbers have this factor (Farrell, Rev. Geophys. 10, 1972):
+/// A mass on the surface that has the potential V exerts the pressure (2n + 1)/3 ρV on the surface. The work of
+/// attraction and pressure is −(2/3)(n − 1) times the work of the tide. The load Love numbers have this factor
+/// (Farrell, Rev. Geophys. 10, 1972):
 ///
 ///   h'_n = −(2/3)(n − 1) h_n,    and likewise l'_n, k'_n.
 ///
@@ -19,21 +20,21 @@
 ///
 ///   h_n = (2n + 1)/(2(n − 1)) / (1 + m_n/γ),    l_n = 3/(n(2n + 1)) h_n,    m_n = (2n² + 4n + 3)/n.
 ///
-/// The displacement is a polynomial of degree n + 1. The pseudo-rigid ball, x = QX, answers to degree 2 only:
+/// The displacement is a polynomial of degree n + 1. The pseudo-rigid ball, x = QX, has a response only for degree 2:
 ///
 ///   h₂ = (5/2)/(1 + 25/(2γ)),    l₂ = h₂/2.
 ///
-/// Degree 1 moves the ball as a whole, so its numbers depend on the frame.
+/// A tide of degree 1 moves the ball as a whole, so that the Love numbers of degree 1 depend on the frame.
 
 namespace pseudorigid::gravity {
 
-/// Numbers of one degree n ≥ 2. Dimensionless.
+/// Dimensionless Love numbers of one degree n ≥ 2.
 struct LoveNumbers {
   int degree;
   double h, l;
 
   double k() const { return 3 / (2.0 * degree + 1) * h; }
-  /// The factor of h', l', k' of a mass on the surface.
+  /// The ratio of h', l', k' to h, l, k, for a mass on the surface.
   double load_factor() const { return -2 * (degree - 1) / 3.0; }
 };
 

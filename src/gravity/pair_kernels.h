@@ -12,7 +12,8 @@ struct PairKernels {
   Moving<PairSums> (*sum_moving)(const Moving<SurfacePoints>& targets, const Moving<SurfacePoints>& sources);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<PairKernels>> builds_of_pair_kernels();
 
 }  // namespace pseudorigid::gravity

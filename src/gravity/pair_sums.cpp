@@ -14,8 +14,8 @@ namespace {
 using L = mechanics::Lanes<mechanics::native_lanes>;
 constexpr std::size_t n_lanes = mechanics::native_lanes;
 
-/// A constant that is added to squared distances and is far below any relevant one. It makes the inverse distance of a
-/// point to itself finite. Such a pair adds 0, because all its terms have the factor d.
+/// A constant that is added to squared distances, and is far below any relevant squared distance. The constant makes
+/// the inverse distance of a point to itself finite. Such a pair adds 0, because all its terms have the factor d.
 constexpr double no_distance = 1e-36;
 
 /// A number with its time derivative.
@@ -35,7 +35,8 @@ struct Rated {
   }
 };
 
-/// As many targets as a vector has lanes, with their sums. `g` does not contain the part along N_i.
+/// A block of targets, one in each lane, with their sums. `g` does not contain the terms along N_i. `along_N` is the
+/// factor of N_i in these terms.
 template <class S>
 struct Block {
   S x[3], N[3], along_N, g[3], h[3];
@@ -69,7 +70,8 @@ void store(const L& lanes, std::vector<double>& values, std::size_t first) {
   for (std::size_t l = 0; l < n_lanes && first + l < values.size(); ++l) values[first + l] = lanes[static_cast<int>(l)];
 }
 
-/// Writes the sums of a block to the targets from number `first` on. `part` selects the value or the time derivative.
+/// Writes the sums of a block to `sums`, for the targets from number `first` on. `part` selects the value or the time
+/// derivative.
 template <class S, class Part>
 void store(const Block<S>& block, const Part& part, std::size_t first, PairSums& sums) {
   store(part(block.N[0] * block.h[0] + block.N[1] * block.h[1] + block.N[2] * block.h[2]), sums.e, first);
@@ -84,7 +86,7 @@ PairSums no_sums(std::size_t n_targets) {
   return {none, {none, none, none}, {none, none, none}};
 }
 
-/// A block of as many points as a vector has lanes, from number `first` on, with sums of 0.
+/// A block of points, one in each lane, from number `first` on, with sums of 0. Lanes after the last point repeat it.
 Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   Block<L> block{};
   for (int c = 0; c < 3; ++c) {
@@ -94,16 +96,17 @@ Block<L> block_at(const SurfacePoints& points, std::size_t first) {
   return block;
 }
 
-/// Sums over the images of one point: Σ a/|d|, Σ b/|d| and Σ ab/|d|³.
+/// Sums over the images of one point, with the symbols of PairWithImages. The members a, b and w are Σ a/|d|, Σ b/|d|
+/// and Σ ab/|d|³.
 struct ImageSums {
   L a = 0.0, b = 0.0, w = 0.0;
 };
 
-/// The pairs of a point y and its mirror images with as many points x as a vector has lanes. Each distance serves both
-/// points of a pair. Under a set k of reflections the image of y is R_k y, R_k = diag(s_k1, s_k2, s_k3), s = ±1. Let
-/// d = x − R_k y, a = d·N_x and b = d·R_k N_y. Seen from y, the image R_k x has the distance vector −R_k d, with −b and
-/// −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each axis c, Σ_k s_kc over the
-/// images are needed:
+/// The pairs of a point y and its mirror images with a block of points x, one in each lane. Each distance is used for
+/// both points of a pair. Under a set k of reflections the image of y is R_k y, with R_k = diag(s_k1, s_k2, s_k3),
+/// s = ±1. Let d = x − R_k y, a = d·N_x, b = d·R_k N_y and w = ab/|d|³. Seen from y, the image R_k x has the distance
+/// vector −R_k d, with −b and −a in place of a and b. Because d_c = x_c − s_kc y_c, only the sums Σ_k and, for each
+/// axis c, Σ_k s_kc over the images are needed:
 ///
 ///   Σ_k d_c w_k = x_c Σ_k w_k − y_c Σ_k s_kc w_k,      Σ_k s_kc d_c w_k = x_c Σ_k s_kc w_k − y_c Σ_k w_k.
 template <unsigned mirrors>
@@ -125,9 +128,9 @@ class PairWithImages {
     (std::make_integer_sequence<int, 8>());
   }
 
-  /// Σ_k
+  /// The sum Σ_k of `term` over the images.
   L sum(L ImageSums::*term) const { return all_.*term; }
-  /// Σ_k s_kc
+  /// The sum Σ_k s_kc of `term` over the images.
   L signed_sum(int c, L ImageSums::*term) const {
     return mirrors >> c & 1 ? all_.*term - 2.0 * behind_[c].*term : all_.*term;
   }
@@ -138,7 +141,8 @@ class PairWithImages {
     L square[3][2], a[3][2], b[3][2];
   };
 
-  /// Adds the image under the reflections given by the bits of k, if `mirrors` contains all of them.
+  /// Adds the image under the reflections given by the bits of k to the sums, if `mirrors` contains all these
+  /// reflections.
   template <int k>
   [[gnu::always_inline]] void add_image(const Parts& parts) {
     if constexpr ((k & ~mirrors) == 0) {
@@ -161,12 +165,12 @@ class PairWithImages {
   ImageSums all_, behind_[3];  ///< behind_[c]: sums over the images with s_kc = −1
 };
 
-/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain their parts along N_i and
-/// x_i.
+/// Sums for points whose pairs are computed once for both points. g_i and h_i do not contain the terms along N_i and
+/// x_i, whose factors are along_N and along_x.
 struct MutualSums {
   L along_N, along_x, g[3], h[3];
 
-  /// Adds the sums over all lanes of `other` to one lane.
+  /// Adds the sum over all lanes of `other` to the lane `lane` of this object, for each member.
   void add_to_lane(int lane, const MutualSums& other) {
     const auto add = [lane](L& to, const L& from) {
       double sum = to[lane];
@@ -182,7 +186,7 @@ struct MutualSums {
   }
 };
 
-/// Adds the contributions of the block and its images to the point y, lane by lane.
+/// Adds the contributions of the points x and their images to the sums of the point y, lane by lane.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void react(const PairWithImages<mirrors>& pair, const L (&x)[3], const L (&N_x)[3],
                                          MutualSums& y) {
@@ -194,7 +198,7 @@ template <unsigned mirrors>
   }
 }
 
-/// Adds the contributions of the point y and its images to the block.
+/// Adds the contributions of the point y and its images to the sums of the points x.
 template <unsigned mirrors>
 [[gnu::always_inline]] inline void act(const PairWithImages<mirrors>& pair, const double (&y)[3],
                                        const double (&N_y)[3], MutualSums& x) {
@@ -206,8 +210,8 @@ template <unsigned mirrors>
   }
 }
 
-/// The sums Σ_j over the points and their images. Each pair of points is computed once, except for pairs within a
-/// block.
+/// The sums Σ_j over the points and their images, for each point. Each pair of points is computed once, except for
+/// pairs within a block.
 template <unsigned mirrors>
 PairSums sum_own_pairs(const SurfacePoints& points) {
   const std::size_t n = points.size();

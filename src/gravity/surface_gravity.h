@@ -1,25 +1,25 @@
 #pragma once
-/// Self-gravity of a body of uniform density, computed from its surface alone. For two points x and y of the surface,
-/// let d = x − y, and let N be the outward area vectors, N dξdη = n dS. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|,
+/// Self-gravity of a body of uniform density ρ, computed from its surface alone. For two points x and y of the surface,
+/// let d = x − y. Let N be the outward area vectors, N dξdη = n dS. Because ∂_i∂_j(d_i d_j/|d|) = 6/|d|, the energy is
 ///
 ///   E = −½Gρ² ∫∫ dV dV/|d| = (Gρ²/12) ∮∮ (d·N_x)(d·N_y)/|d|.
 ///
 /// On a smooth surface d·N = O(|d|²), so the integrand is O(|d|³) near x = y. Gauss quadrature therefore needs no
-/// special rules, and a pair of a point with itself adds 0. In E the mass increases with the volume V = ⅓∮x·N. A
-/// discrete body keeps its volume only up to the discretisation error. Therefore E is replaced by
+/// special rules, and a pair of a point with itself adds 0. The mass in E is proportional to the volume V = ⅓∮x·N. A
+/// discrete body keeps its volume V₀ only up to the discretisation error. Therefore E is replaced by
 ///
 ///   Ê = E (V₀/V)^{5/3},
 ///
-/// which is equal to E if V = V₀ and does not change under dilations. Its force has no part that only a pressure could
-/// balance. The following derivative of Ê is exact for the sums over points:
+/// which is equal to E if V = V₀ and does not change under dilations. The force of Ê has no component that only a
+/// pressure could balance. The following derivative of Ê is exact for the sums over points:
 ///
 ///   ∂Ê/∂x_i = (V₀/V)^{5/3} (Gρ²/6) g_i − (5Ê/9V) N_i,    g_i = Σ_j (N_i b + a N_j)/|d| − a b d/|d|³,
 ///   ∂Ê/∂N_i = (V₀/V)^{5/3} (Gρ²/6) h_i − (5Ê/9V) x_i,    h_i = Σ_j d b/|d|,        a = d·N_i, b = d·N_j,
 ///
 /// The energy is Ê = (V₀/V)^{5/3} (Gρ²/12) Σ_i e_i with e_i = Σ_j ab/|d| = N_i·h_i.
 ///
-/// Each pair is computed once for both points: the terms of y at x also give the terms of x at y. If only a sector of
-/// the body is computed, the sources are the points of the sector and their mirror images.
+/// If the sources are also the targets, each pair is computed once: the terms of y at x also give the terms of x at y.
+/// If only a sector of the body is computed, the sources are the points of the sector and their mirror images.
 
 #include <Eigen/Core>
 #include <array>
@@ -38,16 +38,16 @@ struct SurfacePoints {
   Eigen::Vector3d area(std::size_t i) const { return {N[0][i], N[1][i], N[2][i]}; }
 };
 
-/// The sums Σ_j over all sources at each target.
+/// The sums e_i, g_i and h_i of the formulas above for every target i. The index j runs over all sources.
 struct PairSums {
   std::vector<double> e;  ///< Σ_j ab/|d|
   std::array<std::vector<double>, 3> g, h;
 };
 PairSums sum_pairs(const SurfacePoints& targets, const SurfacePoints& sources);
 /// The sums if the sources are the targets and their images under the reflections x_c ↦ −x_c for which mirrors[c] is
-/// true. Each pair is computed once, which takes at most half of the time.
+/// true. Each pair is computed once, which takes at most half of the time of `sum_pairs`.
 PairSums sum_own_pairs(const SurfacePoints& points, const std::array<bool, 3>& mirrors);
-/// Adds the sums over two sets of sources, for the same targets.
+/// Returns the total of the sums over two sets of sources, for the same targets.
 PairSums add(const PairSums& more, PairSums sums);
 
 /// A quantity of moving points with its time derivative.
@@ -80,11 +80,11 @@ SurfaceDerivative surface_derivative(const SurfacePoints& targets, const PairSum
 
 Moving<SurfaceTotals> totals(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums);
 
-/// The time derivative of surface_derivative, which is D²Ê applied to the motion.
+/// The time derivative of surface_derivative: D²Ê applied to the rates of the points and of the area vectors.
 SurfaceDerivative surface_derivative_rate(const Moving<SurfacePoints>& targets, const Moving<PairSums>& sums,
                                           const Moving<SurfaceTotals>& totals, double strength, double rest_volume);
 
-/// φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| for points x on the surface or in the interior. `strength` is Gρ.
+/// The potential φ(x) = −½Gρ ∮ (y − x)·N_y/|y − x| at points x on the surface or in the interior. `strength` is Gρ.
 std::vector<double> potential_at(const std::vector<Eigen::Vector3d>& points, const SurfacePoints& sources,
                                  double strength);
 

@@ -1,12 +1,12 @@
 #pragma once
-/// Observables of a ball at one state (whole ball, including reflected sectors), and the columns of the CSV files that
-/// show them. A column is declared in this file, below its observable: name, group, unit, meaning and computation.
-/// Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
+/// Observables of a ball at one state, and the columns of the CSV files that show them. Observables are for the whole
+/// ball, also if only a sector is computed. A column is declared in this file, below its observable: name, group, unit,
+/// meaning and computation. Headers, rows, units and documentation are generated from these columns (io/trajectory.h).
 ///
 ///   K = ½ ∫ρ|ẋ|² dV,   J = ∫ρ (x−x_c)×(ẋ−ẋ_c) dV,   Z = ∫ρ X×(Fᵀẋ) dV
 ///
-/// For the reduced body, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid spin ω at Q = Id has
-/// J = Z = 2m̄ω. All values have the internal units of the program (length r, mass ρr³, time r/c).
+/// For the pseudo-rigid ball, J_i = m̄ ε_ijk Q_jA Q̇_kA and Z_A = m̄ ε_ABC (QᵀQ̇)_CB. A rigid rotation with angular
+/// velocity ω at Q = Id has J = Z = 2m̄ω. All observables are in internal units (length r, mass ρr³, time r/c).
 ///
 /// To add an observable, add a member, and set it in the models that have it (reduced/observe.h,
 /// polynomial/observe.cpp, continuum/output/observe.cpp). An observable that is not set stays NaN, which ends a run at
@@ -40,7 +40,8 @@ struct ObservableRequest : Quantities {
   std::vector<OverPoints> over_points{};
 };
 
-/// Computes the requested values. least(value) returns the least value of a function of F over the points of a body.
+/// Returns one value for each entry of request.over_points. least(value) returns the least value of a function of F
+/// over the points of a body.
 template <class Least>
 std::vector<double> observe_over_points(const ObservableRequest& request, const Least& least) {
   std::vector<double> values;
@@ -69,13 +70,16 @@ struct BodyColumn {
       value;
 };
 
-/// Contact with rigid planes: at the state (loads/contact.h) and in the run so far. All values are 0 without contact.
+/// Contact with rigid planes. The members from `energy` to `point` are for the current state (loads/contact.h), and are
+/// 0 if the body does not touch a plane. The others summarise the run so far (app/run/contact_watch.h): begin of the
+/// first contact, end of the last contact, largest force, and coefficient of restitution. They are 0 before the first
+/// contact.
 struct ContactObservables {
   double energy = 0, force = 0, penetration = 0, radius = 0;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();
   double first = 0, last = 0, largest_force = 0, restitution = 0;
 
-  /// Sets the values of the state from a loads::Contact.
+  /// Sets the members for the current state, `energy` to `point`, from a loads::Contact.
   template <class Contact>
   void take(const Contact& now) {
     energy = now.energy;
@@ -98,7 +102,7 @@ struct BodyObservables {
   double volume_ratio = not_observed;                                          ///< current volume / reference volume
   double multiplier = not_observed;  ///< λ of (5.120) per m̄; continuum: (1/m̄)∫λ_h dV
   Eigen::Vector3d semi_axes = Eigen::Vector3d::Constant(not_observed);  ///< a₁ ≥ a₂ ≥ a₃, singular values of Q times r
-  std::vector<double> over_points{};                                    ///< one value for each request
+  std::vector<double> over_points{};                                    ///< one value for each entry of the request
   ContactObservables contact{};
 
   double energy() const { return kinetic + elastic + gravitational + external + dissipated + contact.energy; }
@@ -159,14 +163,14 @@ inline constexpr BodyColumn<O> common_columns[] = {
      [](const O& o) { return o.contact.restitution; }},
 };
 
-/// Observables of the reduced body only.
+/// Observables of the pseudo-rigid body only.
 struct ReducedObservables : BodyObservables {
   double central_pressure = not_observed;  ///< p_c of p = p_c(1 − |X|²/r²), the reaction to det Q = 1
   Eigen::Vector3d axes =
       Eigen::Vector3d::Constant(not_observed);  ///< a_i of Q = TᵀAS, continued along the path, times r
   Eigen::Matrix3d T = Eigen::Matrix3d::Constant(not_observed), S = T;
   Eigen::Vector3d Omega_star = Eigen::Vector3d::Constant(not_observed);   ///< entries 12, 13, 23 of Ω* = ṪTᵀ
-  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< the same entries of Λ* = ṠSᵀ
+  Eigen::Vector3d Lambda_star = Eigen::Vector3d::Constant(not_observed);  ///< entries 12, 13, 23 of Λ* = ṠSᵀ
   double bipolar_residual = not_observed;  ///< largest entry of the residual of Oliva (5.121) per m̄
                                            ///< (reduced/bipolar.h)
 };
@@ -195,7 +199,7 @@ inline constexpr BodyColumn<ReducedObservables> reduced_columns[] = {
 struct ContinuumObservables : BodyObservables {
   Eigen::Matrix3d F = Eigen::Matrix3d::Constant(not_observed);  ///< mean deformation gradient F̄ = ∫F dV / Vol
   double nonaffine_kinetic_fraction = not_observed;             ///< η_K = K_nonaffine / K  (0/0 = 0)
-  double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, ρ-weighted L²
+  double nonaffine_displacement = not_observed;                 ///< e_x = |x − Q_M X| / |x|, norms weighted with ρ
   double volumetric = not_observed;    ///< part of `elastic` that the volumetric stabilisation stores
   double min_jacobian = not_observed;  ///< least det F over the quadrature points
 };

@@ -8,12 +8,12 @@
 
 namespace pseudorigid::mechanics {
 
-/// A value is true if the group is requested. The initial values are the defaults.
+/// A member is true if its group is requested. The initial values are the defaults.
 struct Quantities {
   bool state = true, energies = true, momenta = true, multiplier = true, axes = true, nonaffine = true;
   bool pressure = false, bipolar = false, stretches = false;
-  /// A group without a keyword, for models with non-affine motions. It is written with the energies if the volumetric
-  /// stabilisation is on.
+  /// A group without a keyword, for models with non-affine motions. The group is written with the energies if the
+  /// volumetric stabilisation is on.
   bool volumetric = false;
   /// A group without a keyword, which is written if the scene has planes.
   bool contact = false;

@@ -1,13 +1,14 @@
 #pragma once
-/// Values of the whole body from the computed sector.
+/// Functions that compute values of the whole body from the computed sector.
 
 #include <Eigen/Core>
 #include <array>
 
 namespace pseudorigid::mechanics {
 
-/// Removes the entries that vanish in a 3×3 integral over the whole body. The (i, j) entry is odd under a reflection of
-/// exactly one of x_i and x_j, and cancels if the body has such a reflection.
+/// Sets the entries of a 3×3 integral over the whole body to 0 if they vanish by symmetry. `reflect[i]` is true if the
+/// body is symmetric under the reflection of x_i. This reflection changes the sign of the entry (i, j) for j ≠ i, so
+/// that this entry is 0.
 inline Eigen::Matrix3d without_odd_entries(Eigen::Matrix3d integral, const std::array<bool, 3>& reflect) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)

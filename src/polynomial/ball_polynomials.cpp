@@ -32,7 +32,7 @@ std::vector<Jet> jacobi_polynomials(int n, double b, const Jet& t) {
   return P;
 }
 
-/// The factor of Re (x + iy)^|m| and Im (x + iy)^|m| in |ξ|^l Y_lm, at [l][|m|].
+/// The common factor of Re (x + iy)^|m| and Im (x + iy)^|m| in |ξ|^l Y_lm, at [l][|m|].
 std::vector<std::vector<Jet>> polar_factors(int N, const Jet& z, const Jet& r2) {
   std::vector<std::vector<Jet>> factor(N + 1, std::vector<Jet>(N + 1));
   factor[0][0] = constant(std::sqrt(1 / (4 * std::numbers::pi)));

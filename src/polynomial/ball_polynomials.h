@@ -3,12 +3,13 @@
 ///
 ///   φ_nlm(ξ) = √(2n+3) P_s(2|ξ|² − 1) |ξ|^l Y_lm(ξ/|ξ|),   l = n, n − 2, … ≥ 0,   s = (n − l)/2,   m = −l … l,
 ///
-/// with Jacobi's polynomials P_s = P_s^{(0, l+½)} and the real spherical harmonics Y_lm ~ cos mφ (m ≥ 0), sin |m|φ
-/// (m < 0) (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). Both factors are computed by recurrences
-/// in Cartesian coordinates, so there are no singularities at the poles or the centre. The condition number of the
-/// basis is 1 at any degree. P_N has C(N+3, 3) of these polynomials, and those of P_{N−1} come first.
+/// with Jacobi's polynomials P_s = P_s^{(0, l+½)} (Dunkl and Xu, Orthogonal Polynomials of Several Variables, 5.1). The
+/// real spherical harmonics Y_lm are proportional to cos mφ (m ≥ 0) or sin |m|φ (m < 0). Both factors are computed by
+/// recurrences in Cartesian coordinates, so there are no singularities at the poles or the centre. The condition number
+/// of the basis is 1 at any degree. The space P_N of polynomials of degree N has C(N+3, 3) of these functions as its
+/// basis. The first of these functions are the basis of P_{N−1}.
 ///
-/// Each polynomial is even or odd in each coordinate. It is a product R_nl(r) Y_lm of a radial and an angular factor.
+/// Each polynomial is even or odd in each coordinate, and is a product R_nl(r) Y_lm of a radial and an angular factor.
 
 #include <array>
 #include <vector>
@@ -28,7 +29,7 @@ struct BallPolynomial {
   }
 };
 
-/// The polynomials of P_N in this order.
+/// The indices of the basis of P_N, in the order of increasing n, decreasing l and increasing m.
 std::vector<BallPolynomial> ball_polynomials(int N);
 
 /// A value and its gradient with respect to ξ.
@@ -42,7 +43,7 @@ std::vector<Jet> evaluate_ball_polynomials(int N, const std::array<double, 3>& x
 
 /// R_nl(r) = √(2n+3) P_s(2r² − 1) r^l, with its derivative in gradient[0].
 Jet radial_factor(int n, int l, double r);
-/// |ξ|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
+/// The functions |ξ|^l Y_lm with their gradients for l ≤ N, at [l][l + m].
 std::vector<std::vector<Jet>> solid_harmonics(int N, const std::array<double, 3>& xi);
 
 }  // namespace pseudorigid::polynomial

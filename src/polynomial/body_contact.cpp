@@ -80,14 +80,14 @@ loads::Contact BodyContact::contact(const Eigen::VectorXd& q) const {
   return summary(planes_, contacts);
 }
 
-/// Adds the force of values at the points to the coefficients. The tables have the functions of the whole body, and the
-/// points are those of the computed sector. Therefore the values are multiplied by the number of mirror images.
+/// Adds the generalised force of a force field at the points to f. The tables have the functions of the whole body, and
+/// the points are in the computed sector. Therefore `by_point` is multiplied by the number of mirror images.
 void BodyContact::spread(Field& by_point, Eigen::VectorXd& f) const {
   for (double& value : by_point) value *= space_->n_mirrors();
   tables_.add_transposed(space_->blocks(), 3, by_point.data(), f.data());
 }
 
-/// Adds a force on affine motions. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j.
+/// Adds the generalised force of an affine force to f. The coefficients of x = c + A X are c √Vol and A_ij √E₀_j.
 void BodyContact::spread(const loads::AffineForce& force, Eigen::VectorXd& f) const {
   Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(space_->n_unknowns());
   space_->set_affine(force.on_Q * space_->inertia().cwiseInverse().asDiagonal(), force.on_center / space_->volume(),

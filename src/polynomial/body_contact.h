@@ -1,12 +1,13 @@
 #pragma once
-/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature with n_points points in each direction
-/// of an octant of the sphere ξ. The areas w are areas of this sphere. With the stiffness k of a plane n·x = z₀,
+/// Contact of a polynomial body with rigid planes (loads/plane.h), by quadrature on the unit sphere of ξ. An octant of
+/// the sphere has n_points points in each direction, and the weights w are areas of the sphere. With the stiffness k of
+/// a plane n·x = z₀, and the positions x with the coefficients q_a,
 ///
 ///   V = Σ_planes Σ_points w k d²/2,   d = z₀ − n·x,   x = Σ q_a φ_a,   −∂V/∂q_a = Σ w k d n φ_a.
 ///
 /// A body of degree 1 has the closed form of the pseudo-rigid body (loads/ellipsoid_contact.h). For higher degrees, the
-/// sum converges to this form on affine motions as n_points increases. The sum is not computed for a plane if a bound
-/// shows that the body does not reach it. With the affine part c + A X of x (X = S ξ), the bound is
+/// sum converges to this form on affine motions as n_points increases. The force is not computed if a lower bound of
+/// n·x shows that the body does not reach any plane. With the affine part c + A X of x (X = S ξ), the bound is
 ///
 ///   n·x ≥ n·c − |SAᵀn| − Σ_a |n·q_a| max|φ_a|,   a over the functions of degree 2 and higher.
 
@@ -34,11 +35,12 @@ class BodyContact {
   void add_force_rate(const Eigen::VectorXd& q, const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
   /// f ← f + damping force; returns the power that this force dissipates.
   double add_damping(const Eigen::VectorXd& q, const Eigen::VectorXd& v, Eigen::VectorXd& f) const;
-  /// f ← f − ∂/∂u of ½k∮|u|², as if planes on all sides held every point of the surface. u is the displacement.
+  /// f ← f − ∂/∂u of ½k∮|u|² for a displacement u. This is the force of springs with the stiffness k of all planes
+  /// together, which hold every point of the surface.
   void add_holding_force(const Eigen::VectorXd& u, Eigen::VectorXd& f) const;
 
  private:
-  /// Values at all points of the tables: [component][point].
+  /// A vector field at all points of the tables: [component][point].
   using Field = std::vector<double>;
 
   bool is_affine() const { return space_->degree() == 1; }
@@ -57,7 +59,7 @@ class BodyContact {
   std::shared_ptr<const PolynomialSpace> space_;
   Eigen::Matrix3d S_;
   PointTables tables_;
-  std::vector<std::size_t> places_;  ///< places of the points in the tables, without the padding
+  std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
   std::vector<double> weights_;      ///< areas w of the points
   std::vector<double> largest_;  ///< max|φ_a| at the points for each coefficient; 0 for constant and linear functions
 };

@@ -104,7 +104,7 @@ gravity::SurfacePoints BodyGravity::with_images(const gravity::SurfacePoints& po
   return all;
 }
 
-/// f ← f − factor · the force of a derivative with respect to points and area vectors.
+/// f ← f − factor · ∂E/∂q, for a function E with this derivative with respect to points and area vectors.
 void BodyGravity::spread(double factor, const SurfaceJets& x, const gravity::SurfaceDerivative& derivative,
                          Eigen::VectorXd& f) const {
   const auto& [by_x, by_N] = derivative;
@@ -143,7 +143,7 @@ void BodyGravity::add_surface_force_rate(double sign, const Eigen::VectorXd& q, 
   spread(factor, at, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(factor, rate, of_areas, f);  // an area vector is bilinear in the derivatives of x
+  spread(factor, rate, of_areas, f);  // because an area vector is bilinear in the derivatives of x
 }
 
 Eigen::VectorXd BodyGravity::affine_coefficients(const Eigen::VectorXd& q) const {

@@ -1,13 +1,14 @@
 #pragma once
-/// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). At the
-/// points of the sphere, x = Σ q_a φ_a and N = w ∂x/∂e_θ × ∂x/∂e_φ with the quadrature weights w. The energy Ê_h of the
-/// discrete surface has only the error of the quadrature. Because most of the motion is affine and the energy V_g of an
-/// ellipsoid is known (gravity/ellipsoid_gravity.h), the error of the affine part is subtracted:
+/// Self-gravity of an incompressible polynomial body, computed from its surface (gravity/surface_gravity.h). The
+/// quadrature points are on the unit sphere, with weights w and tangents e_θ, e_φ. At these points, x = Σ q_a φ_a and
+/// N = w ∂x/∂e_θ × ∂x/∂e_φ. The energy Ê_h of the discrete surface has only the error of the quadrature. Most of the
+/// motion is affine, and the energy V_g of an ellipsoid is known (gravity/ellipsoid_gravity.h). Therefore the error of
+/// the affine part is subtracted:
 ///
 ///   Ê(q) = Ê_h(x) + E_A(A) − Ê_h(A X),   E_A(A) = V_g(A S) (det A)^{1/3},
 ///
-/// with the affine part A of x (polynomial_space.h). E_A has the same gauge as Ê: it does not change under dilations.
-/// For degree 1, only E_A remains, and no sums are computed. The force is the exact derivative of this energy.
+/// with the affine part A of x (polynomial_space.h). Like Ê, E_A does not change under dilations. For degree 1, only
+/// E_A remains, and no sums are computed. The force is the exact derivative of Ê(q).
 
 #include <Eigen/Core>
 #include <array>
@@ -27,7 +28,7 @@ class BodyGravity {
   static int usual_points(int degree) { return degree + 4; }
 
   /// `gravity_constant` is G in internal units, in which ρ = 1. `n_points` is the number of points in each direction of
-  /// an octant.
+  /// an octant. If `n_points` is empty, this number is `usual_points`.
   BodyGravity(double gravity_constant, std::shared_ptr<const PolynomialSpace> space, std::optional<int> n_points);
 
   double energy(const Eigen::VectorXd& q) const;
@@ -62,8 +63,8 @@ class BodyGravity {
   std::shared_ptr<const PolynomialSpace> space_;
   gravity::EllipsoidGravity ellipsoid_;
   PointTables tables_;
-  std::vector<std::size_t> places_;  ///< places of the points in the tables, without the padding
-  std::vector<double> weights_;      ///< weights, with the sign of the orientation of each image
+  std::vector<std::size_t> places_;  ///< indices of the points in the tables, which also have padding
+  std::vector<double> weights_;      ///< quadrature weights, with the sign of the orientation of each image
   double rest_volume_;
 };
 

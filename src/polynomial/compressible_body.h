@@ -9,7 +9,7 @@ namespace pseudorigid::polynomial {
 class CompressibleBody : public PolynomialBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
+    const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
   };
   using PolynomialBody::PolynomialBody;
 

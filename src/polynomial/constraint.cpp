@@ -17,12 +17,12 @@ void inverse_gradient(const PolynomialSpace& space, const Eigen::VectorXd& q, do
   gradient(space, q, F);
   dense().inverse_transposed(space.n_points(), F, A);
 }
-/// r_b = Σ ψ_b y over the points. The content of y is destroyed.
+/// r_b ← Σ ψ_b y over the quadrature points. Overwrites y.
 void test_with_pressures(const PolynomialSpace& space, double* y, Eigen::VectorXd& r) {
   r.setZero();
   space.pressures().add_transposed(space.pressure_blocks(), 1, y, r.data());
 }
-/// s ← w λ at the points.
+/// s ← w λ at the quadrature points, with the quadrature weights w.
 void weighted_pressure(const PolynomialSpace& space, const Eigen::VectorXd& lambda, double* s) {
   space.pressures().evaluate(space.pressure_blocks(), 1, lambda.data(), s);
   for (int p = 0; p < space.n_points(); ++p) s[p] *= space.weights()[p];

@@ -1,10 +1,11 @@
 #pragma once
-/// The constraint of incompressible polynomial bodies and its derivatives,
+/// The constraint of incompressible polynomial bodies and its derivatives. With the basis ψ_b of the pressures, the
+/// basis φ_a of the positions, the deformation gradient F and J = det F, they are
 ///
 ///   g_b(q) = ∫ψ_b ln J dX,   (G v)_b = ∫ψ_b F⁻ᵀ:∇v dX,   D²g_b(v, v) = −∫ψ_b tr((F⁻¹∇v)²) dX,
-///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   its rate along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
+///   (Gᵀλ)_ia = ∫λ F⁻ᵀ:∇(φ_a e_i) dX,   rate of Gᵀλ along v: −∫λ F⁻ᵀ∇vᵀF⁻ᵀ:∇(φ_a e_i) dX.
 ///
-/// Vectors may have more entries than the space has unknowns. The functions do not change these entries.
+/// Vectors may have further entries after the unknowns of the space. The functions do not change the further entries.
 
 #include <Eigen/Core>
 
@@ -13,7 +14,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// Computes g; returns the least det F. If this value is not positive, g is not valid.
+/// Computes g and returns the least det F at the quadrature points. If this value is not positive, g is not valid.
 double constraint(const PolynomialSpace& space, const Eigen::VectorXd& q, Eigen::VectorXd& g);
 void constraint_rate(const PolynomialSpace& space, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                      Eigen::VectorXd& r);
@@ -34,8 +35,8 @@ class ReactionsBetween {
 
  private:
   const PolynomialSpace& space_;
-  bool same_;             ///< true if q₁ = q₀
-  ScratchArray A1_, A0_;  ///< F⁻ᵀ at the points
+  bool same_;             ///< true if q₁ and q₀ are the same object
+  ScratchArray A1_, A0_;  ///< F⁻ᵀ at the quadrature points, for q₁ and q₀
 };
 
 }  // namespace pseudorigid::polynomial

@@ -40,7 +40,7 @@ static_assert(point_block % n_lanes == 0);
   return {{{A(0, 0), A(1, 0), A(2, 0)}, {A(0, 1), A(1, 1), A(2, 1)}, {A(0, 2), A(1, 2), A(2, 2)}}};
 }
 
-/// Computes n_vectors vectors of y, from e = `first` on.
+/// Computes n_vectors SIMD vectors of y = Σ_a c_a T_a, from the entry `first` on.
 template <int n_vectors>
 [[gnu::always_inline]] inline void combine_block(const double* table, int n, int length, const double* c, double* y,
                                                  int first) {
@@ -54,7 +54,7 @@ template <int n_vectors>
   for (int k = 0; k < n_vectors; ++k) store(sums[k], y + first + k * n_lanes);
 }
 
-/// Computes the n_rows coefficients a = first, first + 1, …
+/// Adds Σ_e T_ae y_e to the n_rows coefficients c_a, a = first, first + 1, …
 template <int n_rows>
 [[gnu::always_inline]] inline void contract_rows(const double* table, int length, const double* y, double* c,
                                                  int first) {
@@ -77,7 +77,7 @@ struct Product {
   bool add;
 };
 
-/// Computes C for n_rows rows of A and n_vectors vectors of columns.
+/// Computes C for n_rows rows of A and n_vectors SIMD vectors of columns.
 template <int n_rows, int n_vectors>
 [[gnu::always_inline]] inline void multiply_block(const Product& of, int row, int column) {
   double* C = of.C + static_cast<long>(row) * of.width + column;
@@ -120,7 +120,7 @@ void multiply_some_rows(const Product& of, int row, int n) {
     multiply_some_rows<n_rows - 1>(of, row, n);
 }
 
-/// Calls visitor(law, p) for the first point p of every vector.
+/// Calls visitor(law, p) for the first point p of every SIMD vector of points.
 template <class Visitor>
 void for_each_vector(const materials::AnyLaw& law, int n, Visitor&& visitor) {
   std::visit(
@@ -178,8 +178,9 @@ void contract_radially(const double* A, int n_levels, int n_radii, int n, const 
     }
 }
 
-/// Calls visitor(s, n) for pieces of n numbers from s on that cover 0 … length. The pieces are vectors, and the last
-/// vector may overlap the previous one. If `length` is less than a vector, the pieces are single numbers.
+/// Calls visitor(s, n) for pieces of n numbers from the index s on, which cover the range 0 … length. The pieces are
+/// SIMD vectors, and the last vector may overlap the previous one. If `length` is less than a vector, the pieces are
+/// single numbers.
 template <class Visitor>
 [[gnu::always_inline]] inline void for_each_piece(int length, Visitor&& visitor) {
   using Single = std::integral_constant<int, 1>;

@@ -1,7 +1,7 @@
 #pragma once
-/// The inner loops of polynomial bodies, compiled for several instruction sets (mechanics/core/kernel_builds.h). They
-/// are sums over functions at the points of a grid, transposed sums, and operations at the points. Their arguments are
-/// plain arrays.
+/// The inner loops of polynomial bodies, compiled for several instruction sets (mechanics/core/kernel_builds.h). The
+/// loops are sums over functions at the points of a grid, transposed sums, and operations at the points. The arguments
+/// are plain arrays.
 
 #include "materials/law_table.h"
 #include "mechanics/core/kernel_builds.h"
@@ -32,15 +32,15 @@ struct DenseKernels {
   /// c_kg ← c_kg + Σ_j A_kjg u_jg
   void (*contract_radially)(const double* A, int n_levels, int n_radii, int n, const double* u, double* c);
 
-  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h. The entries D_ft(s) of a
-  /// 3 × 3 matrix for each direction s are stored at (3f + t) width + s: y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j
-  /// width + s].
+  /// Fields y_f at the points (radius j, direction s) from the terms z_t of point_tables.h:
+  ///   y_f[j n_directions + s] = Σ_t D_ft(s) z_t[j width + s].
+  /// Each direction s has a 3 × 3 matrix, whose entries D_ft(s) are stored at (3f + t) width + s.
   void (*fields_of_terms)(const double* D, int n_radii, int n_directions, int width, const double* z, double* const* y);
   /// The transposed map: z_t[j n_directions + s] = Σ_f D_ft(s) y_f[j n_directions + s], one term t after the other.
   void (*terms_of_fields)(const double* D, int n_radii, int n_directions, int width, const double* const* y, double* z);
 
-  /// C ← A R, or C ← C + A R if `add`. The matrices are row-major: A (m × n_points, with rows of `stride` numbers), R
-  /// (n_points × width) and C (m × width). `width` is a multiple of `point_block`.
+  /// C ← A R, or C ← C + A R if `add` is true. The matrices are row-major: A (m × n_points, with rows of `stride`
+  /// numbers), R (n_points × width) and C (m × width). `width` is a multiple of `point_block`.
   void (*multiply)(const double* A, int stride, int m, const double* R, int n_points, int width, double* C, bool add);
   /// R_pa = Σ_k A_kp T_kpa. T (3 × n_points × width) is row-major, so that the functions of a point are contiguous.
   /// Each A_k has n_points numbers.
@@ -49,13 +49,13 @@ struct DenseKernels {
 
   /// In the following functions, the entry (i, j) of a 3×3 tensor at point p of n points is stored at (3i + j) n + p.
 
-  /// T ← w P(F) + w ∂U/∂F with U = (κ/4)(J² − 1 − ln J²); returns the least of det F and of the law's reserve
-  /// (materials/law_limits.h).
+  /// T ← w P(F) + w ∂U/∂F with the stress P of the law, J = det F and U = (κ/4)(J² − 1 − ln J²). Returns the least
+  /// value of det F and of the law's reserve (materials/law_limits.h) at the points.
   double (*stress)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F, double* T);
   /// T ← w DP(F)[H] + w D²U(F)[H]
   void (*stress_rate)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F,
                       const double* H, double* T);
-  /// Returns Σ w W(F) and Σ w U(J).
+  /// Returns Σ w W(F) and Σ w U(J), with the stored energy W of the law.
   EnergySums (*energy)(const materials::AnyLaw& law, double kappa, int n, const double* w, const double* F);
 
   /// y ← w ln det F; returns the least det F. If this value is not positive, y is not valid.
@@ -77,11 +77,13 @@ struct DenseKernels {
                                double* T);
 
   /// A Walsh–Hadamard transform over the mirror images of points. `slots` has one slot of `length` numbers for each
-  /// subset of the reflections. Each slot is replaced by a sum with signs, y_m = Σ_c (−1)^{|m & c|} x_c.
+  /// subset of the reflections. Each slot y_m is replaced by a sum with signs, y_m = Σ_c (−1)^{|m & c|} x_c, with the
+  /// bit sets m and c of subsets and the old slots x_c.
   void (*transform_images)(double* slots, int n_images, int length);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<DenseKernels>> builds_of_dense_kernels();
 /// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const DenseKernels& dense();

@@ -4,9 +4,10 @@
 ///   F = ∂x/∂X,   σ = (P(F) − (λ − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
 /// P is the stress of the law without volumetric stabilisation and viscosity, and λ is the multiplier of the motion (0
-/// without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
-/// (gravity/surface_gravity.h). Polynomials do not depend on the computed sector, so the points may be anywhere in the
-/// body. All quantities are in internal units.
+/// without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with the
+/// volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
+/// self-gravity. Polynomials do not depend on the computed sector, so the points may be anywhere in the body. All
+/// quantities are in internal units.
 
 #include <Eigen/Core>
 #include <vector>
@@ -21,7 +22,7 @@ class FieldsAtPoints {
   /// `points` are points ξ of the unit ball, X = S ξ.
   FieldsAtPoints(const PolynomialSpace& space, const std::vector<Eigen::Vector3d>& points);
 
-  /// `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at a point.
+  /// Sets `fields`. `lambda` is empty for a body without constraint. Fails if det F ≤ 0 at a point.
   mechanics::Status fields(const PolynomialBody& body, const Eigen::VectorXd& q, const Eigen::VectorXd& v,
                            const Eigen::VectorXd& lambda, mechanics::BodyFields& fields) const;
 

@@ -46,7 +46,7 @@ std::vector<double> gradients_by_point(const PolynomialSpace& space, const Block
   return by_point;
 }
 
-/// F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block: [point][function]. A = F⁻ᵀ.
+/// R ← F⁻ᵀ:∇(φ_a e_i) at all points, for the functions of a block: [point][function]. A is F⁻ᵀ.
 void reactions_at_points(const PolynomialSpace& space, const Block& block, const std::vector<double>& gradients,
                          const double* A, double* R) {
   const int stride = space.gradients().stride(), n_points = space.n_points(), width = filled_up(block.n());
@@ -73,7 +73,8 @@ GramMatrix::GramMatrix(const PolynomialSpace& space)
     if (gradients_[block.parity].empty()) gradients_[block.parity] = gradients_by_point(space, block);
 }
 
-/// Calls visitor(block, columns) with the columns of G of each block, padded with zeros to whole vectors.
+/// Calls visitor(block, columns) for each block, with the columns of G that belong to the block. The columns are padded
+/// with zeros to whole SIMD vectors.
 template <class Visitor>
 void GramMatrix::for_each_part(const Eigen::VectorXd& q, Visitor&& visitor) const {
   const int n_points = space_->n_points(), n_pressures = space_->n_pressures();
@@ -133,8 +134,8 @@ bool GramSolver::ensure_factor(const Eigen::VectorXd& q0) {
   return factor(position_);
 }
 
-/// Operations of one iteration: a product with S, and a solution with the factor. The operations at the points have a
-/// larger weight.
+/// Number of operations of one iteration, which has a product with S and a solution with the factor. Each point counts
+/// as 60 operations in addition to the sums with tables.
 double GramSolver::iteration_cost() const {
   const double n = space_->n_pressures();
   double of_tables = 0;
@@ -142,7 +143,7 @@ double GramSolver::iteration_cost() const {
   for (const Block& block : space_->pressure_blocks()) of_tables += space_->pressures().n_multiplications(block);
   return 2 * of_tables + n * n + 60.0 * space_->n_points();
 }
-/// Operations of a factorisation.
+/// Number of operations of a factorisation.
 double GramSolver::factorization_cost() const {
   const double n = space_->n_pressures(), n_unknowns = space_->n_unknowns();
   return n_unknowns * space_->n_points() * (n + 9) + n * n * (n_unknowns + n / 3);
@@ -158,7 +159,7 @@ mechanics::SolveReport GramSolver::solve(const Eigen::VectorXd& q1, const Eigen:
   };
   if (!ensure_factor(q0)) return dependent();
   if (iterate(S, r, enough, lambda, n_iterations)) return {{}, n_iterations};
-  // If the factor was computed at this q, the matrix is singular. Otherwise the factor is too old and is renewed.
+  // If the factor was computed at this q₀, the matrix is singular. Otherwise the factor is too old and is renewed.
   if (factored_at_ == q0.head(space_->n_unknowns())) return dependent();
   spent_ = 2 * factorization_cost();
   if (!ensure_factor(q0) || !iterate(S, r, enough, lambda, n_iterations)) return dependent();

@@ -6,8 +6,9 @@
 /// S is small and dense. The Cholesky factor of S_f = G(q_f)G(q_f)ᵀ at an earlier position q_f is the preconditioner of
 /// conjugate residuals (mechanics/core/conjugate_residuals.h) for S. Products with S are computed without a matrix.
 ///
-/// S is factored again in two cases: if the iteration converges slowly, and when the iterations that a new factor could
-/// have saved have cost as much as a factorisation. Therefore the cost is at most twice the optimum.
+/// S_f is computed at the present position and factored again in two cases. In the first case, an iteration does not
+/// converge. In the second case, the iterations that a new factor could have saved have cost as much as a
+/// factorisation. Therefore the cost is at most twice the optimum.
 
 #include <Eigen/Cholesky>
 #include <array>
@@ -27,7 +28,7 @@ class GramMatrix {
 
   /// G(q), with a row for each pressure function and a column for each entry of q.
   Eigen::MatrixXd constraint_matrix(const Eigen::VectorXd& q) const;
-  /// The lower triangle of S(q, q).
+  /// Sets the lower triangle of S to the triangle of S(q, q). The other entries are 0.
   void at(const Eigen::VectorXd& q, Eigen::MatrixXd& S) const;
 
  private:
@@ -43,7 +44,8 @@ class GramSolver {
  public:
   explicit GramSolver(const PolynomialSpace& space);
 
-  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm.
+  /// Computes λ with |r − Sλ| ≤ max(10⁻⁴ |r|, `enough`) in the Euclidean norm. Fails if the iteration does not converge
+  /// with a factor at q₀, because S is then almost singular.
   mechanics::SolveReport solve(const Eigen::VectorXd& q1, const Eigen::VectorXd& q0, const Eigen::VectorXd& r,
                                double enough, Eigen::VectorXd& lambda);
 
@@ -60,7 +62,7 @@ class GramSolver {
  private:
   bool factor(const Eigen::VectorXd& q);
   bool ensure_factor(const Eigen::VectorXd& q0);
-  /// Returns false if the iteration does not converge.
+  /// Solves S λ = r with the present factor. Returns false if the iteration does not converge.
   bool iterate(ReactionsBetween& S, const Eigen::VectorXd& r, double enough, Eigen::VectorXd& lambda,
                int& n_iterations);
   double iteration_cost() const;

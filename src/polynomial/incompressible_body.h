@@ -3,9 +3,9 @@
 ///
 ///   q̈ = f + Gᵀλ,   g_b(q) = ∫ψ_b ln J dX = 0,   ψ_b ∈ P_{N−1}               (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. λ = Σλ_bψ_b is
-/// the Kirchhoff pressure Jp. The divergence maps (P_N)³ onto P_{N−1}. Therefore small motions have zero divergence at
-/// every point.
+/// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
+/// λ = Σλ_bψ_b is the Kirchhoff pressure Jp, with the pressure p. The divergence maps (P_N)³ onto P_{N−1}. Therefore
+/// small motions have zero divergence at every point.
 
 #include <cmath>
 
@@ -21,8 +21,10 @@ class IncompressibleBody : public PolynomialBody {
   using Multiplier = Eigen::VectorXd;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< residual that suffices for the caller of solve_gram, maximum norm
-    const Vector* held_at = nullptr;  ///< PolynomialBody::applied_force
+    /// Residual that is sufficient for the caller of solve_gram. The caller bounds the maximum norm, and the solver
+    /// compares the larger Euclidean norm. If 0, the solver uses its default.
+    double residual_sought = 0;
+    const Vector* held_at = nullptr;  ///< see PolynomialBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -58,7 +60,7 @@ class IncompressibleBody : public PolynomialBody {
   }
   /// |g|_∞ and |Gv|_∞ count as zero up to this value, a few units of round-off of the sums over the points.
   double constraint_tolerance() const { return 1e-15 * multiplier_scale(); }
-  /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J|.
+  /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J.
   double multiplier_scale() const { return std::sqrt(space().volume()); }
 
   Multiplier make_multiplier() const { return Multiplier::Zero(space().n_pressures()); }

@@ -10,10 +10,12 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// The parity of the displacement that the tide V = Y_nm raises: that of V (u_i is odd in x_i if V is even in it).
+/// The parity of the displacement under the tide V = Y_nm. It is the parity of V: u_i is odd in x_i if V is even in
+/// x_i.
 Parity parity_of_tide(int n, int m) { return BallPolynomial{n, n, m}.parity(); }
 
-/// u = B (BᵀKB)⁻¹ Bᵀ f with the motions B of a parity.
+/// Static responses u = B (BᵀKB)⁻¹ Bᵀ f to a force f. K is the stiffness, and the columns of B are the motions of a
+/// parity.
 class RestResponse {
  public:
   RestResponse(const RestProblem& problem, Parity parity)
@@ -22,7 +24,8 @@ class RestResponse {
         factor_(motions_.transpose() * problem.stiffness_of(parity) * motions_) {}
 
   bool is_stable() const { return factor_.info() == Eigen::Success; }
-  /// `radial`, `tangential`: the rows of the harmonic. Returns both integrals of the response to f = radialᵀ.
+  /// `radial` and `tangential` are the rows of one harmonic in SurfaceRows. Returns the radial and the tangential
+  /// integral of the response to f = radialᵀ.
   Eigen::Vector2d operator()(const Eigen::RowVectorXd& radial, const Eigen::RowVectorXd& tangential) const {
     const Eigen::VectorXd f = radial(unknowns_).transpose();
     const Eigen::VectorXd u = motions_ * factor_.solve(motions_.transpose() * f);

@@ -5,8 +5,8 @@
 ///   surface, three patches per octant: ξ = p/|p|,  p = (1, tan πs/4, tan πt/4) and its cyclic permutations
 ///   plane, an inner and an outer patch per quarter: ξ = r (cos πs/2, sin πs/2),  r = t/2 and (1 + t)/2
 ///
-/// with s, t = 0, 1/m, …, 1. The rows cover the computed sector only; the rest of the body follows by reflection. All
-/// positions are in internal units.
+/// with s, t = 0, 1/m, …, 1. There is one row for each point of the computed sector. The rest of the body follows by
+/// reflection. All positions are in internal units.
 
 #include <Eigen/Core>
 #include <array>

@@ -41,7 +41,7 @@ Integrals integrals(const PolynomialSpace& space, const Eigen::VectorXd& q, cons
   return sums;
 }
 
-/// |x|² and the squared norm of the non-affine part, both about the origin.
+/// Squared L² norms of a vector field about the centre of mass: the whole field, and its non-affine part.
 struct Parts {
   double whole, nonaffine;
 };
@@ -51,7 +51,7 @@ Parts parts(const PolynomialSpace& space, const Eigen::VectorXd& relative) {
   return {relative.squaredNorm(), (relative - affine).squaredNorm()};
 }
 
-/// The coefficients relative to the mean of x.
+/// The coefficients of x minus the mean of x.
 Eigen::VectorXd relative(const PolynomialSpace& space, const Eigen::VectorXd& x) {
   Eigen::VectorXd result = x.head(space.n_unknowns());
   for (int i = 0; i < 3; ++i)

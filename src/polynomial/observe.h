@@ -1,7 +1,7 @@
 #pragma once
-/// Observables of polynomial bodies at one state, the same as for the finite-element ball (continuum/output/observe.h).
-/// They are for the whole body, in internal units. Q_M, J, Z and the nonaffine quantities are computed relative to the
-/// centre of mass.
+/// Observables of polynomial bodies at one state. The finite-element ball has the same observables
+/// (continuum/output/observe.h). The observables are for the whole body, in internal units. Q_M, J, Z and the nonaffine
+/// quantities are computed relative to the centre of mass.
 
 #include "observables/body_observables.h"
 #include "polynomial/compressible_body.h"
@@ -11,7 +11,8 @@ namespace pseudorigid::polynomial {
 
 using BodyState = mechanics::VectorState<Eigen::VectorXd>;
 
-/// Computes the quantities of `request`. Fails if the force fails.
+/// Sets the observables that `request` contains. Fails if the deformation is not admissible or the multiplier cannot be
+/// computed.
 mechanics::Status observe(const IncompressibleBody& body, const BodyState& state,
                           IncompressibleBody::Workspace& workspace, const mechanics::ObservableRequest& request,
                           mechanics::ContinuumObservables& observables);

@@ -2,12 +2,13 @@
 /// Quadrature on the octant ξ_i > 0 of the unit ball and of its surface. The integral over the ball of a function that
 /// is even in every coordinate is 8 times the integral over the octant. In |ξ| and in cos θ, the quadrature uses the
 /// positive half of the Gauss rule with 2q points on [−1, 1], with nodes r_i, z_j and weights w_i, w_j. In the
-/// longitude φ it uses midpoints,
+/// longitude φ, the quadrature uses midpoints,
 ///
 ///   ∫f dξ = 8 Σ_ijk w_i r_i² w_j (π/2q) f(r_i, z_j, φ_k),   φ_k = (k + ½) π/2q.
 ///
-/// The q³ points are exact for polynomials of degree 4q − 3 (4q − 1 in cos θ and φ). For q = ⌈(N + 3)/2⌉ this degree is
-/// at least 2N + 3. The mass, the linear problem and the moments as volume integrals are then exact.
+/// The quadrature with q³ points is exact for polynomials of degree 4q − 3 (4q − 1 in cos θ and φ). For a body of
+/// degree N, q = ⌈(N + 3)/2⌉ points in each direction are exact for degree 2N + 3 at least. The mass, the linear
+/// problem and the moments as volume integrals are then exact.
 
 #include <array>
 #include <vector>
@@ -20,7 +21,7 @@ struct HalfGaussRule {
 };
 HalfGaussRule half_gauss_rule(int q);
 
-/// A point of octant_points.
+/// A quadrature point of the octant of the ball.
 struct WeightedPoint {
   std::array<double, 3> xi;
   double weight;  ///< for integrals over the octant

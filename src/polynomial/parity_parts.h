@@ -16,7 +16,7 @@ namespace pseudorigid::polynomial {
 
 inline constexpr int n_parities = 8;
 
-/// Places of the coefficients of the motions of each parity.
+/// Indices of the coefficients of motions, for each parity of the motion.
 inline std::array<std::vector<int>, n_parities> unknowns_by_parity(const PolynomialSpace& space) {
   std::array<std::vector<int>, n_parities> places;
   for (const Block& block : space.blocks())
@@ -30,8 +30,8 @@ inline std::array<std::vector<int>, n_parities> pressures_by_parity(const Polyno
   return places;
 }
 
-/// K with K u = −`force_rate(u)`, symmetrised. Each call is for the sum of one motion of each parity. The parities
-/// separate the images of these motions.
+/// The matrix K with K u = −`force_rate(u)`, symmetrised. Each call of force_rate is for a sum of motions, one of each
+/// parity. Because the image of a motion has the same parity, the images of these motions can be separated.
 template <class ForceRate>
 Eigen::MatrixXd stiffness_by_parity(const PolynomialSpace& space, const ForceRate& force_rate) {
   const auto places = unknowns_by_parity(space);

@@ -12,9 +12,9 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Direct sums are used up to this product of functions and points of an octant, for one parity. Measured with vectors
-/// of 8 numbers: for degree 5 (product 640) direct sums take 0.6 times the time of the factored sums. For degree 7
-/// (2560) they take the same time.
+/// Direct sums are used up to this product of the number of functions and the number of points of an octant, for one
+/// parity. Measured with vectors of 8 numbers: for degree 5 (product 640), direct sums take 0.6 times the time of the
+/// factored sums. For degree 7 (2560), both take the same time.
 constexpr double cheap_directly = 1500;
 
 double along(const Jet& jet, const std::array<double, 3>& direction) {

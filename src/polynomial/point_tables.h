@@ -1,12 +1,12 @@
 #pragma once
-/// Values at the points of a sector of fields that are sums of ball polynomials, and the transposed map.
+/// Evaluation of sums of ball polynomials at the points of a sector, and the transposed map.
 ///
 /// The sector is the part of the ball between the symmetry planes of the motion, which are coordinate planes. Its
 /// points are the points of one octant and their images R_m ξ under reflections at the other coordinate planes, the
 /// free planes. At an image, a function of parity c has (−1)^{c·m} times its value at the point, with c·m the number of
-/// common bits. Therefore the functions of each parity are summed at the points of the octant, and a transform of these
-/// sums over the parities gives all images (transform_images). Without symmetry planes this takes an eighth of the work
-/// and memory of direct sums.
+/// common bits. Therefore the functions of each parity are summed at the points of the octant. A transform of these
+/// sums over the parities gives all images (transform_images of dense_kernels.h). Without symmetry planes, this method
+/// needs an eighth of the work and memory of direct sums.
 ///
 /// The points of the octant are r_j ω_s, and φ_nlm = R_nl(r) Y_lm(ω). Therefore the sums over n are computed first, at
 /// the radii, and then the sums over l and m, in the directions (sum factorisation; Orszag 1980). With e_r = ω,
@@ -19,9 +19,9 @@
 /// The sums for gradients omit the linear functions, because their gradients are constant. The affine part is the
 /// largest part of F, so F then has fewer rounding errors. For a body of degree 1, F has no rounding errors.
 ///
-/// A field is a value, or a derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
-/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. This sign is the sign of
-/// another parity (`shift`).
+/// A field is a function, or its derivative along a direction that is reflected with the point (e_r, e_θ, e_φ). The
+/// derivative ∂/∂ξ_k has an additional change of sign at an image under a reflection of ξ_k. The signs of this
+/// derivative at the images are therefore the signs of another parity, which differs in the bits of `shift`.
 
 #include <Eigen/Core>
 #include <array>
@@ -38,9 +38,9 @@ namespace pseudorigid::polynomial {
 struct Block {
   int component;
   Parity parity;
-  int slot;                    ///< parity in the free coordinates; bit b is for the b-th of them
-  int offset;                  ///< place of the first coefficient
-  std::vector<int> functions;  ///< numbers in ball_polynomials(N)
+  int slot;                    ///< parity in the free coordinates; bit b is for the b-th free axis
+  int offset;                  ///< index of the first coefficient
+  std::vector<int> functions;  ///< indices in ball_polynomials(N)
 
   int n() const { return static_cast<int>(functions.size()); }
 };
@@ -49,7 +49,7 @@ struct Block {
 /// `surface` has the function and its derivatives along e_θ and e_φ of the surface.
 enum class Fields { value, gradient, surface };
 
-/// The points r_j ω_s of the octant, at j n_directions + s. The last point is repeated up to a whole number of blocks.
+/// The points r_j ω_s of the octant, at j n_directions + s. Copies of the last point fill the last block of points.
 struct PointGrid {
   std::vector<double> radii;
   std::vector<SurfacePoint> directions;
@@ -71,29 +71,29 @@ class PointTables {
   int n_fields() const { return static_cast<int>(shift_.size()); }
   /// Number of points of all images, including padding.
   int n_points() const { return n_images_ * stride_; }
-  /// Number of values of all fields for this number of components.
+  /// Number of entries of y in `evaluate`, for n_components components.
   std::size_t size(int n_components) const { return static_cast<std::size_t>(n_components) * n_fields() * n_points(); }
   /// Number of multiplications for one evaluation of a block.
   double n_multiplications(const Block& block) const;
 
   /// Computes y from the coefficients c of the blocks. Field f of component i is stored at (i n_fields + f) n_points.
   void evaluate(const std::vector<Block>& blocks, int n_components, const double* c, double* y) const;
-  /// c ← c + the transposed map applied to y. The content of y is destroyed.
+  /// c ← c + the transposed map applied to y. Overwrites y.
   void add_transposed(const std::vector<Block>& blocks, int n_components, double* y, double* c) const;
-  /// A field of one function of a block at the points of the octant, `stride` numbers.
+  /// Field number `field` of one function of a block at the points of the octant. The result has stride() entries.
   std::vector<double> row(const Block& block, int function, int field) const;
 
  private:
   /// Tables of one parity. A group is a pair (l, m), and level s has the functions with n = l + 2s.
   struct Factors {
-    std::vector<int> places;                             ///< places of the coefficients of a block in [level][group]
+    std::vector<int> places;                             ///< indices of the coefficients of a block in [level][group]
     std::array<std::vector<double>, 2> radial;           ///< [level][radius][group]: R′ and R/r, or R
     std::array<std::vector<double>, 3> angular;          ///< [group][direction], padded to `width_`
     std::array<std::vector<double>, 3> from_directions;  ///< [direction][group]
     int n_groups = 0, n_filled = 0, n_levels = 0;
     std::array<std::vector<double>, 3> rows;  ///< [field]: [function][point]; empty if direct sums are not cheaper
     int linear = -1,
-        linear_field = 0;  ///< places of the linear function and of its gradient component that is not zero
+        linear_field = 0;  ///< indices of the linear function and of its gradient component that is not zero
     double linear_gradient = 0;
 
     std::size_t size() const { return static_cast<std::size_t>(n_levels) * n_filled; }
@@ -106,7 +106,7 @@ class PointTables {
                   Factors& factors) const;
   void set_angular(const Groups& groups, const PointGrid& grid, Factors& factors) const;
   void set_frames(const Eigen::Vector3d& semi_axes, const PointGrid& grid);
-  /// Index of the radial factor of a term.
+  /// Index in Factors::radial for a term: 1 for R/r, which the gradient needs along e_θ and e_φ, otherwise 0.
   int radial_of(int term) const { return fields_ == Fields::gradient && term > 0 ? 1 : 0; }
   bool is_constant() const { return fields_ == Fields::gradient && degree_ == 1; }
   void evaluate_octant(const Factors& factors, const double* c, double* const* y) const;

@@ -97,7 +97,7 @@ mechanics::Status PolynomialBody::applied_force(double t, const Vector& q, const
   return {};
 }
 
-/// Adds all loads except pressure and dissipation.
+/// Adds the forces of the nominal traction, the acceleration and the quadratic potential to f.
 void PolynomialBody::add_loads(const loads::Forcing& forcing, const Vector& q, Vector& f) const {
   const auto& space = *space_;
   if (!forcing.nominal_traction.isZero(0))

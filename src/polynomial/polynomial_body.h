@@ -5,17 +5,18 @@
 ///   V(q) = ∫W(F) + U(J) dX + Ê + V_e,   F = ∂x/∂X
 ///
 /// This is the generalized Newton law (Oliva 5.3–5.4) for the coefficients of an orthonormal basis, so that the mass is
-/// the identity (polynomial_space.h). N = 1 is the pseudo-rigid body; N → ∞ is the continuum. U is the volumetric
-/// stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads are those of loads/forcing.h:
+/// the identity (polynomial_space.h). The body of degree N = 1 is the pseudo-rigid body, and the limit N → ∞ is the
+/// continuum. W is the stored energy and Ê the energy of self-gravity (body_gravity.h). U is the volumetric
+/// stabilisation (κ/4)(J² − 1 − ln J²), by default 0. The loads of loads/forcing.h have the energies V_e or forces
 ///
 ///   quadratic potential      V = ½ T:∫ρ x xᵀ            uniform acceleration     V = −b·∫ρ x
 ///   nominal traction         V = −P̄:∫F                  pressure                 V = p ∫J
 ///   viscosity                −∫2ηJ d F⁻ᵀ:∇φ             drag                     −c q̇
 ///   rigid planes             body_contact.h
 ///
-/// With dissipation or loads that depend on time there are two more coordinates s and s'. They obey s̈ = power that is
-/// dissipated and s̈' = power that loads give by their change in time. Therefore their velocities are the dissipated
-/// and the given energy.
+/// With dissipation or loads that depend on time, the body has two further coordinates s and s'. Here s̈ is the
+/// dissipated power, and s̈' is the power that loads give by their change in time. Therefore the velocities ṡ and ṡ'
+/// are the dissipated and the given energy.
 ///
 /// All integrals are over the whole body, in internal units.
 
@@ -42,13 +43,13 @@ struct BodySetup {
   materials::AnyLaw law = materials::CiarletGeymonat{1, 0};
   double volumetric_stiffness = 0;  ///< κ
   loads::Loads loads{};
-  std::optional<int> n_gravity_points{};  ///< points of gravity per direction of an octant of the surface
-  std::optional<int> n_points{};          ///< points of the integrals over the body, per direction of an octant
-  std::optional<int> n_contact_points{};  ///< points of contact per direction of an octant of the surface
+  std::optional<int> n_gravity_points{};  ///< number of gravity points per direction of an octant of the surface
+  std::optional<int> n_points{};          ///< number of points in the body, per direction of an octant
+  std::optional<int> n_contact_points{};  ///< number of contact points per direction of an octant of the surface
 };
 
 struct PotentialEnergies {
-  double elastic = 0;  ///< including the volumetric part
+  double elastic = 0;  ///< stored energy, including the volumetric part
   double volumetric = 0, gravitational = 0, external = 0, contact = 0;
   double total() const { return elastic + gravitational + external + contact; }
 };
@@ -68,21 +69,23 @@ class PolynomialBody {
   Vector make_vector() const { return Vector::Zero(space_->n_unknowns() + n_accounts()); }
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.head(space_->n_unknowns()).squaredNorm(); }
-  /// The total potential energy at t = 0. It is not finite if det F ≤ 0 at a point.
+  /// The total potential energy at t = 0. It is infinite if q is not an admissible deformation.
   double potential_energy(const Vector& q) const;
   PotentialEnergies potential_energies(double t, const Vector& q) const;
-  /// Number of rotational symmetries: axes whose rotations do not change the symmetry planes and the loads.
+  /// Number of axes whose rotations do not change the symmetry planes. It is 0 if a load depends on direction or on
+  /// time.
   int n_symmetries() const { return static_cast<int>(turns_.size()); }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const;
 
-  /// f ← f + viscous force and drag, both linear in v (mechanics/core/linear_damping.h).
+  /// f ← f + viscous force, damping force of contacts and drag, which are linear in v
+  /// (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const;
-  /// f ← f + rate of the conservative forces along u. Loads that depend on time are not included.
+  /// f ← f + rate of the conservative forces along u. The result does not include loads that depend on time.
   void add_force_rate(const Vector& q, const Vector& u, Vector& f) const;
 
   const PolynomialSpace& space() const { return *space_; }
   const materials::AnyLaw& law() const { return law_; }
-  /// Null without self-gravity.
+  /// The self-gravity, or null if there is none.
   const BodyGravity* gravity() const { return gravity_.get(); }
   /// Contact with rigid planes at q, empty if there are none.
   loads::Contact contact(const Vector& q) const { return contact_ ? contact_->contact(q) : loads::Contact{}; }
@@ -103,8 +106,9 @@ class PolynomialBody {
   double least(const Vector& q, const std::function<double(const Eigen::Matrix3d& F)>& value) const;
 
  protected:
-  /// All forces without the reactions. If `held_at` is not null, contact is replaced by springs that hold every point
-  /// of the surface at this position with the stiffness of the planes. This gives a bound for the stiffness.
+  /// Sets f to all forces without the reactions. If `held_at` is not null, springs on the whole surface replace the
+  /// contact. The springs hold every point of the surface at this position with the stiffness of the planes. The
+  /// resulting stiffness is a bound for the stiffness with contact.
   mechanics::Status applied_force(double t, const Vector& q, const Vector& v, const Vector* held_at, Vector& f) const;
   [[gnu::cold, gnu::noinline]] mechanics::Status inadmissible(const Vector& q) const;
 
@@ -119,7 +123,7 @@ class PolynomialBody {
   double volumetric_stiffness_;
   loads::Loads loads_;
   loads::Forcing constant_;  ///< loads that do not depend on time
-  bool driven_;              ///< some loads depend on time
+  bool driven_;              ///< true if a load depends on time
   std::vector<int> turns_;   ///< axes of the symmetries
   std::shared_ptr<const BodyGravity> gravity_;
   std::shared_ptr<const BodyContact> contact_;  ///< null without planes

@@ -5,9 +5,9 @@
 ///   x_i(X) = Σ_a q_ia φ_a(X) ∈ P_N,    ∫ρ φ_a φ_b dX = δ_ab     (the mass is the identity)
 ///   λ(X) = Σ_b λ_b ψ_b(X) ∈ P_{N−1},   ∫ψ_a ψ_b dX = δ_ab
 ///
-/// The functions are those of ball_polynomials.h, divided by √det S. If the coordinate plane ξ_i = 0 is a symmetry
-/// plane of the motion, x_i is odd in ξ_i, and the other components and λ are even in ξ_i. The spaces then omit all
-/// other functions. All integrals are over the whole body.
+/// φ_a and ψ_b are the functions of ball_polynomials.h, divided by √det S. If the coordinate plane ξ_i = 0 is a
+/// symmetry plane of the motion, x_i is odd in ξ_i, and the other components and λ are even in ξ_i. The spaces then
+/// omit all other functions. All integrals are over the whole body.
 ///
 /// The coefficients of a position are ordered by component and then by parity. All quantities are in internal units,
 /// ρ = 1.
@@ -21,7 +21,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// A vector at every point, one row for each point.
+/// A vector field at the quadrature points, one row for each point.
 using PointValues = Eigen::MatrixX3d;
 
 class PolynomialSpace {
@@ -30,8 +30,7 @@ class PolynomialSpace {
   /// quadrature points in each direction of an octant, by default least_points(degree).
   PolynomialSpace(int degree, const std::array<bool, 3>& reflect,
                   const Eigen::Vector3d& semi_axes = Eigen::Vector3d::Ones(), std::optional<int> n_points = {});
-  /// ⌈(N + 3)/2⌉ points per direction. They are exact for quadratic functions of a motion and for 3 more degrees
-  /// (octant_quadrature.h).
+  /// ⌈(N + 3)/2⌉ points per direction. Integrals of polynomials of degree 2N + 3 are then exact (octant_quadrature.h).
   static int least_points(int degree) { return (degree + 4) / 2; }
 
   int degree() const { return degree_; }
@@ -57,7 +56,7 @@ class PolynomialSpace {
   const PointTables& gradients() const { return gradients_; }
   const PointTables& pressures() const { return pressures_; }
   int n_points() const { return gradients_.n_points(); }
-  /// Weights of the points for integrals over the whole body. The weights of padding are 0.
+  /// Quadrature weights of the points for integrals over the whole body. The weights of padding are 0.
   const std::vector<double>& weights() const { return weights_; }
   /// ξ of the quadrature points.
   const std::vector<std::array<double, 3>>& points() const { return points_; }
@@ -66,9 +65,9 @@ class PolynomialSpace {
   /// The diagonal of E₀ = ∫ρXXᵀ.
   const Eigen::Vector3d& inertia() const { return inertia_; }
 
-  /// Sets the coefficients of x = c + A X. Parts that do not have the symmetry of the sector are omitted.
+  /// Sets the coefficients of x = c + A X. Entries of A and c that do not have the symmetry of the sector are omitted.
   void set_affine(const Eigen::Matrix3d& A, const Eigen::Vector3d& c, Eigen::Ref<Eigen::VectorXd> x) const;
-  /// The nearest affine motion in the mean square: A = (∫ρ x Xᵀ) E₀⁻¹ and c = ∫ρx/M.
+  /// The affine motion nearest to x in the mean square: A = (∫ρ x Xᵀ) E₀⁻¹ and c = (∫ρx)/M, with the mass M.
   Eigen::Matrix3d affine_part(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Vector3d mean(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// ∫ρ a bᵀ for two fields.
@@ -76,19 +75,19 @@ class PolynomialSpace {
   /// f ← f + the force ∫P∇φ dX of the uniform stress P: f_ia = Σ_k P_ik ∫∂φ_a/∂X_k dX.
   void add_uniform_stress(const Eigen::Matrix3d& P, Eigen::Ref<Eigen::VectorXd> f) const;
 
-  /// Place of the coefficient of a function of ball_polynomials(degree) in a component; −1 if there is none.
+  /// Index of the coefficient of a function of ball_polynomials(degree) in a component; −1 if there is none.
   int place(int component, int function) const { return places_[component][function]; }
-  /// The same for a pressure function.
+  /// Index of the coefficient of a pressure function; −1 if there is none.
   int pressure_place(int function) const { return pressure_places_.front()[function]; }
   /// Values and gradients with respect to X of all φ_a at X = S ξ.
   std::vector<Jet> functions_at(const std::array<double, 3>& xi) const;
-  /// x and ∂x/∂X at a point, from the result of functions_at.
+  /// x and ∂x/∂X at a point. `functions` is the result of functions_at for this point.
   Eigen::Vector3d value(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
   Eigen::Matrix3d gradient(const std::vector<Jet>& functions, const Eigen::Ref<const Eigen::VectorXd>& x) const;
-  /// The field at the quadrature points.
+  /// The field x at the quadrature points.
   PointValues values_at_points(const Eigen::Ref<const Eigen::VectorXd>& x) const;
   /// Tables of the position and of its derivatives along e_θ and e_φ (with respect to ξ) at the surface points of the
-  /// octant.
+  /// octant, with q points in each direction.
   PointTables surface_tables(int q) const;
   /// Tables of the position alone at the surface points of the octant.
   PointTables surface_values(int q) const;

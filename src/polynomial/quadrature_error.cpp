@@ -61,7 +61,7 @@ class QuadratureSearch {
         return 0;
       }
       const double before = std::exchange(e, error(factor, own_, finer));
-      // If the error does not decrease, it has reached round-off.
+      // If a further point does not halve the error, the error has reached round-off.
       const bool is_enough = e <= mechanics::detail::error_safety * request_.tolerance || e > before / 2;
       if (!request_.adds_points || is_enough || choice_.n_points == most) return e;
       own_ = std::move(finer);
@@ -84,7 +84,8 @@ class QuadratureSearch {
     return factor * mechanics::detail::largest_difference(a, b) * std::pow(request_.end / window_, quadrature_growth);
   }
 
-  /// Chooses the longest stable step. If the motion becomes stiffer, the step is halved.
+  /// Chooses the number of steps from the stability limit, and makes the pilot run own_. If this run fails, the motion
+  /// may have become stiffer, and the step is halved. Returns false if no pilot run succeeds.
   bool find_step(const Body& body) {
     constexpr double reserve = 0.8;
     constexpr int most_halvings = 3;

@@ -19,13 +19,13 @@ struct Mode {
   Eigen::VectorXd shape;
 };
 
-/// The modes of a parity.
+/// Computes and classifies the modes of a parity.
 class ModesOfParity {
  public:
   ModesOfParity(const Turns& turns, Parity parity, const std::vector<int>& unknowns)
       : turns_(turns), unknowns_(unknowns), n_odd_(std::popcount(parity)) {}
 
-  /// Those of K among the motions that are the columns of `basis`, orthonormal.
+  /// Appends the eigenmodes of K to `modes`. The columns of `basis` are an orthonormal basis of the motions.
   void add(const Eigen::MatrixXd& K, const Eigen::MatrixXd& basis, std::vector<Mode>& modes) const {
     if (basis.cols() == 0) return;
     const mechanics::SymmetricSpectrum degrees = mechanics::symmetric_spectrum(basis.transpose() * square(basis));
@@ -42,14 +42,15 @@ class ModesOfParity {
     return u;
   }
 
-  /// The square of the rotations of fields, one column each.
+  /// The operator −Σ_e J_e² (turns.h), applied to fields. Each column is a field.
   Eigen::MatrixXd square(const Eigen::MatrixXd& fields) const {
     Eigen::MatrixXd squares(fields.rows(), fields.cols());
     for (Eigen::Index j = 0; j < fields.cols(); ++j) squares.col(j) = turns_.square(whole(fields.col(j)))(unknowns_);
     return squares;
   }
 
-  /// `parts`: the coefficients of the mode in motions with the squares n(n + 1).
+  /// Classifies a mode. `parts` are its coefficients in the eigenvectors of −Σ_e J_e², and `squares` are the
+  /// eigenvalues n(n + 1).
   Mode classified(double omega_squared, const Eigen::VectorXd& shape, const Eigen::VectorXd& parts,
                   const Eigen::VectorXd& squares) const {
     std::vector<double> shares;

@@ -1,14 +1,15 @@
 #pragma once
-/// Small motions of a polynomial ball about rest,
+/// Small motions u of a polynomial ball about rest. The squares of the frequencies ω are the eigenvalues of
 ///
-///   K u = ω² u on ker G     (rest_problem.h),
+///   K u = ω² u on ker G     (rest_problem.h).
 ///
-/// a problem for each of the eight parities on an orthonormal basis of ker G without the six rigid motions. All other
-/// frequencies of the body are found, those of unstable motions among them.
+/// This is a problem for each of the eight parities, on an orthonormal basis of ker G without the six rigid motions.
+/// All other frequencies of the body are found, also the frequencies of unstable motions.
 ///
-/// Kind and degree of a mode are measured: P_N is invariant under turns, and the square of a turn of the whole field
-/// (turns.h) splits a parity into motions of one degree n each. A mode has the degree of which its share is largest. It
-/// is spheroidal if its inversion X ↦ −X has the sign (−1)^(n+1), and otherwise toroidal.
+/// The kind and the degree n of a mode are computed from its shape. P_N is invariant under rotations. The operator −Σ_e
+/// J_e² of the joint rotations J_e (turns.h) has the eigenvalues n(n + 1), and divides the motions of a parity by
+/// degree. The degree of a mode is the degree with the largest share. A mode is spheroidal if u(−X) = (−1)^(n+1) u(X),
+/// and otherwise toroidal.
 
 #include <vector>
 
@@ -16,20 +17,20 @@
 
 namespace pseudorigid::polynomial {
 
-/// One frequency of the ball with its 2n + 1 modes. Internal units. For unstable motions ω is negative, and −ω is the
-/// growth rate.
+/// A frequency of the ball in internal units. A frequency of degree n has 2n + 1 modes. An unstable motion has ω < 0
+/// and grows at the rate −ω.
 struct RestFrequency {
-  double omega;           ///< mean of the copies
-  double least, largest;  ///< of the copies
+  double omega;           ///< mean over the 2n + 1 modes
+  double least, largest;  ///< over the 2n + 1 modes
   bool spheroidal;
   int degree;
-  int overtone;           ///< 0: the lowest of its kind and degree
-  double share;           ///< least share of the degree in a copy
-  Eigen::VectorXd shape;  ///< one of the modes, coefficients of the whole body, of norm 1
+  int overtone;           ///< 0 for the lowest frequency of this kind and degree
+  double share;           ///< share of the degree in a mode, least over the modes
+  Eigen::VectorXd shape;  ///< coefficients of one of the modes on the whole body, of norm 1
 };
 
-/// The lowest `number` frequencies, rising. `setup.reflect` is not used. Fails if the body is in no equilibrium at
-/// rest, and if modes cannot be put together to frequencies.
+/// Computes the lowest `number` frequencies in ascending order. `setup.reflect` is not used. Fails if the body is not
+/// in equilibrium at rest, or if the modes cannot be grouped into complete frequencies.
 mechanics::Status rest_frequencies(BodySetup setup, bool incompressible, std::size_t number,
                                    std::vector<RestFrequency>& frequencies);
 

@@ -10,7 +10,8 @@
 namespace pseudorigid::polynomial {
 namespace {
 
-/// Rows ∮(u·n) Y_nm dS, each times the root of its stiffness ρg (1 − 3/(2n + 1)); those of n ≤ 1 are 0.
+/// Rows ∮(u·n) Y_nm dS, each multiplied by the square root of its stiffness ρg (1 − 3/(2n + 1)). The rows of n ≤ 1 are
+/// 0.
 Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_constant) {
   const int max_degree = space.degree() + 1;
   const double weight_of_density = 4 * std::numbers::pi / 3 * gravity_constant;
@@ -20,7 +21,7 @@ Eigen::MatrixXd gravity_rows(const PolynomialSpace& space, double gravity_consta
   return rows;
 }
 
-/// The rigid motions, a row each; one that is turned or shifted has a parity.
+/// The rigid motions of norm 1, one in each row. Each of these motions has a parity.
 Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, const Eigen::VectorXd& X) {
   Eigen::MatrixXd rigid = Eigen::MatrixXd::Zero(6, space.n_unknowns());
   for (int i = 0; i < 3; ++i) {
@@ -30,7 +31,7 @@ Eigen::MatrixXd rigid_motions(const PolynomialSpace& space, const Turns& turns, 
   return rigid;
 }
 
-/// λ at rest, and the remainder of the force of the law.
+/// Sets λ to the multiplier at rest. Fails if a force of the law remains.
 template <class Body>
 mechanics::Status at_rest(const Body& body, double shear_modulus, Eigen::VectorXd& lambda) {
   const Eigen::VectorXd X = body.affine(Eigen::Matrix3d::Identity());

@@ -22,7 +22,7 @@ RotationFinder::RotationFinder(const BodySetup& setup, bool incompressible, Fami
       rotations_(setup, incompressible, family_.figure),
       spectrum_(setup, incompressible, family_.figure) {}
 
-/// Finds a member if no other member is known.
+/// Finds a member if no other member is known yet.
 mechanics::Status RotationFinder::first(double parameter, SteadyRotation& rotation) const {
   const FigureCondition condition = family_.condition(parameter);
   if (family_.figure == Figure::ellipsoid) {
@@ -71,7 +71,7 @@ mechanics::Status RotationFinder::member(double parameter, RotationMember& membe
   return {};
 }
 
-/// Appends the special points between two members.
+/// Appends the special points between the members with the parameters a and b.
 void RotationFinder::locate_special(double a, double b, std::vector<SpecialRotation>& special) {
   struct Found {
     mechanics::SpecialPoint point;

@@ -1,9 +1,9 @@
 #pragma once
 /// A family of steady rotations (steady_rotation.h) over a range of its parameter, with the stability of its members
-/// (rotation_spectrum.h) and its special points (mechanics/equilibria/special_points.h). At a fold the spin has an
-/// extremum. At an index point the energy at fixed momenta gains or loses a negative direction in a class of motions: a
-/// branch may start there, and dissipation may destabilise. At an instability a growth rate begins or ends in a class
-/// of motions.
+/// (rotation_spectrum.h) and its special points (mechanics/equilibria/special_points.h). At a fold, the spin has an
+/// extremum. At an index point, the energy at fixed momenta gains or loses a negative direction in a class of motions.
+/// A branch may start there, and dissipation may destabilise. At an instability, a growth rate begins or ends in a
+/// class of motions.
 ///
 /// Each member is found by continuation from the nearest known member. The first spheroid is found from the ball at
 /// rest, and the first ellipsoid from a figure that the caller provides.
@@ -41,7 +41,7 @@ struct RotationFamily {
   std::vector<NoRotation> missing;
 };
 
-/// An affine figure near the required one.
+/// An affine figure near the required figure, with its semi-axes and the square of its spin.
 struct NearbyFigure {
   Eigen::Vector3d a;
   double spin_squared;
@@ -50,7 +50,7 @@ struct NearbyFigure {
 struct FamilyOfRotations {
   Figure figure;
   std::function<FigureCondition(double parameter)> condition;
-  /// Required for families of ellipsoids.
+  /// Sets a figure near the figure with this parameter. The function is required for families of ellipsoids.
   std::function<mechanics::Status(double parameter, NearbyFigure& nearby)> nearby{};
 };
 
@@ -58,9 +58,9 @@ class RotationFinder {
  public:
   RotationFinder(const BodySetup& setup, bool incompressible, FamilyOfRotations family);
 
-  /// The members at these parameters. `give_up` is called before each figure; true ends the family.
+  /// The family with these parameters. `give_up` is called before each figure; true ends the family.
   RotationFamily family(const std::vector<double>& parameters, std::function<bool()> give_up = {});
-  /// The member at one parameter.
+  /// Finds the member with one parameter. Fails if there is none.
   mechanics::Status member(double parameter, RotationMember& member);
 
   const RotationSpectrum& spectrum() const { return spectrum_; }

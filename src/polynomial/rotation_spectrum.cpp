@@ -18,10 +18,10 @@ namespace {
 
 constexpr Parity half_turn = 3;  // changes the parity in x and in y
 
-/// Singular values of G and of the symmetries count as zero if they are less than this part of the largest one.
+/// A singular value of G or of the symmetries counts as zero if it is less than this fraction of the largest one.
 constexpr double dependent = 1e-8;
 
-/// Places of the coefficients of each parity, without uniform motions.
+/// Indices of the coefficients of each parity, without uniform motions.
 std::array<std::vector<int>, n_parities> coefficients_by_parity(const PolynomialSpace& space) {
   auto places = unknowns_by_parity(space);
   for (int i = 0; i < 3; ++i)
@@ -31,7 +31,7 @@ std::array<std::vector<int>, n_parities> coefficients_by_parity(const Polynomial
 
 Eigen::MatrixXd columns(const Eigen::MatrixXd& A, const std::vector<Eigen::Index>& kept) { return A(Eigen::all, kept); }
 
-/// The rows whose norm exceeds round-off. A class has only the constraints with its own symmetry.
+/// The rows of A whose norm exceeds `round_off`. A class has only the constraints with its own symmetry.
 Eigen::MatrixXd rows_beyond(double round_off, const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
@@ -52,8 +52,8 @@ RotationSpectrum::RotationSpectrum(const BodySetup& setup, bool incompressible, 
     for (const bool odd_under_half_turn : {false, true}) add_parts(odd_in_z, odd_under_half_turn, figure);
 }
 
-/// Adds the class; on a spheroid, adds its parts by m. The joint rotation of a field about axis 3, u ↦ ê₃×u − ∂_φ u,
-/// has the square −m².
+/// Adds a class to parts_. On a spheroid, the class is divided by m. The joint rotation of a field about axis 3,
+/// u ↦ ê₃×u − ∂_φ u, has the square −m².
 void RotationSpectrum::add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure) {
   const auto by_parity = coefficients_by_parity(space());
   const Parity first = (odd_in_z ? 4U : 0U) | (odd_under_half_turn ? 1U : 0U);
@@ -141,11 +141,12 @@ Eigen::MatrixXd RotationSpectrum::stiffness(const SteadyRotation& rotation) cons
   });
 }
 
-/// The symmetries of a class, in the basis T of its motions.
+/// Directions and rates of the symmetries of a class, in the basis T of its motions. They are the rotations with a
+/// component in the class, and the motions A w of a fluid.
 mechanics::SymmetryDirections RotationSpectrum::symmetries(const Part& part, const Eigen::MatrixXd& T,
                                                            const Eigen::Matrix3d& A,
                                                            const mechanics::SymmetryDirections& turns) const {
-  constexpr double absent = 1e-6;  // bound for the parts of a rotation in classes other than its own
+  constexpr double absent = 1e-6;  // bound for the components of a rotation in other classes
   const Eigen::MatrixXd y = T.transpose() * turns.y;
   std::vector<Eigen::Index> present;
   for (Eigen::Index k = 0; k < y.cols(); ++k)

@@ -1,19 +1,19 @@
 #pragma once
 /// Small motions about a figure that rotates steadily about axis 3 (steady_rotation.h), in the frame that rotates with
-/// it:
+/// the figure:
 ///
 ///   ü + 2Ω ê₃×u̇ + Ku = 0 on ker G,   K = D²V − Ω²P − Σ_b λ_b D²g_b      (mechanics/equilibria/linear_stability.h)
 ///
 /// with the projection P of steady_rotation.h. The motions are those of the whole body, without symmetry. They belong
-/// to classes that are not coupled: even or odd under the reflection of axis 3, and even or odd under the half turn
-/// about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components u ~ e^{imφ}.
-/// Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
+/// to classes that are not coupled. A class is even or odd under the reflection of axis 3, and even or odd under the
+/// half turn about axis 3. On a spheroid, the classes also have an azimuthal number m, with cylindrical components
+/// u ~ e^{imφ}. Each class is a dense eigenvalue problem. Together the classes give all rates of the body.
 ///
 /// Some motions are removed together with their momenta, because they give no information on the figure. These are
 /// uniform motions, the rotations of space (J), and the rotations of the reference ball (Z). Rotations of the ball do
-/// not change exact integrals, but change quadrature by its error. For a fluid, all motions A w(X) that only exchange
-/// matter within the figure are also removed: div w = 0 in the ball and w·X = 0 on its surface. Their momenta are the
-/// circulations (Kelvin), so the remaining motions have fixed circulations.
+/// not change exact integrals, but change quadrature sums by the error of the quadrature. For a fluid, all motions A
+/// w(X) that only exchange matter within the figure are also removed: div w = 0 in the ball and w·X = 0 on its surface.
+/// The momenta of these motions are the circulations (Kelvin), so the remaining motions have fixed circulations.
 ///
 /// K maps motions of each of the eight parities to the same parity. Therefore one call of the force rate gives a column
 /// for each parity.
@@ -43,10 +43,10 @@ class RotationSpectrum {
   RotationSpectrum(const BodySetup& setup, bool incompressible, Figure figure);
 
   const PolynomialSpace& space() const { return body_->space(); }
-  /// Coefficients of the whole body, from the coefficients of the octant.
+  /// Coefficients for the whole body. x contains the coefficients for the octant.
   Eigen::VectorXd whole(const Eigen::VectorXd& x) const;
 
-  /// Computes the stability of all classes. Their order is the same for every figure.
+  /// Computes the stability of all classes. The order of the classes is the same for every figure.
   mechanics::Status analyse(const SteadyRotation& rotation, std::vector<ClassStability>& classes) const;
 
  private:
@@ -54,7 +54,7 @@ class RotationSpectrum {
   struct Part {
     MotionClass motions;
     Eigen::MatrixXd fields;
-    Eigen::MatrixXd exchanges;  ///< the motions w of a fluid
+    Eigen::MatrixXd exchanges;  ///< a basis of the motions w of a fluid; empty for a solid
   };
   void add_parts(bool odd_in_z, bool odd_under_half_turn, Figure figure);
   Eigen::MatrixXd exchanges(const Eigen::MatrixXd& fields) const;

@@ -1,6 +1,6 @@
 #pragma once
-/// Arrays for the duration of a function. Their memory is used again in later calls, so that a step of a small body
-/// does not allocate memory.
+/// Arrays for the duration of a function. Later calls use the memory of the arrays again, so that a step of a small
+/// body does not allocate memory.
 
 #include <cstddef>
 #include <new>
@@ -9,7 +9,7 @@
 
 namespace pseudorigid::polynomial {
 
-/// n numbers with undefined values. Arrays must be destroyed in the reverse order of their construction.
+/// An array of n numbers with undefined values. Arrays must be destroyed in the reverse order of their construction.
 class ScratchArray {
  public:
   explicit ScratchArray(std::size_t n) {

@@ -21,7 +21,7 @@ int number_of(const std::vector<BallPolynomial>& functions, int n, int l, int m)
   return static_cast<int>(found - functions.begin());
 }
 
-/// The columns of U: fields that generate the figures.
+/// The matrix U. Its columns are the fields whose sums are the figures.
 Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<Eigen::VectorXd> fields;
@@ -47,7 +47,7 @@ Eigen::MatrixXd figure_fields(const PolynomialSpace& space, Figure figure, int d
   return U;
 }
 
-/// The columns of V: pressures that act on these fields.
+/// The matrix V. Its columns are the pressures that act on the fields of U.
 Eigen::MatrixXd figure_pressures(const PolynomialSpace& space, Figure figure, int degree) {
   const std::vector<BallPolynomial> functions = ball_polynomials(space.degree());
   std::vector<int> places;
@@ -196,7 +196,7 @@ mechanics::Status SteadyRotations::newton(const FigureCondition& condition, Stea
       mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Computes λ of a fluid, and the residual of all equations.
+/// Computes λ of an incompressible fluid, and the residual of all equations.
 mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   Eigen::VectorXd f, centrifugal, reaction;
   if (is_fluid_ && incompressible_) {
@@ -206,7 +206,7 @@ mechanics::Status SteadyRotations::complete(SteadyRotation& rotation) const {
   }
   if (auto status = terms(rotation, f, centrifugal, reaction); !status) return status;
   const double scale = std::max({largest(f), largest(centrifugal), largest(reaction)});
-  constexpr double round_off = 1e-13;  // of all terms, for a body at rest
+  constexpr double round_off = 1e-13;  // bound of all terms of a body at rest
   rotation.residual = scale > round_off ? largest(f + centrifugal + reaction) / scale : 0;
   return {};
 }
@@ -234,9 +234,9 @@ double SteadyRotations::slope(const FigureCondition& condition, const SteadyRota
 
 mechanics::Status SteadyRotations::follow(double from, const FigureCondition& condition,
                                           SteadyRotation& rotation) const {
-  constexpr double shortest = 1.0 / 512;  // part of the distance between the parameters
+  constexpr double shortest = 1.0 / 512;  // fraction of the distance between the parameters
   constexpr double longest = 0.25;  // largest step of the parameter, so that the search does not jump to other branches
-  constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a part of the step
+  constexpr double astray = 0.5;    // bound of the distance between solution and prediction, as a fraction of the step
   constexpr double round_off = 1e-10;
   const double way = condition.value - from;
   double at = from, step = std::copysign(std::min(std::abs(way), longest), way);

@@ -1,10 +1,10 @@
 #pragma once
-/// Infinitesimal rotations of a polynomial ball, on coefficients of the whole body: rotations of space, x ↦ ê×x, and
-/// rotations of the reference ball, x ↦ ∂x/∂X (ê×X). Both map P_N to itself. The second map takes R_nl Y_lm to
-/// functions with the same n and l.
+/// Infinitesimal rotations of a polynomial ball, which act on coefficients of the whole body. They are the rotations of
+/// space, x ↦ ê×x, and the rotations of the reference ball, x ↦ ∂x/∂X (ê×X). Both rotations map P_N to itself. The
+/// rotations of the reference ball map R_nl Y_lm to functions with the same n and l.
 ///
-/// The joint rotation of a field is J_e u = ê×u − ∂u/∂X (ê×X). It determines the degree of a motion: for a toroidal or
-/// spheroidal motion of degree n, −Σ_e J_e² u = n(n + 1) u.
+/// The joint rotation of a field is J_e u = ê×u − ∂u/∂X (ê×X). The joint rotations determine the degree n of a toroidal
+/// or spheroidal motion by −Σ_e J_e² u = n(n + 1) u.
 
 #include <Eigen/Core>
 #include <array>
@@ -20,11 +20,11 @@ class Turns {
   explicit Turns(const PolynomialSpace& space);
 
   Eigen::Index n_unknowns() const { return space_.n_unknowns(); }
-  /// ê×x
+  /// Coefficients of ê×x.
   Eigen::VectorXd of_space(int axis, const Eigen::VectorXd& x) const;
-  /// ∂x/∂X (ê×X)
+  /// Coefficients of ∂x/∂X (ê×X).
   Eigen::VectorXd of_ball(int axis, const Eigen::VectorXd& x) const;
-  /// −Σ_e J_e² u
+  /// Coefficients of −Σ_e J_e² u.
   Eigen::VectorXd square(const Eigen::VectorXd& u) const;
 
  private:

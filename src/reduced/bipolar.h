@@ -1,5 +1,5 @@
 #pragma once
-/// The bipolar decomposition along a motion (Oliva 5.7.1, 5.7.8): Q = TᵀAS with T, S ∈ SO(3), A = diag(a), and
+/// The bipolar decomposition along a motion Q(t) (Oliva 5.7.1, 5.7.8): Q = TᵀAS with T, S ∈ SO(3), A = diag(a), and
 ///
 ///   Ω* = ṪTᵀ,  Λ* = ṠSᵀ,   u = T Q̇ Sᵀ = Ȧ − Ω*A + AΛ*
 ///
@@ -8,16 +8,16 @@
 ///   Ω*_ij = −(a_j u_ij + a_i u_ji)/(a_j² − a_i²),   Λ*_ij = −(a_i u_ij + a_j u_ji)/(a_j² − a_i²).
 ///
 /// The equation of motion in these frames is (5.120) of pseudo_rigid_body.h, multiplied by T from the left and by Sᵀ
-/// from the right. It is equation (5.121) of Oliva, corrected (docs/oliva.md). Per m̄, with N = SE₀Sᵀ/m̄ (Id for the
-/// ball), it is
+/// from the right. The result is equation (5.121) of Oliva, corrected (docs/oliva.md). Divided by m̄, and with
+/// N = SE₀Sᵀ/m̄ (Id for the ball), it is
 ///
 ///   (u̇ − Ω*u + uΛ*) N + T ∂V/∂Q Sᵀ/m̄ − λA⁻¹ = 0.
 ///
 /// The program integrates (5.120) and evaluates (5.121) as an observable, because Ω* and Λ* are not defined if two axes
 /// coincide. The axes are continued along the path and not sorted, because sorted axes have corners at crossings. After
-/// a crossing, the decomposition continues with the frames nearest to the previous ones. This is the smooth
+/// a crossing, the decomposition continues with the frames nearest to the previous frames. These frames are the smooth
 /// continuation if one exists. Analytic paths always have a smooth continuation (Kato, Perturbation Theory for Linear
-/// Operators, II.6.1), other smooth paths may have none (Montaldi). If consecutive states are far apart, the axes may
+/// Operators, II.6.1). Other smooth paths may have none (Montaldi). If consecutive states are far apart, the axes may
 /// be exchanged wrongly.
 
 #include <Eigen/Dense>
@@ -47,19 +47,20 @@ inline void exchange_axes(Bipolar& b, int i, int j) {
   b.S.row(i).swap(b.S.row(j));
   std::swap(b.a[i], b.a[j]);
 }
-/// TᵀAS does not change if the same row of T and of S changes its sign.
+/// Reverses axis i: the rows i of T and S change their signs, and TᵀAS does not change.
 inline void reverse_axis(Bipolar& b, int i) {
   b.T.row(i) *= -1;
   b.S.row(i) *= -1;
 }
-/// A measure of the agreement of axis i with the previous axis j, at most 2. It is negative if the axis is reversed.
+/// Sum of two scalar products: of axis i of b with axis j of `before` in T, and of the same axes in S. The sum is at
+/// most 2, and negative if the axis is reversed.
 inline double overlap(const Bipolar& b, int i, const Bipolar& before, int j) {
   return b.T.row(i).dot(before.T.row(j)) + b.S.row(i).dot(before.S.row(j));
 }
 
-/// If axes coincide to round-off, TᵀAS does not change under a rotation of their rows of T and S by the same angle in
-/// their plane. This function chooses the rotations that bring the rows nearest to the previous ones. Three coincident
-/// axes need a few sweeps.
+/// Rotates coincident axes to the frames nearest to `before`. If two entries of A are equal to round-off, their rows in
+/// T and in S may be rotated by a common angle without a change of TᵀAS. If three entries are equal, the pairs are
+/// rotated in turn, and a few sweeps are necessary.
 inline void turn_coincident_axes(Bipolar& b, const Bipolar& before) {
   constexpr int n_sweeps = 8;
   constexpr double round_off = 4e-15;
@@ -90,7 +91,7 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q) {
 }
 
 /// The decomposition nearest to `before`, the decomposition of a state shortly before. The candidates are all orders
-/// and signs of the axes with det T = 1 and, if axes coincide, all frames in their plane.
+/// and signs of the axes with det T = det S = 1 and, if axes coincide, all frames in their plane. Requires det Q > 0.
 inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
   constexpr std::array<std::array<int, 3>, 6> orders{
       {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
@@ -122,7 +123,7 @@ inline Bipolar decompose(const Eigen::Matrix3d& Q, const Bipolar& before) {
   return nearest;
 }
 
-/// The rates Ω*, Λ* and Ȧ. If axes i and j coincide to round-off, the entries ij of Ω* and Λ* are set to 0.
+/// The rates Ω*, Λ* and Ȧ, and u. If axes i and j coincide to round-off, the entries ij of Ω* and Λ* are set to 0.
 inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
   BipolarRates r{Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), {}, b.T * Qdot * b.S.transpose()};
   r.a_rate = r.u.diagonal();
@@ -136,9 +137,9 @@ inline BipolarRates rates(const Bipolar& b, const Eigen::Matrix3d& Qdot) {
   return r;
 }
 
-/// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion, at equal distances h in time. u̇ is
-/// a central difference of order 8. `gradient` is ∂V/∂Q minus any other force, and `lambda` is the multiplier per m̄,
-/// both at the middle.
+/// The residual of Oliva (5.121) per m̄ at the middle of nine states of one motion. The times of the states have equal
+/// distances h, and u̇ is a central difference of order 8. `gradient` is ∂V/∂Q minus any other force, and `lambda` is
+/// the multiplier per m̄, both for the state in the middle.
 template <class States>
 Eigen::Matrix3d residual_of_5_121(const States& states, double h, const Eigen::Matrix3d& gradient, double lambda,
                                   const Eigen::Matrix3d& E0) {

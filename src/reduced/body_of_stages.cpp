@@ -12,9 +12,10 @@ void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const A
 }
 
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries) {
-  // Measured: nanoseconds of an iteration divided by nanoseconds of a stage of rattle-8 (of rattle with dissipation).
-  // SL(3): 142/250, with gravity 490/565, with loads or another inertia 220/285; diagonal form: 143/182, with gravity
-  // 436/289; with dissipation: 297/1774; GL⁺(3): 94/62, with gravity 401/367.
+  // Measured: the time of an iteration divided by the time of a stage of the method rattle-8, both in nanoseconds. The
+  // measurement with dissipation uses a stage of rattle. SL(3): 142/250, with gravity 490/565, with loads or another
+  // inertia 220/285. Diagonal form: 143/182, with gravity 436/289. With dissipation: 297/1774. GL⁺(3): 94/62, with
+  // gravity 401/367.
   const bool heavy = body.gravity_strength != 0, general = body.loaded || !body.isotropic;
   if (entries == BodyEntries::with_accounts) return 0.2;
   if (entries == BodyEntries::diagonal) return heavy ? 1.5 : body.incompressible ? 0.8 : 2;
@@ -24,7 +25,7 @@ double cost_of_iteration(const BodyOfStages& body, BodyEntries entries) {
 }
 
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q) {
-  // Bound of |F||F⁻¹|, which is 3 for a ball. Below it the force has 14 digits
+  // Bound of |F||F⁻¹|, which is 3 for a ball. Below this bound, the force has 14 correct digits
   // (tests/gravity/ellipsoid_in_lanes_test.cpp).
   constexpr double most = 12;
   if (body.gravity_strength == 0) return true;

@@ -1,5 +1,5 @@
 #pragma once
-/// The data of a pseudo-rigid body as plain numbers, for the kernels that evaluate the body at the eight stages of a
+/// Parameters of a pseudo-rigid body as plain numbers, for the kernels that evaluate the body at the eight stages of a
 /// Gauss step at once (gauss_body_kernels.h). Matrices are stored by columns, as in Eigen.
 
 #include <array>
@@ -19,11 +19,11 @@ using Numbers9 = std::array<double, 9>;
 struct BodyOfStages {
   materials::AnyLaw law{materials::Fluid{}};
   bool incompressible = true;
-  bool isotropic = true;  ///< E₀ ∝ Id
+  bool isotropic = true;  ///< true if E₀ ∝ Id
   double volume = 1, inverse_m_bar = 1;
   Numbers9 E0{}, E0_inverse{};
 
-  bool loaded = false;          ///< a load is not 0: gravity, T, P̄ or pressure
+  bool loaded = false;          ///< true if self-gravity, T, P̄ or the pressure is not 0
   double gravity_strength = 0;  ///< k = (3/5) G M²
   Numbers9 shape{};             ///< S (reference_body.h)
   Numbers9 quadratic{};         ///< T (external_potential.h)
@@ -35,25 +35,28 @@ struct BodyOfStages {
 struct AccountsOfStages {
   double viscosity = 0, drag = 0;
   bool driven = false;
-  /// The loads that depend on time, at the eight stages: T, P̄ and p; `driving_rate` has their time derivatives.
+  /// T, P̄ and the pressure of the loads that depend on time, at the eight stages. `driving_rate` has the derivatives
+  /// of T, P̄ and the pressure with respect to time.
   struct Driving {
     std::array<mechanics::OfStages, 9> quadratic{}, nominal_traction{};
     mechanics::OfStages pressure{};
   } driving, driving_rate;
 };
 
-/// The coordinates of a stage: Q, the diagonal of Q, or Q with the dissipated energy and the energy given by loads.
+/// Coordinates of the body in a Gauss step: Q, the diagonal of Q, or Q with the dissipated energy and the energy given
+/// by loads.
 enum class BodyEntries { matrix, diagonal, with_accounts };
 
-/// Solves the stages of a Gauss step of the body. `accounts` is required if the coordinates contain energies.
+/// Solves the stages of a Gauss step of the body. `accounts` is required for BodyEntries::with_accounts, else it may be
+/// null.
 void solve_stages_of_body(const BodyOfStages& body, BodyEntries entries, const AccountsOfStages* accounts,
                           mechanics::GaussStages& stages);
 
 /// Cost of an iteration on the eight stages in units of one force (mechanics/core/stage_by_stage.h).
 double cost_of_iteration(const BodyOfStages& body, BodyEntries entries);
 
-/// True if the gravity of the body at q can be computed in lanes. Very flat or long bodies need principal axes for
-/// accuracy.
+/// True if the self-gravity of the body in the deformation Q can be computed in lanes, or is 0. For very flat or long
+/// bodies, only the computation in principal axes is accurate.
 bool takes_gravity_in_lanes(const BodyOfStages& body, const Eigen::Matrix3d& Q);
 
 Numbers9 numbers(const Eigen::Matrix3d& M);

@@ -4,9 +4,10 @@
 ///
 ///   Q̈ E₀ = f_Q − ∂V_c/∂Q − ∂R/∂Q̇ + Λ Q⁻ᵀ,   M c̈ = M (b − T c − ζ ċ) − ∂V_c/∂c − ∂R/∂ċ,
 ///
-/// with the loads b, T and the drag ζ (center_of_mass.h), and Rayleigh's function R of the contact. f_Q is the force
-/// without planes. As in dissipative_body.h, further coordinates s, s' have energies as velocities: D, which has been
-/// dissipated, and W, which loads have given. So q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
+/// with the mass M, the loads b and T and the drag ζ (center_of_mass.h), the multiplier Λ, and Rayleigh's function R of
+/// the dissipation. The term f_Q is the force on Q without planes. As in dissipative_body.h, the velocities of two
+/// further coordinates s and s' are energies: the dissipated energy D, and the energy W that loads have given. The
+/// vectors are q = [Q | c | (s, s', 0)ᵀ] and v = [Q̇ | ċ | (D, W, 0)ᵀ].
 
 #include "loads/ellipsoid_contact.h"
 #include "loads/list.h"
@@ -24,8 +25,8 @@ class BodyOnPlanes {
   using Multiplier = typename Body::Multiplier;
   struct Workspace {
     typename Body::Workspace body{};
-    /// If this is set, springs with the stiffness of the planes hold every point of the surface at this position. No
-    /// contact is stiffer, and the springs are unstressed at this position.
+    /// If this pointer is not null, springs on the whole surface replace the contact. The springs have the stiffness of
+    /// all planes together and are unstressed in this position. No contact is stiffer than these springs.
     const Vector* held_at = nullptr;
   };
   static constexpr int n_constraints = Body::n_constraints;
@@ -69,7 +70,7 @@ class BodyOnPlanes {
     const Eigen::Vector3d of_center = center(v) * body_.reference().mass, last = v.col(4);
     f << F, of_center, last;
   }
-  /// f ← f − ∂R/∂v, linear in v (mechanics/core/linear_damping.h).
+  /// f ← f − ∂R/∂v. This force is linear in v (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const {
     loads::AffineForce F;
     add_dissipation(matrix(q), center(q), matrix(v), center(v), F);
@@ -106,12 +107,13 @@ class BodyOnPlanes {
   }
   void add_taken(double energy, Vector& v) const { v(0, 4) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 4); }
-  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time.
+  /// V_t − W, with the energy V_t(Q, c, t) of the loads that depend on time. The result is 0 if there are no such
+  /// loads.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return energy_of(loads::driving(loads_, state.t), matrix(state.q), center(state.q)) - state.v(1, 4);
   }
-  /// Contact with the planes at q.
+  /// Summary of the contacts with all planes at q.
   loads::Contact contact(const Vector& q) const {
     std::vector<loads::PlaneContact> contacts;
     for (const loads::Plane& plane : constant_.planes)
@@ -133,8 +135,8 @@ class BodyOnPlanes {
                                        const Eigen::Vector3d& c) const {
     return {plane, body_.reference().shape, Q, c};
   }
-  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q. Here u = c + Q X is the displacement from the held
-  /// position, X = S ξ, and the integrals are over the unit sphere of ξ.
+  /// Adds −k∮u to the force on c and −k∮u Xᵀ to the force on Q. The arguments Q and c are differences from the held
+  /// position, so that u = c + Q X is the displacement. The integrals are over the unit sphere of ξ, with X = S ξ.
   void hold(const Eigen::Matrix3d& Q, const Eigen::Vector3d& c, loads::AffineForce& F) const {
     const double k = constant_.planes.stiffness_of_all(), area = 4 * std::numbers::pi;
     const Eigen::Matrix3d& S = body_.reference().shape;

@@ -24,7 +24,7 @@ CenterOfMass::Motion CenterOfMass::at(double t) const {
 
 namespace {
 
-/// Potential of the loads on a point of unit mass.
+/// Potential energy of a point of unit mass at x.
 double potential_of(const loads::Forcing& forcing, const Eigen::Vector3d& x) {
   return 0.5 * x.dot(forcing.quadratic * x) - forcing.acceleration.dot(x);
 }
@@ -66,8 +66,8 @@ struct CenterPath::Integration {
   using State = mechanics::State<Field>;
   /// Tolerance of local errors. A tolerance smaller by a factor of 10 is below round-off.
   static constexpr double tolerance = 1e-15;
-  /// Bound of the length of a step. It is so large that the method alone chooses the steps, and they do not depend on
-  /// the sampling times.
+  /// Bound of the length of a step. With this large bound, only the tolerance limits the steps. The steps therefore do
+  /// not depend on the sampling times.
   static constexpr double far = 1e3;
 
   explicit Integration(const CenterOfMass& center) : field{&center} { begin(); }
@@ -80,7 +80,8 @@ struct CenterPath::Integration {
     workspace.emplace(field, tolerance);
   }
 
-  /// The method chooses its steps until one of them passes t. A last step from the start of this step ends at t.
+  /// The motion at t, or NaN if the method fails. The method chooses its steps until a step passes t. The motion is
+  /// then integrated from the start of this step to t.
   CenterOfMass::Motion at(double t) {
     if (t < before.t) begin();
     while (next.t <= t) {

@@ -1,12 +1,12 @@
 #pragma once
 /// The centre of mass under loads (loads/forcing.h): a uniform acceleration b, a quadratic potential ½ xᵀTx per mass
-/// and a drag c. Its equation of motion is linear and does not contain Q,
+/// and a drag c. The equation of motion of its position x is linear and does not contain the deformation of the body,
 ///
 ///   ẍ = b − T x − c ẋ.
 ///
 /// If no load depends on time, the solution is exact: (x, ẋ, 1)(t) = exp(tA) (x₀, ẋ₀, 1) with the matrix A of this
-/// linear equation. Otherwise the motion is integrated to round-off, together with the energy per mass that these loads
-/// have given,
+/// linear equation. Otherwise the motion is integrated to round-off. The integration also computes the energy per mass
+/// that the loads depending on time have given,
 ///
 ///   w(t) = ∫ ∂φ/∂t dt,   φ(x, t) = ½ xᵀT(t)x − b(t)·x,   so that  ½|ẋ|² + φ − w + ∫c|ẋ|² dt  is constant.
 
@@ -31,18 +31,19 @@ struct CenterOfMass {
     double work = 0;  ///< w
   };
 
-  /// Requires that no load depends on time. The result is not finite if an unstable T leads beyond the largest number.
+  /// Requires that no load depends on time. With an unstable T, the motion can exceed the largest number at a late time
+  /// t. The result is then not finite.
   Motion at(double t) const;
 
   /// Energies per mass.
   static double kinetic(const Motion& m) { return 0.5 * m.v.squaredNorm(); }
   double potential(const Motion& m) const { return 0.5 * m.x.dot(quadratic * m.x) - acceleration.dot(m.x); }
-  /// Energy of the loads that depend on time, minus the energy that these loads have given.
+  /// Energy per mass of the loads that depend on time, minus the energy that these loads have given.
   double driven(const Motion& m, double t) const;
 };
 
-/// The motion of the centre of mass. The result at a time does not depend on the times requested before. An earlier
-/// time may start the integration again.
+/// The motion of the centre of mass. The result at a time does not depend on the times requested before. If a request
+/// is for a time before the last step, the integration starts again.
 class CenterPath {
  public:
   explicit CenterPath(const CenterOfMass& center);

@@ -6,8 +6,8 @@
 ///
 ///   Λ = [Σ (ȧ_i/a_i)² + Σ ∂V/∂a_i /(a_i e_i)] / Σ 1/(a_i² e_i).
 ///
-/// Each load must be diagonal by itself: loads with a diagonal sum at the start may rotate the body later. The caller
-/// checks this condition (scene/sector.h).
+/// Each load must be diagonal by itself. If only the sum of the loads is diagonal at the start, the loads may rotate
+/// the body later. The caller checks this condition (scene/sector.h).
 ///
 /// This form has three coordinates instead of nine, and self-gravity needs no eigenvalue problem for the axes.
 
@@ -41,7 +41,8 @@ class DiagonalBody {
     f = F.diagonal();
     return {};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
+  /// compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
     const Eigen::Map<const Vector> a(stages.q);
     if (!takes_gravity_in_lanes(body_.of_stages(), a.asDiagonal())) return false;
@@ -82,7 +83,8 @@ class DiagonalBody {
 
   double kinetic_energy(const Vector& v) const { return 0.5 * v.cwiseAbs2().dot(e_); }
   double potential_energy(const Vector& a) const { return body_.potential_energy(a.asDiagonal()); }
-  /// No symmetries: rotations of space and of the reference ball do not keep Q diagonal. J = Z = 0.
+  /// There are no symmetries, because rotations of space and of the reference ball do not keep Q diagonal. The momenta
+  /// J and Z are 0.
   int n_symmetries() const { return 0; }
   void symmetry(int, const Vector&, const Vector&, Vector& da, Vector& dv) const {
     da.setZero();
@@ -95,7 +97,7 @@ class DiagonalBody {
     return {state.t, matrix(state.q), matrix(state.v)};
   }
   double dissipated(const mechanics::VectorState<Vector>&) const { return 0; }
-  /// The state of this form with the same time, Q and Q̇.
+  /// The state of this form that has the same time, Q and Q̇ as `motion`.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     return {motion.t, motion.q.diagonal(), motion.v.diagonal()};
   }

@@ -5,7 +5,7 @@
 ///   objective viscosity (Kelvin–Voigt, σ = 2ηd):  R = η Vol det Q tr d²,   d = sym(Q̇Q⁻¹)
 ///       −∂R/∂Q̇ = −2η Vol det Q d Q⁻ᵀ;  it vanishes on rigid motions and keeps the angular momentum J
 ///   linear drag (force density −cρẋ):             R = ½ c tr(Q̇ E₀ Q̇ᵀ)
-///       −∂R/∂Q̇ = −c Q̇ E₀;  it damps every motion, a rigid spin as well
+///       −∂R/∂Q̇ = −c Q̇ E₀;  it damps every motion, also a rigid rotation
 ///
 /// Each force dissipates the power 2R.
 

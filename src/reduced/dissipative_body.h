@@ -1,12 +1,14 @@
 #pragma once
-/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. R is Rayleigh's function
-/// (dissipation.h), and V_t(Q, t) is the energy of the loads that depend on time. The dissipated energy D and the
-/// energy W that these loads have given are integrated with the motion,
+/// The pseudo-rigid body whose energy is not constant: M Q̈ = f − ∂R/∂Q̇ − ∂V_t/∂Q + Gᵀλ. Here f + Gᵀλ are the force
+/// and the reaction of the conservative body, and R is Rayleigh's function (dissipation.h). V_t(Q, t) is the energy of
+/// the loads that depend on time. The dissipated energy D and the energy W that these loads have given are integrated
+/// with the motion:
 ///
-///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t,
+///   Ḋ = 2R(Q, Q̇),   Ẇ = ∂V_t/∂t.
 ///
-/// D and W are the velocities of further coordinates of unit mass, s̈ = 2R and s̈' = ∂V_t/∂t. Therefore every method
-/// integrates the energies with its own order: q = [Q | (s, s', 0)ᵀ], v = [Q̇ | (D, W, 0)ᵀ].
+/// D and W are the velocities of further coordinates s and s' of unit mass, with s̈ = 2R and s̈' = ∂V_t/∂t. Therefore
+/// every method integrates the energies with its own order. The vectors are q = [Q | (s, s', 0)ᵀ] and v = [Q̇ | (D, W,
+/// 0)ᵀ].
 
 #include "loads/list.h"
 #include "mechanics/core/constrained_system.h"
@@ -42,7 +44,8 @@ class DissipativeBody {
     f << F, Eigen::Vector3d(power, given, 0);
     return {};
   }
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
+  /// compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(Body::knows_stages) {
     if (!takes_gravity_in_lanes(body_.of_stages(), Eigen::Map<const Eigen::Matrix3d>(stages.q))) return false;
     const AccountsOfStages accounts = accounts_of_stages(dissipation_, driving_, stages);
@@ -64,7 +67,7 @@ class DissipativeBody {
     const Eigen::Vector3d last = v.col(3);
     f << F, last;
   }
-  /// f ← f − ∂R/∂Q̇, linear in Q̇ (mechanics/core/linear_damping.h).
+  /// f ← f − ∂R/∂Q̇. This force is linear in Q̇ (mechanics/core/linear_damping.h).
   void add_damping(const Vector& q, const Vector& v, Vector& f) const {
     Eigen::Matrix3d F = matrix(f);
     dissipation_.add_force(body_.reference(), matrix(q), matrix(v), F);
@@ -99,13 +102,14 @@ class DissipativeBody {
   }
   void add_taken(double energy, Vector& v) const { v(0, 3) += energy; }
   double dissipated(const mechanics::VectorState<Vector>& state) const { return state.v(0, 3); }
-  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads have given.
+  /// V_t − W: the energy of the loads that depend on time, minus the energy that these loads have given. The result is
+  /// 0 if there are no such loads.
   double driven_energy(const mechanics::VectorState<Vector>& state) const {
     if (!driven_) return 0;
     return ExternalPotential(loads::driving(driving_, state.t)).energy(body_.reference(), matrix(state.q)) -
            state.v(1, 3);
   }
-  /// The state of this form with the same time, Q and Q̇, and with energies of 0.
+  /// The state of this form that has the same time, Q and Q̇ as `motion`, and D = W = 0.
   static mechanics::VectorState<Vector> state_of(const mechanics::VectorState<Eigen::Matrix3d>& motion) {
     mechanics::VectorState<Vector> state{motion.t, Vector::Zero(), Vector::Zero()};
     state.q.leftCols<3>() = motion.q;

@@ -1,8 +1,9 @@
 #pragma once
 /// Eight incompressible pseudo-rigid bodies as one system, one body in each lane of a SIMD vector. The equations of
-/// motion of the bodies (pseudo_rigid_body.h) are independent. A vector of the system has the entries of Q for all
-/// eight bodies, and a multiplier has eight numbers. Methods of fixed step can integrate this system without changes.
-/// All bodies have the same step, and an iteration ends when the largest of the eight residuals is small enough.
+/// motion of the bodies (pseudo_rigid_body.h) are independent. A vector of the system contains the entries of Q for all
+/// eight bodies, and a multiplier contains eight numbers. Methods with a fixed step can integrate this system without
+/// changes. All bodies have the same step, and an iteration ends when the largest of the eight residuals is small
+/// enough.
 ///
 /// The bodies have one material law, and each body has its own inertia.
 
@@ -57,7 +58,7 @@ struct EightMatrices {
   }
 };
 
-/// The largest of all lanes. NaN counts as larger than every number.
+/// The largest lane of `a`, or NaN if a lane is NaN.
 [[gnu::always_inline]] inline double greatest(BodyLanes a) {
   const auto of_two = [](auto u, auto v) { return (u > v) | (u != u) ? u : v; };
   const auto four =

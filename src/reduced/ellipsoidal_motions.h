@@ -1,22 +1,24 @@
 #pragma once
-/// Steady motions of a body with given semi-axes, in closed form for every isotropic potential on SL(3). R is the
-/// residual of steady_motion.h.
+/// Steady motions of a body with given semi-axes a₁, a₂, a₃, in closed form for every isotropic potential V on SL(3).
+/// The angular velocity ω of the axes, the internal rotation Λ and the residual R are defined in steady_motion.h.
 ///
-/// The entries of R off the diagonal do not contain the potential: ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j. If
-/// the axes are different, ω and Λ therefore lie along one axis or in one principal plane (Riemann).
+/// The entries of R off the diagonal do not contain the potential. They vanish if
+/// ω_iω_ja_j − 2a_kω_jΛ_i + a_iΛ_iΛ_j = 0 for i ≠ j, with the third index k. If the axes are different, ω and Λ
+/// therefore lie along one axis or in one principal plane (Riemann).
 ///
-/// Type S: ω and Λ lie along axis 3. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] be the second derivative per m̄, and E_ij the
-/// matrix with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and
-/// (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The motion has
+/// Type S: ω and Λ lie along axis 3. Let V_i = ∂V/∂a_i per m̄, ∂²V[·] the second derivative per m̄, and E_ij the matrix
+/// with 1 at ij. Because rotations do not change V, (a₁V₁ − a₂V₂)/(a₁² − a₂²) = E₂₁:∂²V[E₂₁] and
+/// (a₂V₁ − a₁V₂)/(a₁² − a₂²) = E₁₂:∂²V[E₂₁]. The components along axis 3 satisfy
 ///
-///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃,
+///   ω² + Λ² = E₂₁:∂²V[E₂₁],   2ωΛ = E₁₂:∂²V[E₂₁] + λ/(a₁a₂),   λ = a₃V₃.
 ///
-/// No term is divided by a difference of axes. For the neo-Hookean law the two right-hand sides are κ = 5μ/(ρr²) and
-/// κ/(a₁a₂)³. For a fluid they are Riemann's, with the symbols A_i, A_ij and B_ij of Chandrasekhar,
+/// These equations do not divide by a difference of axes. For the neo-Hookean law the two right-hand sides are
+/// κ = 5μ/(ρr²) and κ/(a₁a₂)³. For a fluid they are the right-hand sides of Riemann, with the symbols A_i, A_ij and
+/// B_ij of Chandrasekhar,
 ///
 ///   2πGρB₁₂,   2πGρ(a₃²A₃ − a₁²a₂²A₁₂)/(a₁a₂).
 ///
-/// Spheroid a₁ = a₂ rotating about axis 3: the motion depends only on Ω = ω − Λ, and Λ = 0 is chosen,
+/// Spheroid a₁ = a₂ rotating about axis 3: the motion depends only on Ω = ω − Λ. The choice Λ = 0 gives
 ///
 ///   Ω² = (1 − a₃²/a₁²) E₃₁:∂²V[E₃₁].
 ///
@@ -28,7 +30,7 @@
 /// The roots p and 1/p belong to dual motions. They are real for 2a₁ ≥ a₂ + a₃ (type I) and for 2a₁ ≤ |a₂ − a₃| (types
 /// II, III: Chandrasekhar §51). The equations R_ii = 0 are then linear in ω₂², ω₃², λ.
 ///
-/// On GL⁺(3) λ = 0. The same formulas hold, with the size of the body such that they give λ = 0.
+/// On GL⁺(3), λ = 0. The same formulas hold for the size of the body at which they give λ = 0.
 
 #include <string>
 
@@ -47,19 +49,20 @@ inline Eigen::Matrix3d unit_matrix(int i, int j) {
   return E;
 }
 
-/// Semi-axes of volume 1 (det A = 1) with these ratios.
+/// Semi-axes with these ratios and with the product 1, so that det A = 1.
 inline Eigen::Vector3d axes_of_ratios(double a2_to_a1, double a3_to_a1) {
   return Eigen::Vector3d(1, a2_to_a1, a3_to_a1) / std::cbrt(a2_to_a1 * a3_to_a1);
 }
 
-/// Calls motion(axes, m), which sets m.lambda even if it fails. On GL⁺(3) it calls motion(size · axes, m), with the
-/// size nearest to 1 at which the multiplier is 0.
+/// Sets m to a steady motion of a body whose axes have these ratios. motion(a, m) sets m to the motion with the
+/// semi-axes a. On SL(3), a = axes. On GL⁺(3), a = size · axes with the size nearest to 1 at which the multiplier is 0.
+/// The function `motion` must set m.lambda even if it fails because the square of a velocity is negative.
 template <SmoothPotential V, class MotionOfAxes>
 mechanics::Status motion_of_shape(const IsotropicBody<V>& body, const Eigen::Vector3d& axes, const MotionOfAxes& motion,
                                   SteadyMotion& m) {
   if (body.incompressible) return motion(axes, m);
   constexpr double factor = 1.05;
-  constexpr int n_factors = 60;  // sizes up to 18 times larger or smaller
+  constexpr int n_factors = 60;  // sizes from 1/18 to 18
   const auto multiplier = [&](double log_size) {
     SteadyMotion trial;
     (void)motion(std::exp(log_size) * axes, trial);
@@ -153,7 +156,7 @@ mechanics::Status planar_motion(const IsotropicBody<V>& body, const Eigen::Vecto
 }
 
 /// The body with the ratio a₂/a₁ that rotates about axis 3 without circulation (Jacobi's ellipsoid for a fluid). The
-/// ratio a₃/a₁ is the largest one with 2ωΛ = 0 and ω² > 0. The dual motion is Dedekind's ellipsoid.
+/// ratio a₃/a₁ is the largest one with 2ωΛ = 0 and ω² ≥ 0. The dual motion is Dedekind's ellipsoid.
 template <SmoothPotential V>
 mechanics::Status jacobi_motion(const IsotropicBody<V>& body, double a2_to_a1, SteadyMotion& m) {
   constexpr double factor = 1.1, least_ratio = 1e-4;

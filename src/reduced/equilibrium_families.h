@@ -1,14 +1,14 @@
 #pragma once
-/// Families of steady motions over a range of a parameter, with stability and special points. Functions, parameters and
-/// motions:
+/// Families of steady motions over a range of a parameter, with stability and special points. The functions, their
+/// parameters and their motions are
 ///
-///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin (fluid), elastic spheroids, elastic ones with gravity
+///   spheroids            e or ℓ = a₃ (det A = 1)   Maclaurin's (fluid), elastic, elastic with gravity
 ///   spheroids_of_spin    Ω                         the same motions, found by Newton's iteration from the sphere
-///   jacobi, dedekind     a₂/a₁                     for any potential: figures without circulation, and their duals
+///   jacobi, dedekind     a₂/a₁                     figures without circulation, and their dual motions
 ///   type_s               a₂/a₁ at one a₃/a₁        Riemann S; triaxial elastic figures
 ///   planar               a₂/a₁ at one a₃/a₁        Riemann types I–III, ω and Λ in the plane of axes 2 and 3
 ///
-/// A parameter without a steady motion is reported with the reason.
+/// If a parameter has no steady motion, the family contains the parameter with the reason.
 
 #include <functional>
 #include <string>
@@ -47,7 +47,7 @@ struct EquilibriumFamily {
   std::vector<NoEquilibrium> missing;
 };
 
-/// The constant quantity of a family, and the quantity whose extrema along the family are folds.
+/// The quantity that is constant along a family, and the quantity whose extrema along the family are folds.
 struct FamilyCurve {
   Target condition;
   Quantity fold_quantity;
@@ -55,8 +55,8 @@ struct FamilyCurve {
 
 namespace detail {
 
-/// Appends the special points between the parameters a and b. motion(p, m) sets m to the motion with parameter p and
-/// returns a Status.
+/// Appends the special points between the parameters a and b to result.special. motion(p, m) sets m to the motion with
+/// parameter p and returns a Status.
 template <SmoothPotential V, class MotionOfParameter>
 void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParameter& motion, const FamilyCurve& family,
                                double a, double b, EquilibriumFamily& result) {
@@ -94,7 +94,8 @@ void locate_special_equilibria(const IsotropicBody<V>& body, const MotionOfParam
 
 }  // namespace detail
 
-/// The family of the motions p ↦ m. motion(p, m) sets m and returns a Status.
+/// The family of the motions with the parameters of `range`. motion(p, m) sets m to the motion with parameter p and
+/// returns a Status. Special points are found between adjacent parameters if both have a motion.
 template <SmoothPotential V, class MotionOfParameter>
 EquilibriumFamily equilibrium_family(const IsotropicBody<V>& body, const ParameterRange& range,
                                      const FamilyCurve& family, const MotionOfParameter& motion) {
@@ -148,7 +149,8 @@ EquilibriumFamily dedekind(const IsotropicBody<V>& body, const ParameterRange& a
   return equilibrium_family(body, a2_to_a1, {{quantities::omega_3, 0}, quantities::Lambda_3}, motion);
 }
 
-/// Motions with |ω| ≥ |Λ|. With `dual`, ω and Λ are exchanged.
+/// The family of the motions of type S with ω ≥ |Λ|. If `dual` is true, it is the family of the dual motions, in which
+/// ω and Λ are exchanged.
 template <SmoothPotential V>
 EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -162,8 +164,8 @@ EquilibriumFamily type_s(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Motions with ω and Λ in a principal plane, for the root |p| ≤ 1 (ellipsoidal_motions.h); with `dual`, for the other
-/// root.
+/// The family of the motions with ω and Λ in the plane of axes 2 and 3, for the root |p| ≤ 1 of ellipsoidal_motions.h.
+/// If `dual` is true, it is the family for the other root.
 template <SmoothPotential V>
 EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_to_a1, double a3_to_a1,
                          bool dual = false) {
@@ -177,8 +179,9 @@ EquilibriumFamily planar(const IsotropicBody<V>& body, const ParameterRange& a2_
   return equilibrium_family(body, a2_to_a1, {{quantities::axis_ratio_31, a3_to_a1}, quantities::omega_3}, motion);
 }
 
-/// Spheroids with given spins. The first motion is found from the sphere at rest and each other motion from the
-/// previous one, by a few steps of the spin. There are no spheroids beyond the fold of the spin.
+/// Spheroids with given angular velocities (spins). The first motion is found from the sphere at rest, and each other
+/// motion from the last motion found. The spin changes in a few steps. There are no spheroids beyond the largest spin,
+/// the fold.
 template <SmoothPotential V>
 EquilibriumFamily spheroids_of_spin(const IsotropicBody<V>& body, const ParameterRange& Omega) {
   constexpr int n_steps = 8;  // for small steps, Newton's iteration does not change to another branch

@@ -1,10 +1,11 @@
 #pragma once
-/// The reported numbers of one steady motion: its momenta and energies in internal units (not per m̄),
+/// Quantities of one steady motion that the program reports. They are the momenta and energies in internal units (not
+/// per m̄),
 ///
 ///   K = (m̄/2)|Q̇|²,   J_i = m̄ ε_ijk Q_jA Q̇_kA,   Z_A = m̄ ε_ABC (QᵀQ̇)_CB,   at t = 0,
 ///
-/// the vorticity of the circulation relative to the rotating body, ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j), and the linear
-/// stability.
+/// the vorticity ζ_k = −Λ_k (a_i² + a_j²)/(a_i a_j) of the circulation, relative to the rotating axes, and the linear
+/// stability. The indices i, j, k are different.
 
 #include "reduced/linear_stability.h"
 
@@ -17,15 +18,16 @@ struct EquilibriumPoint {
   double kinetic = 0, potential = 0;
   Eigen::Vector3d angular_momentum, circulation;  ///< J, Z
   Eigen::Vector3d vorticity;                      ///< ζ
-  double residual = 0;                            ///< |R| divided by the largest of the terms of R
+  double residual = 0;                            ///< |R| / (largest norm of a term of R), with 0/0 = 0
   LinearStability stability;
 
   double energy() const { return kinetic + potential; }
-  /// Riemann's f = ζ/Ω along axis 3: 0 without circulation, infinite if the body does not rotate.
+  /// Riemann's f = ζ/Ω along axis 3. The ratio is 0 without circulation, and infinite if the body has circulation but
+  /// does not rotate.
   double vorticity_ratio() const { return vorticity[2] == 0 ? 0 : vorticity[2] / motion.omega[2]; }
 };
 
-/// Computes the numbers of the steady motion m. Fails if the linear stability cannot be computed.
+/// Sets `point` to the quantities of the steady motion m. Fails if the linear stability cannot be computed.
 template <SmoothPotential V>
 mechanics::Status describe_equilibrium(const IsotropicBody<V>& body, const SteadyMotion& m, double parameter,
                                        EquilibriumPoint& point) {

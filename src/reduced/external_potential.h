@@ -1,11 +1,12 @@
 #pragma once
-/// The energy of a forcing (loads/forcing.h) on the motions x = QX, without self-gravity:
+/// The energy of a forcing on the motions x = QX, without self-gravity. The forcing has the quadratic potential T per
+/// mass, the nominal traction P̄ and the pressure p (loads/forcing.h):
 ///
 ///   V(Q) = ½ tr(T Q E₀ Qᵀ) − Vol P̄:Q + p Vol det Q
 ///
 ///   ∂V/∂Q = T Q E₀ − Vol P̄ + p Vol cof Q      (∮P̄N·QX dA = Vol P̄:Q by the divergence theorem)
 ///
-/// A part that the forcing does not have costs only a branch.
+/// A load that is 0 costs only a branch.
 
 #include <Eigen/Dense>
 #include <optional>
@@ -48,7 +49,8 @@ class ExternalPotential {
                              Eigen::Matrix3d& D) const {
     if (quadratic_) D += *quadratic_ * H * body.E0;
     if (pressure_ == 0) return;
-    // cof is quadratic: D cof(Q)[H] = cof(Q + H) − cof Q − cof H. The code writes each product of this difference once.
+    // cof is quadratic, so that its derivative is D cof(Q)[H] = cof(Q + H) − cof Q − cof H. The code has only the
+    // products that do not cancel in this difference.
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;

@@ -1,20 +1,21 @@
 #pragma once
-/// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. It
-/// needs no principal axes and no branches, because all lanes must take the same branch. gravity/ellipsoid_gravity.h is
-/// for a single body. With k = (3/5) G M²,
+/// Self-gravity of the homogeneous ellipsoid F B (B the unit ball) over any scalar type, in particular SIMD lanes. All
+/// lanes must take the same branch. The algorithm therefore uses neither principal axes nor branches for a single lane.
+/// gravity/ellipsoid_gravity.h is for a single body. With the potential V(F), the mass M and k = (3/5) G M²,
 ///
 ///   ∂V/∂F = (k/3) D F,   D = (3/2) ∫₀^∞ (C + s)⁻¹ det(C + s)^(−1/2) ds,   C = FFᵀ.
 ///
-/// Carlson's duplication is applied to matrices. The invariants r₁, r₂, r₃ of R = √C are the elementary symmetric
-/// functions of its eigenvalues. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
+/// Carlson's duplication is applied to matrices. Let r₁, r₂, r₃ be the elementary symmetric functions of the
+/// eigenvalues of R = √C. R³ − r₁R² + r₂R − r₃ = 0 gives R(C + r₂) = r₁C + r₃, and so
 ///
 ///   D(C) = 3 (r₁C + r₃)⁻¹ + 2 D(C'),   C' = C + r₂,   r₃' = r₁r₂ − r₃.
 ///
-/// R itself is never computed. The invariants are r₃ = √det C, 2r₂ = r₁² − tr C, and r₁ is the largest root of
-/// r₂² − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. With A = ⅓ tr C and Z = Id − C/A small, the
-/// series of ellipsoid_integrals.h are D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
+/// R itself is not computed. The invariants are r₃ = √det C and r₂ = (r₁² − tr C)/2, and r₁ is the largest root of
+/// r₂² − 2r₁r₃ − tr cof C. Each duplication makes r₁ about twice as large. When Z = Id − C/A with A = ⅓ tr C is small,
+/// the series of ellipsoid_integrals.h give D = A^(−3/2) (h₀ Id + h₁ Z + h₂ cof Z).
 ///
-/// All terms are positive definite. For a flat body D F has relative errors of cond(F) ε.
+/// All terms of the sum for D are positive definite. For a flat body, D F has relative errors of cond(F) ε, with the
+/// round-off ε.
 
 #include <cmath>
 #include <type_traits>
@@ -26,7 +27,7 @@ namespace pseudorigid::reduced {
 
 namespace gravity_in_lanes {
 
-/// A symmetric matrix: the entries (i, i), and for each i the entry (j, k) with i, j, k all different.
+/// A symmetric matrix: diagonal[i] is the entry (i, i), and opposite[i] the entry (j, k) with i, j, k all different.
 template <class T>
 struct SymmetricOf {
   T diagonal[3], opposite[3];
@@ -69,9 +70,9 @@ struct RootInvariants {
   T r1, r2;
 };
 
-/// Computes r₁ and r₂ from 2r₂ = r₁² − I, r₂² = II + 2r₁r₃. The map r₁ ↦ √(I + 2√(II + 2r₁r₃)) converges from any
-/// start, without cancellation. Near the solution it contracts by r₃/(r₁r₂) ≤ 1/9. Newton's iteration between the maps
-/// does most of the work.
+/// Computes r₁ and r₂ from 2r₂ = r₁² − I and r₂² = II + 2r₁r₃, with I = tr C and II = tr cof C. The map
+/// r₁ ↦ √(I + 2√(II + 2r₁r₃)) converges from any start, without cancellation. Near the solution, the map contracts by
+/// r₃/(r₁r₂) ≤ 1/9. Most digits come from three Newton steps between the maps.
 template <class T, class Root>
 [[gnu::always_inline]] inline RootInvariants<T> invariants_of_root(T r1, int n_maps, const T& I, const T& II,
                                                                    const T& r3, const Root& root) {
@@ -86,7 +87,8 @@ template <class T, class Root>
   return {root(I + 2.0 * r2), r2};
 }
 
-/// h_l of ellipsoid_integrals.h over any scalar type, by Horner's rule.
+/// The series h_l of ellipsoid_integrals.h over any scalar type, by Horner's rule. `row_of` sums the powers of E₂, and
+/// `rows_of` the powers of E₃.
 template <int l, int n, class T, int... m>
 [[gnu::always_inline]] inline T row_of(const T& E2, std::integer_sequence<int, m...>) {
   constexpr int M = sizeof...(m) - 1;
@@ -111,8 +113,8 @@ template <int l, class T>
 
 }  // namespace gravity_in_lanes
 
-/// ∂V/∂F for the strength k. `root(x)` is √x, and `largest(x)` is the largest lane of x as a number. The entries of F
-/// must be within 10^±20. A singular F gives numbers that are not finite.
+/// ∂V/∂F for the strength k. `root(x)` is √x, and `largest(x)` is the largest lane of x as a number. The size of F must
+/// be between 10⁻²⁰ and 10²⁰. A singular F gives numbers that are not finite.
 template <class T, class Root, class Largest>
 materials::Tensor<T> ellipsoid_force(double strength, const materials::Tensor<T>& F, const Root& root,
                                      const Largest& largest) {

@@ -4,17 +4,19 @@
 ///
 ///   Ḧ + 2(ω̂Ḣ − ḢΛ̂) + (ω̂²H − 2ω̂HΛ̂ + HΛ̂²) + D(∂V)(A)[H]/m̄ + λA⁻ᵀHᵀA⁻ᵀ = δλ A⁻ᵀ,   tr(A⁻¹H) = 0.
 ///
-/// In an orthonormal basis T of the tangent space, H = Ty (8 dimensions; 9 on GL⁺(3)), the equation is
+/// In an orthonormal basis T of the tangent space, H = Ty (8 dimensions; 9 on GL⁺(3)). δλ is the variation of λ. The
+/// equation is
 ///
 ///   ÿ + 2Gẏ + Ky = 0,   G = −Gᵀ,   K = Kᵀ                                 (mechanics/equilibria/linear_stability.h).
 ///
-/// The rotations of space and of the reference ball give the invariant space N of
+/// The rotations of space and of the reference ball give the invariant space N, which contains
 ///
 ///   (H, Ḣ) = (ζ̂A, −(ω×ζ)^A)   and   (Aζ̂, −A(Λ×ζ)^),   ζ ∈ R³,
 ///
-/// with known rates (0, ±i|ω|, ±i|Λ|) that contain no information on the motion. The remainder is the space of fixed J
-/// and Z modulo the group that keeps J and Z. Its dimension is 8 for a generic motion. It is 10 for a sphere at rest
-/// and for a spheroid that rotates about its axis, whose symmetry about the axis does not move the body.
+/// with known rates (0, ±i|ω|, ±i|Λ|) that contain no information on the motion. The remainder is the space of fixed
+/// momenta J and Z modulo the group that keeps J and Z. The dimension of the remainder is 8 for a generic motion. It is
+/// 10 for a sphere at rest and for a spheroid that rotates about its axis, whose symmetry about the axis does not move
+/// the body.
 
 #include <Eigen/Core>
 #include <utility>
@@ -29,7 +31,7 @@ using mechanics::LinearStability, mechanics::Rate, mechanics::ReducedLinearSyste
 
 namespace detail {
 
-/// Directions of N, and momenta J and Z, count as absent if they are less than this part of the largest one.
+/// A direction of N, or a momentum J or Z, counts as 0 if it is less than this fraction of the largest one.
 inline constexpr double absent = 1e-8;
 
 inline Eigen::Matrix<double, 9, 1> flat(const Eigen::Matrix3d& H) { return H.reshaped(); }

@@ -1,6 +1,7 @@
 #pragma once
-/// A short piece of a motion around one of its states, for differences along the path: the states at t + jh,
-/// j = −4 … 4. Each state is computed from its neighbour by short steps of the classical Runge–Kutta method.
+/// Nine states of a motion at the times t + jh, j = −4 … 4, around a given state, for differences along the path. The
+/// given state is the one with j = 0. Each other state is computed from its neighbour by short steps of the classical
+/// Runge–Kutta method.
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Functions compiled for one instruction set: motions of eight bodies (motions_in_lanes.h), and the eight stages of a
-/// Gauss step of one body (body_of_stages.h).
+/// Functions compiled for one instruction set. They compute motions of eight bodies (motions_in_lanes.h), and the eight
+/// stages of a Gauss step of one body (body_of_stages.h).
 
 #include "mechanics/core/kernel_builds.h"
 #include "reduced/body_of_stages.h"
@@ -17,7 +17,8 @@ struct MotionKernels {
                        mechanics::GaussStages& stages);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<MotionKernels>> builds_of_motion_kernels();
 
 /// The table that this process uses.

@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of the pseudo-rigid body at one state (reduced.csv), in internal units. Angular momentum and circulation
-/// are
+/// Observables of the pseudo-rigid body at one state (the columns of reduced.csv), in internal units. Angular momentum
+/// and circulation are
 ///
 ///   J_i = ε_ijk (Q E₀ Q̇ᵀ)_jk,   Z_A = ε_ABC (E₀ Q̇ᵀQ)_BC   (docs/oliva.md, section 1, with general E₀)
 
@@ -18,8 +18,8 @@
 
 namespace pseudorigid::reduced {
 
-/// Computes the quantities of `request`. `System` is a PseudoRigidBody or one of its other forms. Fails if the force
-/// fails.
+/// Sets the quantities of `o` that `request` contains. `System` is a PseudoRigidBody or one of its other forms. Fails
+/// if the multiplier is needed and cannot be computed.
 template <class System>
 mechanics::Status observe(const System& system, const mechanics::State<System>& state,
                           typename System::Workspace& workspace, const mechanics::ObservableRequest& request,
@@ -60,8 +60,9 @@ mechanics::Status observe(const System& system, const mechanics::State<System>& 
   return {};
 }
 
-/// Computes the bipolar observables after `observe` has computed the multiplier. `before` is the decomposition at the
-/// previous sample, if there is one. It is replaced by the decomposition at this sample.
+/// Sets the bipolar observables of `o`. o.multiplier must contain the result of `observe`. `before` is the
+/// decomposition at the previous sample, if there is one. The function replaces `before` by the decomposition at this
+/// sample.
 template <class System>
 mechanics::Status observe_bipolar(const System& system, const mechanics::State<System>& state,
                                   typename System::Workspace& workspace, std::optional<Bipolar>& before,

@@ -1,12 +1,13 @@
 #pragma once
-/// The potential energy of the pseudo-rigid body, the sum of the parts in the scene (Oliva 5.7.8–5.7.9):
+/// The potential energy of the pseudo-rigid body, a sum with the terms that the scene has (Oliva 5.7.8–5.7.9):
 ///
 ///   V(Q) = Vol·W(Q) − k R_F(a₁², a₂², a₃²) + V_e(Q)
 ///          stored      self-gravity          of the loads, external_potential.h
 ///
-/// with Carlson's integral R_F and k = (3/5) G M². The a_i are the semi-axes of the ellipsoid Q B (reference_body.h),
-/// which are the singular values of Q S. A part that is not in the scene costs only a branch. A body evaluates V per
-/// reference volume, like W of a material law:
+/// with the stored energy W per reference volume Vol, Carlson's integral R_F and k = (3/5) G M². The a_i are the
+/// semi-axes of the ellipsoid Q B (reference_body.h), which are the singular values of Q S. A term that the scene does
+/// not have costs only a branch. The functions of a body use V per reference volume, like a material law. With the
+/// stress P = ∂W/∂Q of the law and the self-gravity V_g(F), F = QS, the derivative is
 ///
 ///   (1/Vol) ∂V/∂Q = P(Q) + (1/Vol) [∂V_g/∂F (QS) Sᵀ + ∂V_e/∂Q]
 
@@ -24,7 +25,7 @@
 
 namespace pseudorigid::reduced {
 
-/// The parts of the potential energy.
+/// The terms of the potential energy.
 struct PotentialEnergies {
   double elastic = 0, gravitational = 0, external = 0;
   double total() const { return elastic + gravitational + external; }
@@ -34,7 +35,7 @@ class Potential {
   using Tensor = materials::Tensor<double>;
 
  public:
-  /// Uses the part of the forcing that has a potential in Q.
+  /// Uses those loads of `forcing` that have a potential in Q.
   Potential(const materials::AnyLaw& law, const ReferenceBody& body, const loads::Forcing& forcing = {})
       : law_(law),
         limited_(!materials::limit_of(law).empty()),
@@ -69,7 +70,7 @@ class Potential {
     return V;
   }
 
-  /// V, ∂V/∂Q and its derivative in the direction H.
+  /// V, ∂V/∂Q, and the derivative of ∂V/∂Q in the direction H.
   double energy(const Eigen::Matrix3d& Q) const { return energies(Q).total(); }
   Eigen::Matrix3d gradient(const Eigen::Matrix3d& Q) const {
     return body_.volume * materials::to_matrix(stress(materials::to_tensor(Q)));
@@ -95,7 +96,7 @@ class Potential {
   }
 
  private:
-  /// ∂/∂Q of V without the stored energy.
+  /// Derivative of V without the stored energy, with respect to Q.
   Eigen::Matrix3d loads(const Eigen::Matrix3d& Q) const {
     Eigen::Matrix3d f = Eigen::Matrix3d::Zero();
     if (gravity_ && spherical_) f = gravity_->gradient(Q);
@@ -110,8 +111,8 @@ class Potential {
   loads::Forcing forcing_;
   std::optional<gravity::EllipsoidGravity> gravity_;
   ExternalPotential external_;
-  bool loaded_;     // the potential has parts other than the stored energy
-  bool spherical_;  // S = Id
+  bool loaded_;     // true if V has terms other than the stored energy
+  bool spherical_;  // true if S = Id
 };
 
 }  // namespace pseudorigid::reduced

@@ -5,8 +5,8 @@
 ///   u = (ln a₁, ln a₂, ln a₃, ω₂, ω₃, Λ₂, Λ₃, λ),
 ///   F = ((RA)₁₁, (RA)₂₂, (RA)₃₃, (RA)₂₃, (RA)₃₂, ln a₁a₂a₃)      (on GL⁺(3): λ in the last place).
 ///
-/// The other entries of R vanish for an isotropic potential. There are six equations for eight unknowns, with exact
-/// derivatives. Therefore the motions form a surface, and two quantities (axis ratios, spin, momenta, …) select one
+/// The other entries of R vanish for an isotropic potential. The derivatives of the six equations are exact. Because
+/// there are eight unknowns, the motions form a surface, and two quantities (axis ratios, spin, momenta, …) select one
 /// motion.
 
 #include <array>
@@ -22,7 +22,7 @@ namespace pseudorigid::reduced {
 using PlaneVector = Eigen::Matrix<double, 8, 1>;
 using PlaneMatrix = Eigen::Matrix<double, 8, 8>;
 
-/// The numbers u of a motion with diagonal A and with ω and Λ in the plane of axes 2 and 3.
+/// The coordinates u of a motion with diagonal A and with ω and Λ in the plane of axes 2 and 3.
 inline PlaneVector plane_coordinates(const SteadyMotion& m) {
   PlaneVector u;
   u << m.A.diagonal().array().log().matrix(), m.omega.tail<2>(), m.Lambda.tail<2>(), m.lambda;
@@ -69,7 +69,7 @@ inline PlaneDual circulation_3(const PlaneDuals& u) {
 
 inline double value_of(Quantity q, const PlaneVector& u) { return q(mechanics::independent<double, 8>(u)).value(); }
 
-/// The first six rows: F, with the prescribed value subtracted, and the derivative DF with respect to u.
+/// Sets rows 0–5 of F to the six equations, and rows 0–5 of DF to their derivatives with respect to u.
 template <SmoothPotential V>
 void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) {
   const SteadyMotion m = motion_of(u);
@@ -96,12 +96,13 @@ void steady_equations(const IsotropicBody<V>& body, const PlaneVector& u, PlaneV
 
 namespace detail {
 
-/// Newton's step DF⁻¹F without the components of F at round-off. At a bifurcation they would be divided by a singular
-/// value near 0 and lead to another branch.
+/// Newton's step DF⁻¹F by the singular value decomposition of DF. Components of F at round-off are set to 0. At a
+/// bifurcation, these components would be divided by a singular value near 0 and would lead to another branch.
 PlaneVector newton_step(const PlaneMatrix& DF, const PlaneVector& F, double round_off);
 
-/// Newton's iteration on equations(u, F, DF), until |F| no longer decreases. It succeeds if |F| is then at the
-/// round-off of terms of size `scale`. The step length is limited, so that the axes cannot overflow.
+/// Newton's iteration for F = 0. equations(u, F, DF) sets F and its derivative DF. The iteration ends if |F| is small
+/// and no longer halves, or after a fixed number of steps. It succeeds if the least |F| is at the round-off of terms of
+/// size `scale`, and u is then set to this iterate. The step length is limited, so that the axes cannot overflow.
 template <class Equations>
 mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVector& u) {
   constexpr int max_iterations = 60;
@@ -126,7 +127,7 @@ mechanics::Status plane_newton(const Equations& equations, double scale, PlaneVe
                                     mechanics::six_digits(best / scale) + " of the terms");
 }
 
-/// Size of the terms of F, for the comparison with |F|.
+/// Size of the terms of F, with which |F| is compared.
 template <SmoothPotential V>
 double equations_scale(const IsotropicBody<V>& body, const PlaneVector& u) {
   const SteadyMotion m = motion_of(u);
@@ -140,8 +141,8 @@ struct Target {
   double value;
 };
 
-/// Finds the steady motion near `motion` with the two values of `targets`. At a fold or a bifurcation these may not
-/// determine one motion. Then the iteration fails or finds a neighbouring motion.
+/// Finds the steady motion near `motion` with the two values of `targets`. At a fold or a bifurcation, the two values
+/// may not determine one motion. The iteration then fails or finds a neighbouring motion.
 template <SmoothPotential V>
 mechanics::Status find_steady_motion(const IsotropicBody<V>& body, const std::array<Target, 2>& targets,
                                      SteadyMotion& motion) {

@@ -1,12 +1,14 @@
 #pragma once
-/// The pseudo-rigid body (Dirichlet–Riemann; Oliva 5.7): x = Q X, Q ∈ SL(3) or GL⁺(3),
+/// The pseudo-rigid body (Dirichlet–Riemann; Oliva 5.7): x = Q X with Q ∈ SL(3) or GL⁺(3). The kinetic energy K, the
+/// potential V and the equation of motion with the multiplier Λ are
 ///
 ///   K = ½ tr(Q̇ E₀ Q̇ᵀ),   V(Q) = Vol · W(Q), or V of potential.h with gravity and loads,
 ///   Q̈ E₀ = −∂V/∂Q + Λ Q⁻ᵀ,   ln det Q = 0                                                   (5.120)
 ///
-/// On SL(3) the constraint g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). Therefore
-/// G M⁻¹ Gᵀ Λ = r needs only one division: tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva, per m̄, is λ = Λ/m̄.
-/// On GL⁺(3) there is no constraint and no multiplier.
+/// E₀ and Vol are the inertia and the volume of reference_body.h, and W is the stored energy. On SL(3) the constraint
+/// g = ln det Q has G(Q)Q̇ = tr(Q⁻¹Q̇), GᵀΛ = ΛQ⁻ᵀ and D²g(Q̇,Q̇) = −tr((Q⁻¹Q̇)²). The equation G M⁻¹ Gᵀ Λ = r, with G
+/// at Q₁ and Gᵀ at Q₀, is therefore the division tr(Q₁⁻¹ Q₀⁻ᵀ E₀⁻¹) Λ = r. The multiplier of Oliva, per m̄, is
+/// λ = Λ/m̄. On GL⁺(3) there is no constraint and no multiplier.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -25,8 +27,8 @@
 
 namespace pseudorigid::reduced {
 
-/// `EnergyDensity` has V per reference volume, energy(Q), and its derivative stress(Q). It is reduced::Potential, or a
-/// material law if V is the stored energy alone.
+/// `EnergyDensity` has the functions energy(Q), which is V per reference volume, and stress(Q), the derivative of
+/// energy(Q). It is reduced::Potential, or a material law if V is the stored energy alone.
 template <class EnergyDensity, bool incompressible>
 class PseudoRigidBody {
   static constexpr bool has_parts = std::is_same_v<EnergyDensity, Potential>;
@@ -56,7 +58,7 @@ class PseudoRigidBody {
       of_stages_ = body_of_stages(density_, body, incompressible, isotropic_);
   }
 
-  /// Computes Q̈ of (5.120) with its multiplier, from one cofactor matrix C = cof Q = J Q⁻ᵀ:
+  /// Computes Q̈ of (5.120) with its multiplier, from J = det Q and one cofactor matrix C = cof Q = J Q⁻ᵀ:
   ///   Q̈ = −A + Λ Q⁻ᵀE₀⁻¹,   A = ∂V E₀⁻¹,   Λ = [tr((Q⁻¹Q̇)²) + tr(Q⁻¹A)] / tr(Q⁻¹Q⁻ᵀE₀⁻¹)
   ///      = −A + s C E₀⁻¹,    s = Λ/J = [tr((CᵀQ̇)²) + J C:A] / (J C:CE₀⁻¹)
   mechanics::Status acceleration(double, const Vector& Q, const Vector& Qdot, Workspace&, Vector& a) const {
@@ -67,7 +69,8 @@ class PseudoRigidBody {
     });
   }
 
-  /// The stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h).
+  /// Solves the stages of a Gauss step in lanes (mechanics/core/stage_by_stage.h). Returns false if the lanes cannot
+  /// compute the self-gravity accurately.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const requires(knows_stages) {
     if (!takes_gravity_in_lanes(of_stages_, Eigen::Map<const Vector>(stages.q))) return false;
     solve_stages_of_body(of_stages_, BodyEntries::matrix, nullptr, stages);
@@ -127,12 +130,12 @@ class PseudoRigidBody {
       f += materials::to_matrix((lambda / materials::settled_at_one(materials::determinant(q, cof))) * cof);
     }
   }
-  /// f = Gᵀλ for λ = 1.
+  /// f ← Gᵀλ for λ = 1.
   void reaction_of_one(const Vector& Q, Vector& f) const requires incompressible {
     const Tensor q = materials::to_tensor(Q), cof = materials::cofactor(q);
     materials::to_matrix((1 / materials::settled_at_one(materials::determinant(q, cof))) * cof, f);
   }
-  /// Adds the time derivative of the reaction Gᵀλ along Q̇ = v: (Q⁻ᵀ)˙ = −Q⁻ᵀ vᵀ Q⁻ᵀ.
+  /// Adds the time derivative of the reaction Gᵀλ along Q̇ = v to f. The derivative of Q⁻ᵀ is −Q⁻ᵀ vᵀ Q⁻ᵀ.
   void add_reaction_rate(const Vector& Q, const Vector& v, const Multiplier& lambda, Vector& f) const {
     if constexpr (incompressible) {
       const Eigen::Matrix3d inverse_transposed = Q.inverse().transpose();
@@ -151,7 +154,8 @@ class PseudoRigidBody {
     }
     return {};
   }
-  /// Round-off of ln det Q. For large axis ratios the round-off is larger, and ConvergenceMonitor detects it.
+  /// Round-off of ln det Q. For large axis ratios the round-off is larger, and iterations detect it with
+  /// ConvergenceMonitor.
   double constraint_tolerance() const { return 4e-16; }
 
   Vector make_vector() const { return Vector::Zero(); }
@@ -168,8 +172,8 @@ class PseudoRigidBody {
   double potential_energy(const Vector& Q) const { return potential_energies(Q).total(); }
 
   /// Rotations of space, Q ↦ Q + ε ê_i Q (momentum J_i), and of the reference ball, Q ↦ Q − ε Q ê_i (momentum Z_i). The
-  /// latter are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on direction, the number is 0: some
-  /// rotations may still be symmetries, but methods do not need them.
+  /// rotations of the reference ball are symmetries if E₀ ∝ Id and the law is isotropic. If a load depends on
+  /// direction, the number is 0. Some rotations may still be symmetries, but methods do not need them.
   int n_symmetries() const { return depends_on_direction() ? 0 : isotropic_ ? 6 : 3; }
   void symmetry(int i, const Vector& Q, const Vector& v, Vector& dQ, Vector& dv) const {
     const Eigen::Matrix3d turn = mechanics::cross_matrix(Eigen::Vector3d::Unit(i % 3));
@@ -204,8 +208,8 @@ class PseudoRigidBody {
     return admissible(q, J) ? mechanics::Status() : inadmissible(J);
   }
 
-  /// The interface that all forms of the body have (diagonal_body.h, dissipative_body.h): the state as (Q, Q̇), and the
-  /// dissipated energy.
+  /// Functions that all forms of the body have (diagonal_body.h, dissipative_body.h). They return the body, the matrix
+  /// Q, the state as (Q, Q̇), and the dissipated energy.
   const PseudoRigidBody& body() const { return *this; }
   static const Eigen::Matrix3d& matrix(const Vector& q) { return q; }
   const mechanics::VectorState<Vector>& motion(const mechanics::VectorState<Vector>& state) const { return state; }
@@ -242,7 +246,7 @@ class PseudoRigidBody {
 
   static bool has_volume(double J) { return J > 0 && std::isfinite(J); }
   bool admissible(const Tensor& Q, double J) const { return has_volume(J) && materials::admits(density_, Q); }
-  /// A separate function, because the code that makes the message would slow down the evaluation of the force.
+  /// This is a separate function, because the code that makes the message would slow down the evaluation of the force.
   [[gnu::cold, gnu::noinline]] static mechanics::Status without_volume(double J) {
     return mechanics::Status::failure("the body has been turned inside out or is not finite: det Q = " +
                                       mechanics::six_digits(J));

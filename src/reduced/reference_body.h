@@ -15,7 +15,7 @@ struct ReferenceBody {
   Eigen::Matrix3d E0;
   double volume;
   double mass = volume;                                 ///< ρ = 1
-  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; for another body, S of the ellipsoid with the same E₀
+  Eigen::Matrix3d shape = Eigen::Matrix3d::Identity();  ///< S; other bodies: of the ellipsoid with the same E₀ and M
 
   /// The ball of the internal units: r = ρ = 1.
   static ReferenceBody unit_ball() {

@@ -27,8 +27,8 @@ Eigen::Matrix3d uniform_rotation(const std::function<double()>& uniform) {
   return Eigen::Quaterniond(p * std::sin(a), p * std::cos(a), q * std::sin(b), q * std::cos(b)).toRotationMatrix();
 }
 
-/// The critical points of P̄:R among the rotations R. With P̄ = U diag(σ) Vᵀ, they are the four R = U diag(±1) Vᵀ with
-/// det R = 1.
+/// The four rotations R at which P̄:R is critical. With P̄ = U diag(σ) Vᵀ, they are the matrices R = U diag(±1) Vᵀ with
+/// det R = 1. If entries of σ are equal, there are more critical rotations.
 std::vector<Eigen::Matrix3d> critical_rotations(const Eigen::Matrix3d& P) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(P, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = svd.matrixU().determinant() * svd.matrixV().determinant() > 0 ? 1 : -1;
@@ -103,7 +103,8 @@ mechanics::Status StaticLandscape::damping(const Vector& q, Matrix& C) const {
   return {};
 }
 
-/// dV/ds at Q = R₁ exp(s diag(d)) R₂. `direction` has the quaternions of R₁ and R₂, and a vector of any length along d.
+/// dV/ds at Q = R₁ exp(s diag(d)) R₂, infinite if the law does not admit Q. `direction` contains the quaternions of R₁
+/// and R₂, and a vector of any length along d.
 double StaticLandscape::outward_slope(double s, const Eigen::VectorXd& direction) const {
   const auto rotation = [&](Eigen::Index first) {
     return Eigen::Quaterniond(Eigen::Vector4d(direction.segment<4>(first))).normalized().toRotationMatrix();

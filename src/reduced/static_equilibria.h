@@ -5,10 +5,11 @@
 ///
 /// The second derivative of V − Λ ln det along H, the metric and the damping at rest are
 ///
-///   D(∂V)(Q)[H] + Λ Q⁻ᵀHᵀQ⁻ᵀ,   ⟨H, H⟩ = tr(H E₀ Hᵀ),   −C H = −∂R/∂Q̇ at Q̇ = H.
+///   D(∂V)(Q)[H] + Λ Q⁻ᵀHᵀQ⁻ᵀ,   ⟨H, H⟩ = tr(H E₀ Hᵀ),   −C H = −∂R/∂Q̇ at Q̇ = H
 ///
-/// These derivatives are exact. Morse index, nullity and rates are defined in mechanics/equilibria/critical_point.h. If
-/// rotations of space or of the reference body do not change V, the nullity counts these rotations.
+/// with Rayleigh's function R (dissipation.h). These derivatives are exact. Morse index, nullity and rates are defined
+/// in mechanics/equilibria/critical_point.h. If rotations of space or of the reference body do not change V, the
+/// nullity includes the directions of these rotations.
 
 #include <Eigen/Dense>
 
@@ -43,9 +44,9 @@ class StaticLandscape {
 
   static Eigen::Matrix3d matrix(const Vector& q) { return q.reshaped(3, 3); }
 
-  /// True if V increases with s everywhere on the surface |ln S| = s > 0, with Q = R₁ S R₂ and S diagonal. 64 random
-  /// descents over the directions of ln S and both rotations search for a negative slope. If they find none, the result
-  /// is true.
+  /// True if a search finds no point of the surface |ln S| = s > 0 at which V does not increase with s. Here Q = R₁ S
+  /// R₂ with rotations R₁, R₂ and a diagonal S. The search makes 64 random descents of the slope dV/ds over the
+  /// directions of ln S and both rotations.
   bool rises_at(double s) const;
 
  private:
@@ -59,14 +60,16 @@ class StaticLandscape {
 };
 
 /// True if Morse's count (mechanics/equilibria/morse_count.h) shows that some equilibria are not among these points.
-/// The parts |ln S| ≤ s of SL(3) and GL⁺(3) have SO(3) as a deformation retract, with the Betti numbers 1, 1, 1, 1 over
-/// Z/2. If V increases outwards at such a boundary around all points, there is at least one point of each index 0 to 3.
-/// The numbers of points of even and odd index are then equal. This holds for every law and load. The result is false
-/// if a point is degenerate, as for rotations that do not change V, or if V decreases outwards.
+/// Let S be the singular values of Q. The parts |ln S| ≤ s of SL(3) and GL⁺(3) have SO(3) as a deformation retract,
+/// with the Betti numbers 1, 1, 1, 1 over Z/2. Let V increase outwards at such a boundary around all points. Then there
+/// is at least one point of each index 0 to 3, and the numbers of points of even and odd index are equal. These facts
+/// hold for every law and load. The result is false if a point is degenerate, as for rotations that do not change V, or
+/// if V decreases outwards.
 bool misses_equilibria(const StaticLandscape& landscape, const std::vector<mechanics::CriticalPoint>& points);
 
-/// A search with random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. It begins at Q = Id. If
-/// there is a dead traction, the four rotations at which an almost rigid body is in equilibrium come next.
+/// A search with n_starts random starts Q = R₁ diag(exp s) R₂, with rotations R₁, R₂ and |s_i| < 1.5. On SL(3) the mean
+/// of s is subtracted. The search begins at Q = Id. If there is a dead traction, the next starts are the four rotations
+/// at which an almost rigid body is in equilibrium.
 mechanics::CriticalPointSearch static_search(bool incompressible, const Eigen::Matrix3d& nominal_traction,
                                              int n_starts);
 

@@ -1,15 +1,16 @@
 #pragma once
 /// Curves of steady motions. The six equations of principal_plane.h and one condition c(u) = value (Λ₃ = 0, a
-/// circulation, an axis ratio, …) for eight unknowns define a curve. With the derivative DF of these seven equations,
-/// its tangent t satisfies DF t = 0, |t| = 1. A fold of a quantity q is a point of the curve with ∇q·t = 0. The
-/// derivatives are exact.
+/// circulation, an axis ratio, …) for eight unknowns define a curve. Let DF be the derivative of these seven equations.
+/// The tangent t of the curve satisfies DF t = 0, |t| = 1. A fold of a quantity q is a point of the curve with
+/// ∇q·t = 0. The derivatives are exact.
 
 #include "reduced/principal_plane.h"
 
 namespace pseudorigid::reduced {
 
-/// The null direction of the first seven rows of DF, the direction of their smallest singular value, and this value
-/// divided by the largest one. At a crossing with another curve both directions are null.
+/// `first` is the null direction of the first seven rows of DF. `second` is the direction of their smallest singular
+/// value, and `second_singular_value` is this value divided by the largest singular value. At a crossing with another
+/// curve, both directions are null.
 struct NullDirections {
   PlaneVector first, second;
   double second_singular_value;
@@ -24,7 +25,7 @@ class SteadyCurve {
 
   const IsotropicBody<V>& body() const { return body_; }
 
-  /// Rows 0–5 are F, row 6 is the condition, and row 7 is not set.
+  /// Sets F and DF at u: rows 0–5 are the equations of the motions, row 6 is the condition, and row 7 is not set.
   void evaluate(const PlaneVector& u, PlaneVector& F, PlaneMatrix& DF) const {
     steady_equations(body_, u, F, DF);
     const PlaneDual c = condition_.quantity(mechanics::independent<double, 8>(u));
@@ -40,8 +41,8 @@ class SteadyCurve {
     return tangent(DF, along);
   }
 
-  /// The same for given derivatives DF. At a crossing with another curve, the tangent is the null direction nearest to
-  /// `along`.
+  /// The unit tangent for a given derivative DF, with a positive component along `along`. At a crossing with another
+  /// curve, the tangent is the null direction nearest to `along`.
   static PlaneVector tangent(const PlaneMatrix& DF, const PlaneVector& along) {
     constexpr double crossing = 1e-6;
     const NullDirections null = null_directions(DF);
@@ -49,7 +50,7 @@ class SteadyCurve {
     return t.dot(along) < 0 ? PlaneVector(-t) : t;
   }
 
-  /// ∇q·t
+  /// The derivative ∇q·t of the quantity q at u along the tangent t.
   static double slope(Quantity q, const PlaneVector& u, const PlaneVector& tangent) {
     return q(mechanics::independent<double, 8>(u)).derivatives().dot(tangent);
   }

@@ -5,14 +5,15 @@
 ///
 ///   Q(t) = exp(tω̂) A exp(−tΛ̂),   A, ω, Λ constant.
 ///
-/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates at the rate ω in space, and matter
-/// circulates in the ellipsoid at the rate −Λ. The equation of motion (5.120) of pseudo_rigid_body.h requires
+/// Here ω̂ is the matrix of the cross product, ω̂x = ω×x. The ellipsoid AB rotates with the angular velocity ω in
+/// space, and matter circulates in the ellipsoid with the angular velocity −Λ. The equation of motion (5.120) of
+/// pseudo_rigid_body.h requires
 ///
 ///   R = ω̂²A − 2ω̂AΛ̂ + AΛ̂² + ∂V(A)/m̄ − λA⁻ᵀ = 0,   ln det A = 0     (on GL⁺(3), λ = 0 replaces the second equation)
 ///
 /// Rotations U of space and V of the reference ball, A ↦ UᵀAV, ω ↦ Uᵀω, Λ ↦ VᵀΛ, make A = diag(a₁, a₂, a₃). The
-/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). Its momenta J and Z are −Z and
-/// −J of Q(t).
+/// transposed motion Q(t)ᵀ, (A, ω, Λ) ↦ (Aᵀ, Λ, ω), is also steady (Dedekind's duality). The momenta J and Z of the
+/// transposed motion are −Z and −J of Q(t).
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -101,7 +102,7 @@ Eigen::Matrix3d steady_residual(const IsotropicBody<V>& body, const SteadyMotion
          m.lambda * m.A.inverse().transpose();
 }
 
-/// The largest of the terms of R, for the comparison with |R|.
+/// Size of the largest term of R, with which |R| is compared.
 template <SmoothPotential V>
 double steady_residual_scale(const IsotropicBody<V>& body, const SteadyMotion& m) {
   return std::max({(m.omega.squaredNorm() + m.Lambda.squaredNorm()) * m.A.norm(), body.gradient(m.A).norm(),

@@ -16,7 +16,7 @@ std::vector<LoveRow> with_errors(const std::vector<gravity::LoveNumbers>& number
                                  const std::vector<gravity::LoveNumbers>& other, double round_off) {
   constexpr double factor = 2;
   std::vector<LoveRow> rows;
-  const auto bound = [](double value, double other_value) {
+  const auto bound = [=](double value, double other_value) {
     return factor * std::abs(value - other_value) + round_off * std::abs(value);
   };
   for (std::size_t i = 0; i < numbers.size(); ++i)

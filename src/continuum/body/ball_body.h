@@ -1,16 +1,17 @@
 #pragma once
-/// Common parts of the compressible and the incompressible finite-element ball: space, kernels, forces, mass and
-/// moments of nodal fields.
+/// Common members of the compressible and the incompressible finite-element ball. They are the space, kernels, forces,
+/// mass and moments of nodal fields.
 ///
 ///   M ẍ = −∫P:∇φ + loads   [+ Gᵀλ,   elastic_ball.h]                       (generalized Newton law, Oliva 5.3–5.4)
 ///
-/// The displacements are in (Q_k)³, and the mass is lumped. With dissipation or loads that depend on time there is one
-/// more node (BallSpace::account). Its coordinates s and s' obey
+/// The displacements are in (Q_k)³, and the mass is lumped. With dissipation or loads that depend on time, the ball has
+/// one more node (BallSpace::account). The coordinates s and s' of this node obey
 ///
-///   s̈ = power that is dissipated,   s̈' = power that loads give by their change in time,
+///   s̈ = dissipated power,   s̈' = power that loads give by their change in time.
 ///
-/// so that their velocities are the dissipated and the given energy, and every method integrates them with its own
-/// order. All quantities are in internal units. The system is the computed sector; observables are for the whole ball.
+/// Therefore ṡ and ṡ' are the dissipated and the given energy, and every method integrates these energies with its own
+/// order. All quantities are in internal units. The system is the computed sector, and observables are for the whole
+/// ball.
 
 #include <Eigen/Core>
 #include <functional>
@@ -40,16 +41,17 @@ class BallBody {
   /// refined uniformly n_refinements times. The ranks of the communicator share the cells.
   BallBody(const Sector& sector, int degree, int n_refinements, const StoredEnergy& stored,
            const loads::Loads& loads = {}, MPI_Comm communicator = MPI_COMM_SELF);
-  /// The body of a mesh. `n_gravity_points` is defined in body/surface_gravity_forces.h, and `n_contact_points` in
-  /// body/contact_forces.h.
+  /// The body of a mesh. If `n_gravity_points` or `n_contact_points` is empty, the function of this name in
+  /// surface_gravity_forces.h or contact_forces.h gives the number.
   BallBody(BallMesh mesh, int degree, const StoredEnergy& stored, const loads::Loads& loads = {},
            std::optional<int> n_gravity_points = std::nullopt, std::optional<int> n_contact_points = std::nullopt);
-  BallBody(const BallBody&) = delete;  // its parts have pointers to one another
+  BallBody(const BallBody&) = delete;  // because its members have pointers to one another
   BallBody& operator=(const BallBody&) = delete;
 
   void apply_inverse_mass(const Vector& f, Vector& a) const;
   void apply_mass(const Vector& v, Vector& f) const;
-  /// f ← f + viscous force and drag, both linear in v (mechanics/core/linear_damping.h).
+  /// f ← f + viscous force, damping force of contacts and drag, which are linear in v
+  /// (mechanics/core/linear_damping.h).
   void add_damping(const Vector& x, const Vector& v, Vector& f) const {
     loads_.add_dissipation(x, v, f);
     if (contact_) contact_->add_damping(x, v, f);
@@ -62,13 +64,14 @@ class BallBody {
 
   /// A X + c at every node: positions for A = Q₀, velocities for A = Q̇₀.
   Vector affine_field(const Eigen::Matrix3d& A, const Eigen::Vector3d& c = Eigen::Vector3d::Zero()) const;
-  /// Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. For a velocity it is the time derivative of Q_M.
+  /// Q_M = (∫ρ x Xᵀ dV) E₀⁻¹ of a nodal field x. If x is a velocity, the result is the time derivative of Q_M.
   Eigen::Matrix3d mass_moment(const Vector& x) const;
-  /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane vanish.
+  /// Mass-weighted mean of a field over the whole ball. Components normal to a symmetry plane are 0. Collective.
   Eigen::Vector3d mean(const Vector& x) const;
-  /// Adds an energy that was dissipated in the sector to the dissipated energy in v.
+  /// Adds an energy dissipated in the sector, multiplied by the number of its images, to the dissipated energy in v.
   void add_taken(double energy, Vector& v) const;
-  /// The dissipated energy and the energy given by loads that depend on time, both from the entries of the velocity.
+  /// The dissipated energy and the energy given by loads that depend on time, for the whole ball. Both are entries of
+  /// v. Collective.
   double dissipated(const Vector& v) const;
   double given(const Vector& v) const;
 
@@ -82,7 +85,7 @@ class BallBody {
   const BallSpace& space() const { return space_; }
   const CellKernels& kernels() const { return *kernels_; }
   const LoadForces& loads() const { return loads_; }
-  /// Null without self-gravity.
+  /// The self-gravity, or null if there is none.
   const SurfaceGravityForces* gravity() const { return gravity_ ? &*gravity_ : nullptr; }
 
   /// A 3×3 integral over the whole ball from the integral over the sector. The (i, j) entry is odd under a reflection
@@ -96,8 +99,8 @@ class BallBody {
   LeastPlace least_reserve(const Vector& x) const;
   /// Integrals over the sector, summed over all ranks.
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
-  /// Fails if `least` is not positive on every rank. `least` is the least of J and of the law's reserve over the points
-  /// of this rank. Collective.
+  /// Fails if `least` is not positive on one of the ranks. `least` is the least of J and of the law's reserve over the
+  /// points of this rank. Collective.
   mechanics::Status judge(double least, const Vector& x) const;
   /// Fills x with fixed irregular numbers in (−1, 1), which do not depend on the number of ranks.
   void fill_irregular(Vector& x) const;
@@ -105,11 +108,12 @@ class BallBody {
   Eigen::Matrix3d nodal_moment(const Vector& a, const Vector& b) const;
 
  protected:
-  /// All forces without the reactions. If `held_at` is not null, contact is replaced by springs that hold every point
-  /// of the surface at this position with the stiffness of the planes. This gives a bound for the stiffness.
+  /// Sets f to all forces without the reactions. If `held_at` is not null, springs on the whole surface replace the
+  /// contact. The springs hold every point of the surface at this position with the stiffness of the planes. The
+  /// resulting stiffness is a bound for the stiffness with contact.
   mechanics::Status applied_force(double t, const Vector& x, const Vector& v, const Vector* held_at, Vector& f) const;
-  /// Adds loads, gravity and contact to the force of the stress. Fails if `least`, which the kernel of this force
-  /// returned, is not positive.
+  /// Adds loads, gravity and contact to f, which contains the force of the stress. Fails if `least` is not positive;
+  /// the kernel of this force has returned `least`.
   mechanics::Status complete_force(double t, const Vector& x, const Vector& v, double least, const Vector* held_at,
                                    Vector& f) const;
 

@@ -5,7 +5,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// ∫∇φ_n dX. It is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with d = F = Id and 2η = −1.
+/// ∫∇φ_n dX for every node n. The integral is the viscous force −2η∫d F⁻ᵀ∇φ_n of the dilation ẋ = X at rest, with
+/// d = F = Id and 2η = −1.
 Vector integrated_gradients(const BallSpace& space, const CellKernels& kernels) {
   const Vector& X = space.reference_positions();
   Vector gradients = space.make_vector();
@@ -70,8 +71,8 @@ void LoadForces::add_body_forces(const loads::Forcing& forcing, const Vector& x,
     }
 }
 
-/// Adds the force of the pressure. It equals the viscous force −2η∫J d F⁻ᵀ∇φ_n of the velocity ẋ = x with 2η = p,
-/// because then d = Id.
+/// Adds the force of the pressure to f. This force equals the viscous force −2η∫J d F⁻ᵀ∇φ_n of the velocity ẋ = x with
+/// 2η = p, because then d = Id.
 void LoadForces::add_pressure(double pressure, const Vector& x, Vector& f) const {
   if (pressure != 0) kernels_.add_viscous_force(pressure / 2, x, x, f);
 }

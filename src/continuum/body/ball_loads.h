@@ -11,8 +11,8 @@
 ///   drag, force density −cρẋ                f_n = −c m_n ẋ_n
 ///
 /// Viscosity and drag dissipate the power ∫2ηJ d:d dX + c Σ m_n |ẋ_n|². A load that depends on time gives the power
-/// ∂V/∂t. Both powers are forces on the node BallSpace::account, whose velocity (D, W, 0) therefore has the dissipated
-/// and the given energy. All quantities are in internal units.
+/// ∂V/∂t. Both powers are forces on the node BallSpace::account. The velocity (D, W, 0) of this node therefore contains
+/// the dissipated energy D and the given energy W. All quantities are in internal units.
 
 #include <Eigen/Core>
 #include <optional>
@@ -32,14 +32,14 @@ class LoadForces {
 
   /// f ← f + loads, with the powers of the whole ball at the node BallSpace::account.
   void add(double t, const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f + viscous force and drag. Returns the power that they dissipate in the cells and nodes of this rank.
+  /// f ← f + viscous force and drag. Returns the power dissipated by both in the cells and nodes of this rank.
   double add_dissipation(const Vector& x, const Vector& v, Vector& f) const;
-  /// V of the whole ball from its integrals Σ m xxᵀ, Σ m x and ∫F dX and its volume.
+  /// V of the whole ball at the time t, from Σ m xxᵀ, Σ m x, ∫F dX and the volume of the whole ball.
   double potential(double t, const Eigen::Matrix3d& second_moment, const Eigen::Vector3d& first_moment,
                    const Eigen::Matrix3d& F_integral, double volume) const;
 
-  /// For loads that depend on time. add_driving: f ← f − ∂V/∂x. driving_power: ∂V/∂t over the nodes of this rank, from
-  /// the rates of the loads.
+  /// `add_driving` computes f ← f − ∂V/∂x for the loads that depend on time. `driving_power` returns ∂V/∂t over the
+  /// nodes of this rank, from the time derivatives of these loads.
   void add_driving(const loads::Forcing& forcing, const Vector& x, Vector& f) const;
   double driving_power(const loads::Forcing& rate, const Vector& x) const;
 
@@ -49,11 +49,11 @@ class LoadForces {
 
   loads::Loads loads_;
   loads::Forcing constant_;  ///< loads that do not depend on time
-  bool driven_;              ///< some loads depend on time
+  bool driven_;              ///< true if a load depends on time
   const BallSpace& space_;
   const CellKernels& kernels_;
-  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX, if loads depend on time
-  std::optional<Vector> traction_;   ///< P̄ ∫∇φ_n dX
+  std::optional<Vector> gradients_;  ///< ∫∇φ_n dX; empty if no load depends on time
+  std::optional<Vector> traction_;   ///< P̄ ∫∇φ_n dX; empty without a constant traction
 };
 
 }  // namespace pseudorigid::continuum

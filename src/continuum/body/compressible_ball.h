@@ -13,7 +13,7 @@ namespace pseudorigid::continuum {
 class CompressibleBall : public BallBody, public mechanics::Unconstrained {
  public:
   struct Workspace : mechanics::Unconstrained::Workspace {
-    const Vector* held_at = nullptr;  ///< BallBody::applied_force
+    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
   };
   using BallBody::BallBody;
 

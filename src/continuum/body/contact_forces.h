@@ -21,8 +21,8 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face: 2(k + 1). It exceeds the number of nodes, because the edge of the
-/// contact area lies inside faces.
+/// Number of points in each direction of a face: 2(k + 1). This number exceeds the number of nodes, because the
+/// pressure is not smooth at the edge of the contact area, which lies inside faces.
 int n_contact_points(const BallSpace& space);
 
 class ContactForces {
@@ -33,7 +33,8 @@ class ContactForces {
   void add(const Vector& x, Vector& f) const;
   /// f ← f + damping force. Returns the power that this force dissipates in the computed sector. Collective.
   double add_damping(const Vector& x, const Vector& v, Vector& f) const;
-  /// f ← f − ∂/∂x of ½k∮|x − x₀|², as if planes on all sides held every point of the surface at x₀. Collective.
+  /// f ← f − ∂/∂x of ½k∮|x − x₀|². This is the force of springs with the stiffness k of all planes together, which hold
+  /// every point of the surface at x₀. Collective.
   void add_holding(const Vector& x, const Vector& x0, Vector& f) const;
   /// Contact of the whole ball. Collective.
   loads::Contact contact(const Vector& x) const;

@@ -4,9 +4,9 @@
 ///   M ẍ = −∫P:∇φ + loads + Gᵀλ,   g_j = ∫ψ_j ln J dX = 0                   (generalized Newton law, Oliva 5.3–5.4)
 ///
 /// The constraint balances a pressure on the surface, so such a pressure is not a force of this system. The multiplier
-/// λ_h is the Kirchhoff pressure Jp. It is discontinuous and belongs to P_{k−1} on each cell. The constraint uses ln J
-/// instead of J − 1. Therefore its second variation has no (div u)² term, and the discrete motion does not change if a
-/// multiple of ln J is added to W.
+/// λ_h is the Kirchhoff pressure Jp, with the pressure p. λ_h is discontinuous and belongs to P_{k−1} on each cell. The
+/// constraint uses ln J instead of J − 1. Therefore its second variation has no (div u)² term, and the discrete motion
+/// does not change if a multiple of ln J is added to W.
 
 #include <cmath>
 #include <optional>
@@ -23,8 +23,8 @@ class ElasticBall : public BallBody {
   using Multiplier = continuum::Vector;
   struct Workspace {
     GramSolver gram;
-    double residual_sought = 0;       ///< residual that suffices for the caller of solve_gram, Euclidean norm
-    const Vector* held_at = nullptr;  ///< BallBody::applied_force
+    double residual_sought = 0;       ///< sufficient Euclidean norm of the residual of solve_gram; 0: automatic
+    const Vector* held_at = nullptr;  ///< see BallBody::applied_force
 
     template <class Visit>
     void visit_memory(Visit&& visit) {
@@ -71,7 +71,7 @@ class ElasticBall : public BallBody {
   /// |g|_∞ and |Gv|_∞ count as zero up to this value, which corresponds to 1e-13 of ln J (the ψ are L²-orthonormal in
   /// each cell).
   double constraint_tolerance() const { return 1e-13 * multiplier_scale(); }
-  /// |g|_∞ / multiplier_scale() is a bound for the mean of |ln J| over a cell.
+  /// |g|_∞ / multiplier_scale() is a bound for the absolute value of the mean of ln J over a cell.
   double multiplier_scale() const { return multiplier_scale_; }
 
   Multiplier make_multiplier() const { return space().make_multiplier(); }

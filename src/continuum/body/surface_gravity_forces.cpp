@@ -121,12 +121,12 @@ void SurfaceGravityForces::add_rate(const Vector& x, const Vector& u, const Sign
   const auto sums = sum_pairs(own, gravity::Moving{sources(own.at), sources(own.rate, s)});
   const auto [at, rate] = totals(own, sums);
   gravity::Moving of_all{over_ranks(at), over_ranks(rate)};
-  for (int c = 0; c < 3; ++c)  // terms that are odd under a reflection cancel with those of the images
+  for (int c = 0; c < 3; ++c)  // a rate that is odd under a reflection cancels with the rates of the images
     if (space_.mesh().sector().reflect[c] && s[c] < 0) of_all.rate = {};
   spread(jets, surface_derivative_rate(own, sums, of_all, constant_, rest_volume_), f);
   gravity::SurfaceDerivative of_areas = surface_derivative(own.at, sums.at, of_all.at, constant_, rest_volume_);
   for (auto& component : of_areas.by_point) std::ranges::fill(component, 0.0);
-  spread(jet_rates, of_areas, f);  // an area vector is bilinear in the derivatives by ξ_p and ξ_q
+  spread(jet_rates, of_areas, f);  // because an area vector is bilinear in the derivatives by ξ_p and ξ_q
   add_to_owners(f);
 }
 

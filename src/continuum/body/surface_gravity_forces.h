@@ -18,10 +18,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. It
-/// is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because only gravity makes the
-/// shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3 in the time 1/√(Gρ).
-/// With k + 2 points the quadrature resolves their weight.
+/// Number of points in each direction of a face, such that the error of gravity is below the discretisation error. The
+/// number is k + 2, or k + 1 if the faces of an elastic body are refined. A fluid needs k + 2, because only gravity
+/// makes the shortest waves on its surface stable. With k + 1 points these waves grow by a factor of 2.3 in the time
+/// 1/√(Gρ). With k + 2 points the quadrature resolves the gravity of these waves.
 int n_gravity_points(const BallSpace& space, bool is_fluid);
 
 class SurfaceGravityForces {
@@ -52,14 +52,14 @@ class SurfaceGravityForces {
   /// these points and area vectors from the jets of x and u.
   gravity::SurfacePoints own_points(const Jets& x) const;
   gravity::SurfacePoints own_rates(const Jets& x, const Jets& u) const;
-  /// Points (or rates) with their mirror images.
+  /// Points, or rates of points, with their mirror images. s contains the signs under the reflections.
   gravity::SurfacePoints with_images(const std::vector<std::array<double, 6>>& points, const Signs& s) const;
   /// The points of all ranks with their mirror images.
   gravity::SurfacePoints sources(const gravity::SurfacePoints& own, const Signs& s = {1, 1, 1}) const;
   /// The sums over all sources, for the points of this rank.
   gravity::PairSums sums_at(const gravity::SurfacePoints& own) const;
   gravity::SurfaceTotals over_ranks(const gravity::SurfaceTotals& own) const;
-  /// f ← f − the nodal forces of a derivative with respect to points and area vectors.
+  /// f ← f − ∂E/∂x_n, for a function E with this derivative with respect to points and area vectors. x are the jets.
   void spread(const Jets& x, const gravity::SurfaceDerivative& derivative, Vector& f) const;
 
   double constant_;

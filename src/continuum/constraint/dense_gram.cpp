@@ -51,7 +51,7 @@ mechanics::Status DenseGram::renew(const Vector& x) {
   const std::vector<Block> G = scaled_constraint_rows(x);
   const unsigned int n_p = space_->n_pressure(), n = space_->n_cells() * n_p;
   Block S(n, n), product(n_p, n_p);
-  // Sets blocks below the diagonal only, because LAPACK reads the lower triangle.
+  // This function sets blocks on and below the diagonal only, because LAPACK reads the lower triangle.
   const auto set_block = [&](unsigned int row, unsigned int column) {
     for (unsigned int j = 0; j < n_p; ++j) std::copy_n(&product(0, j), n_p, &S(row * n_p, column * n_p + j));
   };
@@ -76,8 +76,9 @@ mechanics::Status DenseGram::renew(const Vector& x) {
 }
 
 double DenseGram::renewal_cost() const {
-  // The rows of G and n³ operations, divided by the cost of an iteration, which grows as n. The constants give the
-  // shortest run times for 80 … 640 multipliers; larger problems were not measured.
+  // A renewal computes the rows of G and makes about n³ operations. Its cost is divided by the cost of an iteration,
+  // which grows as n. The constants give the shortest run times for 80 … 640 multipliers. Larger problems were not
+  // measured.
   const double n = space_->n_cells() * space_->n_pressure();
   return 40 + 6e-4 * n * n;
 }

@@ -6,7 +6,7 @@
 ///
 ///   S_ba = Σ_n (B_b)_n (B_a)_nᵀ,
 ///
-/// and is zero if they do not share a node.
+/// and is zero if the cells do not share a node.
 
 #include <deal.II/lac/lapack_full_matrix.h>
 
@@ -37,8 +37,8 @@ class DenseGram final : public GramPreconditioner {
     std::vector<unsigned int> in_a, in_b;
   };
 
-  /// G M^{-1/2}, one block for each cell. A row is a multiplier function, and a column a component of a node of the
-  /// cell.
+  /// G M^{-1/2}, one block for each cell. A row belongs to a multiplier function, and a column to a component of a node
+  /// of the cell.
   std::vector<Block> scaled_constraint_rows(const Vector& x) const;
 
   const BallSpace* space_;

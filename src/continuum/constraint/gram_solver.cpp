@@ -77,7 +77,8 @@ class GramSolver::Impl {
     history_.stale = !status;
     return status;
   }
-  /// Computes the preconditioner at its earlier positions, for a run that continues from a checkpoint.
+  /// Computes the preconditioner at the positions of the history, unless this process has already computed it. The
+  /// computation is necessary after a restart from a checkpoint.
   mechanics::Status restore() {
     return std::exchange(is_made_, true) ? mechanics::Status() : preconditioner_->renew(history_.renewed_at);
   }
@@ -112,8 +113,8 @@ class GramSolver::Impl {
   }
 
   /// For small problems the tangent stays in the cache and also gives the reactions, in double precision. For large
-  /// problems only the iterations use the tangent, and the constraint checks their result. Single precision then halves
-  /// the memory to read.
+  /// problems only the iterations use the tangent, and the constraint checks the result of the iterations. Single
+  /// precision then halves the memory to read.
   static Precision precision_of(GramMethod method) {
     return method == GramMethod::dense ? Precision::double_precision : Precision::single_precision;
   }
@@ -151,11 +152,11 @@ class GramSolver::Impl {
   const GramMethod method_;
   std::unique_ptr<GramPreconditioner> preconditioner_;
   TangentAt of_q0_, of_q1_;
-  bool is_symmetric_ = false;  // q₁ = q₀
+  bool is_symmetric_ = false;  // true if q₁ = q₀
   mechanics::ConjugateResiduals<Vector> iteration_;
   Vector reaction_, residual_;
   History history_;
-  bool is_made_ = false;  // computed in this process
+  bool is_made_ = false;  // true if this process has computed the preconditioner
   Statistics statistics_;
 };
 

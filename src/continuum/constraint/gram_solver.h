@@ -2,8 +2,8 @@
 /// Solves G(q₁) M⁻¹ G(q₀)ᵀ λ = r for the ball without assembling the matrix, by conjugate residuals
 /// (mechanics/core/conjugate_residuals.h). The preconditioner approximates the symmetric Gram operator S = G M⁻¹ Gᵀ at
 /// earlier positions. Small problems in one process use the inverse of S (dense_gram.h), other problems use two levels
-/// (two_level_gram.h). Because the positions move away from those of the preconditioner, solves need more iterations.
-/// The preconditioner is renewed when the additional iterations cost more than the renewal.
+/// (two_level_gram.h). Because the positions move away from the positions of the preconditioner, solves need more
+/// iterations. The preconditioner is renewed when the additional iterations cost more than the renewal.
 
 #include <memory>
 
@@ -25,22 +25,22 @@ class GramSolver {
   ~GramSolver();
   GramSolver(GramSolver&&) noexcept;
 
-  /// λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if the iteration does not
-  /// converge with a preconditioner at q₁.
+  /// Computes λ with |G(q₁)M⁻¹G(q₀)ᵀλ − r| ≤ max(reduction · |r|, enough) in the Euclidean norm. Fails if the iteration
+  /// does not converge with a preconditioner at q₁.
   mechanics::SolveReport solve(const Vector& q1, const Vector& q0, const Vector& r, double enough, Vector& lambda);
 
-  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ, as in CellKernels. With the dense inverse, it also stores the tangent at x for a
-  /// later solve at x.
+  /// f = −∫∂(W + U)/∂F ∇φ + G(x)ᵀλ. Returns the least of J and of the law's reserve, as CellKernels::force. With the
+  /// dense inverse, this function also stores the tangent at x for a later solve at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, Vector& f);
-  /// f += G(x)ᵀλ.
+  /// f ← f + G(x)ᵀλ
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f);
 
-  /// State on which later solves depend, for checkpoints. The residuals depend on the preconditioner, so a resumed run
-  /// needs this state to repeat the uninterrupted run.
+  /// Memory of the solver on which later solves depend, for checkpoints. The residuals depend on the preconditioner, so
+  /// a resumed run needs this memory to repeat the uninterrupted run.
   struct History {
     Vector renewed_at;  ///< positions of the preconditioner
     int n_iterations_fresh = -1, n_iterations_lost = 0;
-    bool stale = true;  ///< the preconditioner must be renewed; also true before the first computation
+    bool stale = true;  ///< true if the preconditioner must be renewed, and before it is first computed
   };
   History& history();
   template <class Visit>

@@ -1,7 +1,7 @@
 #pragma once
 /// A symmetric matrix in single precision and its product with a vector. A large matrix is stored as its lower triangle
-/// by rows. This halves the memory, and reading the memory limits the speed of the product. A small matrix is stored
-/// entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
+/// by rows. The triangle halves the memory, and reading the memory limits the speed of the product. A small matrix is
+/// stored entirely, by columns, because its product then needs no sums across the lanes of a SIMD vector.
 
 #include <cstddef>
 #include <vector>
@@ -18,8 +18,8 @@ class SymmetricMatrix {
   void multiply(const double* x, double* y) const;
   std::size_t memory() const { return entries_.size() * sizeof(float); }
 
-  /// Largest number of rows of a matrix that is stored entirely. With 80 rows a product takes 0.14 us if the matrix is
-  /// stored entirely and 0.75 us as a triangle; with 512 rows it takes 13 and 15 us.
+  /// Largest number of rows of a matrix that is stored entirely. With 80 rows, a product takes 0.14 us if the matrix is
+  /// stored entirely, and 0.75 us if it is stored as a triangle. With 512 rows, the times are 13 us and 15 us.
   static constexpr std::size_t n_whole = 512;
 
  private:

@@ -26,7 +26,7 @@ using Eigen::MatrixXd;
 /// time of 44 forces with coarse degree 2 and of 71 with coarse degree 3.
 int coarse_degree(int degree) { return degree <= 4 ? 1 : 2; }
 
-/// The weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.
+/// The quadrature weights of the nodes of one cell: Gauss–Lobatto weight times det ∂X/∂ξ.
 Eigen::VectorXd node_weights(const BallSpace& space, unsigned int cell) {
   const ReferenceCell& ref = space.reference_cell();
   const Eigen::Matrix3Xd X = nodal_values(space, space.reference_positions(), cell);
@@ -57,7 +57,7 @@ std::vector<MatrixXd> tables_at_nodes(const ReferenceCell& ref, const std::vecto
   return tables;
 }
 
-/// One of the matrices of the cells.
+/// The matrix of one cell in `matrices`.
 Eigen::Map<Eigen::MatrixXf> cell_matrix(std::vector<float>& matrices, unsigned int cell, std::size_t n_rows,
                                         Eigen::Index n_columns) {
   return {&matrices[cell * n_rows * static_cast<std::size_t>(n_columns)], static_cast<Eigen::Index>(n_rows), n_columns};
@@ -123,7 +123,8 @@ void TwoLevelGram::number_functions() {
   }
 }
 
-/// P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes. P_ji = 0 if N_i does not vanish on the surface.
+/// Computes P_ji = ∫ψ_j N_i dX by Gauss–Lobatto quadrature at the nodes. P_ji = 0 if N_i does not vanish on the
+/// surface.
 void TwoLevelGram::project_functions() {
   tables_ = tables_at_nodes(space_.reference_cell(), ReferenceCell(coarse_degree_).nodes);
   const unsigned int n_pressure = space_.n_pressure(), n_nodes = space_.nodes_per_cell();
@@ -169,7 +170,8 @@ void TwoLevelGram::make_coarse_solver() {
   PetscObjectTypeCompare(reinterpret_cast<PetscObject>(coarse_solver_), KSPPREONLY, &applies_preconditioner_);
 }
 
-/// Computes K at the positions x. K is the identity for functions that do not vanish on the surface.
+/// Computes K at the positions x. The rows and columns of K for functions that do not vanish on the surface are 0
+/// except for the diagonal.
 void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   const unsigned int n_nodes = space_.nodes_per_cell();
   MatrixXd gradients(3 * n_nodes, n_functions_), K_cell(n_functions_, n_functions_);
@@ -201,7 +203,7 @@ void TwoLevelGram::assemble_coarse_matrix(const Vector& x) {
   K_->compress(dealii::VectorOperation::add);
 }
 
-/// Returns false if a block is not positive definite.
+/// Computes S_cc⁻¹ of all cells at the positions x. Returns false if a block is not positive definite.
 bool TwoLevelGram::invert_blocks(const Vector& x) {
   const Eigen::Index n = space_.n_pressure(), n_columns = 3 * space_.nodes_per_cell();
   inverse_blocks_.assign(space_.n_cells() * n_rows_ * space_.n_pressure(), 0);
@@ -227,8 +229,8 @@ mechanics::Status TwoLevelGram::renew(const Vector& x) {
   const bool regular = invert_blocks(x);
   assemble_coarse_matrix(x);
   const Mat matrix = *K_;
-  // Without this reset, the smoothers keep bounds of the spectrum of an earlier matrix. If these are too small, the
-  // V-cycle can be indefinite.
+  // Without this reset, the smoothers keep bounds of the spectrum of an earlier matrix. If these bounds are too small,
+  // the V-cycle can be indefinite.
   KSPReset(coarse_solver_);
   const bool set_up = KSPSetOperators(coarse_solver_, matrix, matrix) == 0 && KSPSetUp(coarse_solver_) == 0 &&
                       KSPSetUpOnBlocks(coarse_solver_) == 0;

@@ -1,15 +1,15 @@
 #pragma once
-/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. Its quality depends
-/// little on mesh size and degree:
+/// A preconditioner of the Gram operator S = G M⁻¹Gᵀ for meshes of any size on any number of ranks. The number of
+/// iterations depends little on mesh size and degree. The preconditioner is
 ///
-///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ
+///   B = Σ_cells R_cᵀ S_cc⁻¹ R_c + P K⁻¹ Pᵀ.
 ///
 /// R_c restricts the multipliers to one cell c, and S_cc is the block of S of this cell. The N_i ∈ Q_m are continuous
 /// functions that vanish on the free surface, with m = 1 for k ≤ 4 and m = 2 for larger k. P is their L²-projection
-/// onto the multipliers. Because S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ = 0 on the free
-/// surface, K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single precision. Iterations until the
-/// residual has decreased by 10⁻⁴ (octant, one to three refinements, at rest and sheared): 7–10 for k = 2, 14–19 for
-/// k = 4, 16–21 for k = 6.
+/// onto the multipliers. S is the weak form of −div(ρ⁻¹ grad) in current coordinates with λ = 0 on the free surface.
+/// Therefore K_ij = ∫ρ⁻¹ F⁻ᵀ∇N_i · F⁻ᵀ∇N_j dX. The matrices of the cells have single precision. A decrease of the
+/// residual by 10⁻⁴ takes 7–10 iterations for k = 2, 14–19 for k = 4, and 16–21 for k = 6. These numbers are for an
+/// octant with one to three refinements, at rest and sheared.
 ///
 /// K⁻¹ is a KSP solver of PETSc with the options' prefix gram_coarse_. By default it is one V-cycle of the algebraic
 /// multigrid of PETSc (GAMG).
@@ -38,7 +38,7 @@ class TwoLevelGram final : public GramPreconditioner {
 
   mechanics::Status renew(const Vector& x) override;
   void apply(Vector& result, const Vector& r) const override;
-  double renewal_cost() const override { return 30; }  // measured
+  double renewal_cost() const override { return 30; }  // measured, in iterations
   std::size_t memory() const override;
 
  private:
@@ -58,14 +58,14 @@ class TwoLevelGram final : public GramPreconditioner {
   unsigned int n_functions_;                                                  ///< number of functions N_i of a cell
   std::vector<std::vector<dealii::types::global_dof_index>> cell_functions_;  ///< N_i of each cell, global numbers
   std::vector<unsigned int> local_functions_;                                 ///< N_i of all cells, local numbers
-  std::vector<bool> on_surface_;                                              ///< on the free surface; by local number
+  std::vector<bool> on_surface_;                                              ///< true on surface; by local number
   std::vector<Eigen::MatrixXd> tables_;  ///< N_i and ∂N_i/∂ξ_d at the nodes of a cell, [node, i]
-  std::size_t n_rows_;                   ///< rows of the matrices of a cell: the multipliers and padding
+  std::size_t n_rows_;                   ///< number of rows of the matrices of a cell: multipliers and padding
   std::vector<float> projections_;       ///< P, one matrix per cell: [function of ψ + n_rows · i]
   std::vector<float> inverse_blocks_;    ///< S_cc⁻¹, one matrix per cell: [i + n_rows · j]
-  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< PETSc must have started before its construction
+  std::unique_ptr<dealii::PETScWrappers::MPI::SparseMatrix> K_;  ///< constructed after the start of PETSc
   KSP coarse_solver_ = nullptr;
-  PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< the solver only applies its preconditioner
+  PetscBool applies_preconditioner_ = PETSC_FALSE;  ///< true if the solver only applies its preconditioner
   Vec coarse_in_ = nullptr, coarse_out_ = nullptr;
   mutable Vector restricted_, correction_;
   mutable std::vector<float> multipliers_, of_functions_;  ///< vectors of one cell

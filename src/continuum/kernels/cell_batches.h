@@ -1,8 +1,9 @@
 #pragma once
-/// The cells of the ball in batches, one cell in each lane of a SIMD vector, with the data that the kernels read. The
-/// data are node numbers, the data of the constraint at the Gauss points, and the L²-orthonormal basis ψ of P_{k−1}. It
-/// is ψ = L⁻¹(monomials), with LLᵀ = ∫monomials ⊗ monomials. If the last batch has fewer cells than lanes, its other
-/// lanes repeat the first cell, and results omit these lanes.
+/// Batches of cells of the ball, with one cell in each lane of a SIMD vector, and the data that the kernels read. These
+/// are the node numbers, the weights and positions of the Gauss points for the constraint, and the basis ψ of P_{k−1}.
+/// The basis is orthonormal in L²: ψ = L⁻¹ m with the vector m of the monomials and the Cholesky factor L of ∫m ⊗
+/// m = LLᵀ. If the last batch has fewer cells than lanes, its other lanes repeat the first cell of the batch. The
+/// results omit these lanes.
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,7 @@ class CellBatches {
     for (int i = 0; i < n_nodes; ++i) L::add_triples(u[0][i], u[1][i], u[2][i], n_active, f, offsets[i].data());
   }
 
-  /// Coefficients of λ_h = Σ λ_j ψ_j in the monomials.
+  /// Sets `coefficients` to the coefficients of λ_h = Σ λ_j ψ_j in the monomials.
   void monomial_coefficients(const L* lambda, std::size_t batch, L* coefficients) const {
     const L* entry = basis(batch);
     for (int j = 0; j < n_pressure; ++j) coefficients[j] = L(0.0);
@@ -77,7 +78,7 @@ class CellBatches {
       for (int j = 0; j <= i; ++j) coefficients[j] += *entry++ * lambda[i];
   }
 
-  /// ∫ψ_j s from the moments ∫(monomial) s.
+  /// Computes ∫ψ_j s of a function s from the moments ∫(monomial) s.
   void from_moments(const L* moments, std::size_t batch, L* result) const {
     const L* entry = basis(batch);
     for (int i = 0; i < n_pressure; ++i) {
@@ -150,7 +151,8 @@ class CellBatches {
       for (int c = 0; c < 3; ++c) point->position[c] = (point->position[c] - batch.center[c]) / batch.scale;
   }
 
-  /// Computes the basis L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. It is packed by rows.
+  /// Computes the basis L⁻¹, with the Cholesky factor L of the Gram matrix of the monomials. The basis is packed by
+  /// rows.
   void orthonormalize(std::size_t index) {
     std::vector<L> gram(n_pressure * n_pressure, L(0.0)), monomials(n_pressure),
         inverse(n_pressure * n_pressure, L(0.0));

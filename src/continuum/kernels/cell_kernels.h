@@ -31,8 +31,9 @@ class CellKernels {
   /// f = −∫∂(W + U)/∂F ∇φ. Returns the least of J and of the law's reserve. If this value is not positive, f is not
   /// valid.
   double force(const Vector& x, Vector& f) const;
-  /// The same with the reaction G(x)ᵀλ, which costs a third of a separate evaluation. If `at_x` is not null, it must
-  /// have double precision and is set to the tangent at x.
+  /// Computes the result of `force` plus the reaction G(x)ᵀλ, and returns the same value as `force`. Here the reaction
+  /// costs a third of a separate evaluation. If `at_x` is not null, it must have double precision and is set to the
+  /// tangent at x.
   double force_with_reaction(const Vector& x, const Vector& lambda, ConstraintTangent* at_x, Vector& f) const;
   /// Computes g and returns the least J. If this value is not positive, g is not valid.
   double constraint(const Vector& x, Vector& g) const;
@@ -44,7 +45,7 @@ class CellKernels {
   void constraint_rate(const ConstraintTangent& at_x, const Vector& v, Vector& r) const;
   void add_reaction(const ConstraintTangent& at_x, const Vector& lambda, Vector& f) const;
   void add_reaction(const Vector& x, const Vector& lambda, Vector& f) const;
-  /// f += viscous force; returns the power that it dissipates.
+  /// f ← f + viscous force; returns the power that this force dissipates.
   double add_viscous_force(double viscosity, const Vector& x, const Vector& v, Vector& f) const;
 
   CellIntegrals integrals(const Vector& x, const Vector& v) const;
@@ -55,7 +56,7 @@ class CellKernels {
   LeastPlace locate_least(const Vector& x, const FunctionOfF& value) const;
   /// Least reserve of the law over the quadrature points of this rank, with its place (materials/law_limits.h).
   LeastPlace locate_least_reserve(const Vector& x) const;
-  /// λ_h at the nodes of a cell (first direction fastest).
+  /// Sets `values` to λ_h at the nodes of a cell. The first direction is the fastest index.
   void multiplier_at_nodes(const Vector& lambda, unsigned int cell, std::span<double> values) const;
 
   /// Calls `use(cell, rows)` for each cell. For n nodes, rows[j·3n + 3i + c] is the entry of G for function j, node i
@@ -64,7 +65,7 @@ class CellKernels {
   /// Calls `use(cell, values)` for each cell. For n nodes, values[j·n + i] is ψ_j at node i of the cell.
   void pressure_basis_at_nodes(const UseRows& use) const;
 
-  /// Volumes of the sector and of its smallest cell, by the quadrature of the kernels.
+  /// Volume of the cells of this rank and volume of the smallest of these cells, by the quadrature of the kernels.
   double reference_volume() const { return local_->reference_volume(); }
   double least_cell_volume() const { return local_->least_cell_volume(); }
   /// Memory for geometry, indices and basis in bytes.
@@ -78,7 +79,7 @@ class CellKernels {
   int degree_;
 };
 
-/// Data of the kernels of a space.
+/// The reference cell, the nodes of the cells and the reference positions, for the kernels.
 LocalCells local_cells(const BallSpace& space);
 
 /// Kernels for the degree of the space (1 … 8) and the stored energy. Throws std::invalid_argument for another degree.

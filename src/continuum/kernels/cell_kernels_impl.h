@@ -1,10 +1,10 @@
 #pragma once
 /// The kernels of local_kernels.h for one degree. They evaluate the law through point_law.h. The operations at the
-/// points are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. In reference
-/// coordinates, with H = ∂x/∂ξ and with weights w that contain det ∂X/∂ξ:
+/// points are done plane by plane (sum_factorization.h). Geometry and positions are prefetched. Let H = ∂x/∂ξ, and let
+/// w be weights that contain det ∂X/∂ξ. In reference coordinates,
 ///
 ///   F = H (∂X/∂ξ)⁻¹,   ∫ P : ∇φ = Σ_q w P (∂X/∂ξ)⁻ᵀ : ∂φ/∂ξ,
-///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ
+///   ∫ λ F⁻ᵀ : ∇φ = Σ_q w λ H⁻ᵀ : ∂φ/∂ξ,   tr(F⁻¹∇v) = H⁻ᵀ : ∂v/∂ξ,   J = det H / det ∂X/∂ξ.
 ///
 /// Therefore the operators of the constraint need only H, the weight w and the position at each point.
 
@@ -32,7 +32,7 @@ class DegreeKernels final : public LocalKernels {
   static constexpr int n_nodes = Batches::n_nodes, n_pressure = Batches::n_pressure;
 
  public:
-  DegreeKernels(const DegreeKernels&) = delete;  // its parts have pointers to one another
+  DegreeKernels(const DegreeKernels&) = delete;  // because its members have pointers to one another
   DegreeKernels& operator=(const DegreeKernels&) = delete;
   DegreeKernels(const LocalCells& cells, std::unique_ptr<PointLaw<n_lanes>> law)
       : law_(std::move(law)), planes_(cells), tangents_(planes_) {
@@ -247,8 +247,9 @@ class DegreeKernels final : public LocalKernels {
     }
   }
 
-  /// f −= ∫∂(W + U)/∂F : ∇φ. For every plane of points, at_H(batch, plane) is called with H in the buffers, and
-  /// at_T(batch, plane) later with the stress in the same buffer.
+  /// f ← f − ∫∂(W + U)/∂F : ∇φ. Returns the least of J and of the law's reserve. For every plane of points, the
+  /// function calls at_H(batch, plane) with H in the buffers. It later calls at_T(batch, plane) with the stress in the
+  /// same buffer.
   template <class AtH, class AtT>
   double add_stress(const double* x, double* f, const AtH& at_H, const AtT& at_T) const {
     double least = HUGE_VAL;
@@ -292,7 +293,7 @@ class DegreeKernels final : public LocalKernels {
     planes_.distribute_layers();
   }
 
-  /// Adds the integrals of a batch. The buffers contain the layers of X, x and v.
+  /// Adds the integrals of a batch to `sums`. The buffers contain the layers of X, x and v.
   void add_integrals(std::size_t b, CellIntegrals& sums) const {
     const auto& batch = batches_.batches[b];
     L elastic(0.0), volumetric(0.0), volume(0.0), least(HUGE_VAL), F_sum[9], pulled_back[9], reserve[plane];

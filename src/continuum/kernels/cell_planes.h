@@ -1,7 +1,7 @@
 #pragma once
-/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). They compute
-/// H = ∂x/∂ξ at the points from values at the nodes, and the sums Σ_q T : ∂φ/∂ξ from T at the points. The planes of a
-/// batch must be processed in ascending order.
+/// Operations on one batch of cells, for one plane of points after the other (sum_factorization.h). The operations
+/// compute H = ∂x/∂ξ at the points from values at the nodes, and the sums Σ_q T : ∂φ/∂ξ from T at the points. The
+/// planes of a batch must be processed in ascending order.
 
 #include <memory>
 
@@ -32,7 +32,7 @@ class CellPlanes {
 
   explicit CellPlanes(const LocalCells& cells) : batches(cells), buffers_(std::make_unique<Buffers>()) {}
 
-  /// The workspace. It has the data of one batch, and each of the following functions overwrites a part of it.
+  /// The workspace for one batch. Each of the following functions overwrites a part of the workspace.
   Buffers& buffers() const { return *buffers_; }
   std::size_t n_batches() const { return batches.batches.size(); }
   std::size_t memory() const { return batches.memory() + sizeof(Buffers); }
@@ -72,7 +72,7 @@ class CellPlanes {
     }
   }
 
-  /// result (+)= Σ_q T : ∂φ/∂ξ over the points of a plane. The first plane overwrites `result`.
+  /// result ← result + Σ_q T : ∂φ/∂ξ over the points of a plane. For the first plane, the sum overwrites `result`.
   [[gnu::noinline]] void integrate_plane(const Field& T, int q3) const {
     for (int c = 0; c < 3; ++c)
       batches.factorization.integrate_plane(T[3 * c], T[3 * c + 1], T[3 * c + 2], q3, buffers_->values[c],
@@ -83,7 +83,7 @@ class CellPlanes {
     for (int c = 0; c < 3; ++c) batches.factorization.distribute_layers(buffers_->result[c]);
   }
 
-  /// Stores ∫ψ_j s of the batch, computed from the moments ∫(monomial) s.
+  /// Stores ∫ψ_j s of the batch in g, computed from the moments ∫(monomial) s.
   void store_moments(const L* moments, std::size_t b, double* g) const {
     L values[n_pressure];
     batches.from_moments(moments, b, values);

@@ -5,7 +5,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-constexpr std::size_t most_rows = 64;  // their sums fit into registers
+constexpr std::size_t most_rows = 64;  // the sums of so many rows fit into registers
 
 /// Adds the products of n rows with x to y. `distance` is the number of rows between consecutive columns in memory.
 template <std::size_t n>
@@ -26,7 +26,7 @@ void add_up_to(std::size_t n_rows, const float* A, std::size_t distance, std::si
   }
 }
 
-/// The scalar products of n columns with x.
+/// Sets y to the scalar products of n columns with x.
 template <std::size_t n>
 void multiply_columns(const float* A, std::size_t n_rows, const float* x, float* y) {
   float sums[n][rows_together] = {};

@@ -1,6 +1,6 @@
 #pragma once
-/// The derivative of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ is stored at every point, in
-/// double precision or, for iterations, in single precision:
+/// The derivative of the constraint at fixed positions, for many products. T_q = w H⁻ᵀ (cell_kernels_impl.h) is stored
+/// at every point, in double precision or, for iterations, in single precision. The products are
 ///
 ///   (G v)_j = Σ_q ψ_j T_q : ∂v/∂ξ,   (Gᵀλ)_n = Σ_q λ_h T_q : ∂φ_n/∂ξ
 
@@ -42,7 +42,7 @@ class ConstraintTangents {
     of_its_precision(at_x, [&](const auto& stored) { add_reaction_by_planes(stored, lambda, f); });
   }
 
-  /// Calls use(cell, values) with the rows of G of each cell at x. The values are ordered by multiplier, node and
+  /// Calls use(cell, rows) with the rows of G of each cell at x. The entries are ordered by multiplier, node and
   /// component.
   void rows(const double* x, const UseRows& use) const {
     constexpr std::size_t n_nodes = Planes::n_nodes, size = n_pressure * 3 * n_nodes;
@@ -67,7 +67,7 @@ class ConstraintTangents {
   Field& plane_of(ConstraintTangent& tangent, std::size_t b, int q3) const {
     return static_cast<Tangent<L>&>(tangent).planes[b * n + static_cast<std::size_t>(q3)].T;
   }
-  /// T = w H⁻ᵀ at the points of one plane.
+  /// T ← w H⁻ᵀ at the points of one plane.
   template <class Number>
   void set_plane(std::size_t b, int q3, const Field& H_of_plane, Number (&T)[9][plane]) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
@@ -78,7 +78,7 @@ class ConstraintTangents {
       for (int k = 0; k < 9; ++k) T[k][q] = factor * cof.a[k / 3][k % 3];
     }
   }
-  /// sum += λ_h T at the points of one plane. `coefficients` are those of λ_h in the monomials.
+  /// sum ← sum + λ_h T at the points of one plane. `coefficients` are the coefficients of λ_h in the monomials.
   void add_pressure(std::size_t b, int q3, const L (&coefficients)[n_pressure], const Field& T, Field& sum) const {
     const auto* points = planes_.batches.pressure_points(b) + q3 * plane;
     for (int q = 0; q < plane; ++q) {
@@ -95,7 +95,7 @@ class ConstraintTangents {
   struct PlaneOfPoints {
     Number T[9][plane];
   };
-  /// Prefetches a part of the next plane at every point of the present plane. `next` may be behind the last plane.
+  /// Prefetches T at point q of the plane `next`. `next` may be behind the last plane.
   template <class Number>
   static void prefetch_values(const PlaneOfPoints<Number>* next, int q) {
     constexpr int per_point = 9 * sizeof(Number), cache_line = 64;
@@ -125,7 +125,7 @@ class ConstraintTangents {
     for (std::size_t b = 0; b < planes_.n_batches(); ++b) set_batch(x, b, &stored[b * n]);
   }
 
-  /// Computes the planes of one batch.
+  /// Computes w H⁻ᵀ at the points of all planes of one batch.
   template <class Number>
   void set_batch(const double* x, std::size_t b, PlaneOfPoints<Number>* planes) const {
     auto& buffers = planes_.buffers();

@@ -19,7 +19,8 @@ struct KernelTable {
   void (*multiply_transposed)(const float* A, std::size_t n_rows, std::size_t n_columns, const float* x, float* y);
 };
 
-/// The tables of all instruction sets, the fastest first. The build defines this function.
+/// One table of functions for each instruction set, the fastest first. A source file that CMake generates defines this
+/// function.
 std::span<const mechanics::KernelBuild<KernelTable>> builds_of_kernels();
 /// The kernels that this process uses. Throws mechanics::NoKernels if none can run.
 const mechanics::KernelBuild<KernelTable>& chosen_kernels();

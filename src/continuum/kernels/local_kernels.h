@@ -17,14 +17,14 @@
 
 namespace pseudorigid::continuum {
 
-/// The data that the kernels use. The data must outlive the kernels.
+/// The cells of this process as the kernels use them. All members must outlive the kernels.
 struct LocalCells {
   const ReferenceCell& reference;
   const std::vector<std::vector<unsigned int>>& nodes;  ///< nodes of a cell, first direction fastest
   const double* positions;                              ///< X, entry 3·node + component
 };
 
-/// Integrals over the computed sector from which observables are computed.
+/// Integrals over the cells, for the observables.
 struct CellIntegrals {
   using Matrix = std::array<std::array<double, 3>, 3>;
   double elastic = 0;                                      ///< ∫W dX
@@ -43,7 +43,8 @@ using FunctionOfF = std::function<double(const double* F)>;
 
 enum class Precision { single_precision, double_precision };
 
-/// Data of the derivative of the constraint at given positions, for many products: w H⁻ᵀ at every point.
+/// The derivative of the constraint at given positions, for many products. It is stored as w H⁻ᵀ at every point
+/// (cell_kernels_impl.h).
 class ConstraintTangent {
  public:
   explicit ConstraintTangent(Precision precision) : precision_(precision) {}
@@ -59,8 +60,8 @@ class LocalKernels {
   virtual ~LocalKernels() = default;
   /// Adds the force to f. Returns the least of J and of the law's reserve.
   virtual double add_force(const double* x, double* f) const = 0;
-  /// f += force + G(x)ᵀλ in one pass. If `at_x` is not null, it must have double precision and is set to the tangent at
-  /// x.
+  /// f ← f + force + G(x)ᵀλ in one pass. Returns the same value as `add_force`. If `at_x` is not null, it must have
+  /// double precision and is set to the tangent at x.
   virtual double add_force_with_reaction(const double* x, const double* lambda, ConstraintTangent* at_x,
                                          double* f) const = 0;
   virtual double constraint(const double* x, double* g) const = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// Fields of one cell at its own nodes, for set-up and pictures. Steps use the kernels.
+/// Fields of one cell at its own nodes, for set-up and pictures. The steps of a run use the kernels instead.
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// y[0 … n) += Σ_r row_r x_r, and dots_r = row_r · x[0 … n).
+/// Adds Σ_r row_r x_r to y[0 … n), and sets dots_r = row_r · x[0 … n). The numbers x_r are `x_of_rows`.
 template <int n_rows>
 void add_rows(const float* const* rows, std::size_t n, const float* x, const float* x_of_rows, float* y, float* dots) {
   for (int r = 0; r < n_rows; ++r) dots[r] = 0;

@@ -37,7 +37,7 @@ class PointLaw {
   virtual std::size_t memory() const = 0;
 };
 
-/// The implementation for a law; n_lanes is native_lanes or few_lanes.
+/// Makes the implementation for the law of `stored`. n_lanes is native_lanes or few_lanes.
 template <int n_lanes>
 std::unique_ptr<PointLaw<n_lanes>> make_point_law(const StoredEnergy& stored);
 

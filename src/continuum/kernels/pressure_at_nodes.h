@@ -1,6 +1,7 @@
 #pragma once
 /// The basis ψ_j of the multiplier (degree k − 1 on each cell) at the nodes X_i of the displacements. Pictures show λ_h
-/// there, and the preconditioner of the Gram operator projects its coarse functions onto ψ_j by quadrature there:
+/// at these nodes. The preconditioner of the Gram operator uses these nodes as quadrature points to project its coarse
+/// functions onto ψ_j:
 ///
 ///   λ_h(X_i) = Σ_j λ_j ψ_j(X_i),   ψ(X) = L⁻¹ monomials((X − X_c)/h_c)
 ///

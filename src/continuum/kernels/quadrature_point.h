@@ -1,6 +1,7 @@
 #pragma once
-/// Geometry of a quadrature point of a batch of cells, one cell in each lane. This file has the data of the constraint.
-/// The data of the law are separate (stress_points.h), so that each kernel reads only the numbers that it needs.
+/// Geometry of a quadrature point of a batch of cells, one cell in each lane. This file has the geometry for the
+/// constraint. The geometry for the law is separate (stress_points.h), so that each kernel reads only the numbers that
+/// it needs.
 
 #include <cstddef>
 
@@ -17,7 +18,7 @@ using mechanics::native_lanes;
 /// file.
 constexpr int few_lanes = native_lanes > 4 ? 4 : native_lanes;
 
-/// Data for ∫λ_h F⁻ᵀ:∇φ and similar integrals.
+/// Geometry for ∫λ_h F⁻ᵀ:∇φ and similar integrals.
 template <int n_lanes>
 struct PressurePoint {
   using L = Lanes<n_lanes>;

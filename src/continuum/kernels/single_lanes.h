@@ -7,7 +7,7 @@ namespace pseudorigid::continuum {
 
 namespace detail {
 template <int n_lanes>
-struct SingleVector;  // written for each size, as in mechanics/core/lanes.h
+struct SingleVector;  // specialised for each size, as in mechanics/core/lanes.h
 template <>
 struct SingleVector<2> {
   typedef float Native __attribute__((vector_size(8)));

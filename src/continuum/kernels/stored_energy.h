@@ -4,9 +4,10 @@
 ///
 ///   W(F) + U(J),   U(J) = (κ/4)(J² − 1 − ln J²),   ∂U/∂F = (κ/2)(J − 1/J) cof F,   J = det F.
 ///
-/// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. If the pressure
-/// space leaves J ≠ 1, the second variation of the multiplier's term has no sign, and κ (div u)² counteracts it. A body
-/// needs U under self-gravity, in strong motions, and always if it is a fluid (W = 0).
+/// U and its first derivative are 0 if J = 1, so that U does not change an exact incompressible motion. In discrete
+/// motions, J ≠ 1 at some points. The second variation of the multiplier's term can then be negative, and the term κ
+/// (div u)² of U counteracts it. A body needs U under self-gravity, in strong motions, and always if it is a fluid
+/// (W = 0).
 
 #include <concepts>
 

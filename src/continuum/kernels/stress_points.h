@@ -1,5 +1,5 @@
 #pragma once
-/// Data of the stress at a quadrature point, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
+/// Geometry of a quadrature point for the stress, one cell in each lane, and the stress as a function of H = ∂x/∂ξ:
 ///
 ///   T = −w ∂(W + U)/∂F (∂X/∂ξ)⁻ᵀ,   F = H (∂X/∂ξ)⁻¹,   w = ŵ det ∂X/∂ξ
 ///
@@ -73,7 +73,7 @@ struct AnyStressPoint {
   }
 };
 
-/// Data for a law with stress coefficients.
+/// Geometry and stress for a law with stress coefficients, with the seven numbers D and G.
 template <class L>
 struct MetricStressPoint {
   using Tensor = materials::Tensor<L>;
@@ -88,7 +88,7 @@ struct MetricStressPoint {
     G00 = entry(0, 0), G01 = entry(0, 1), G02 = entry(0, 2), G11 = entry(1, 1), G12 = entry(1, 2), G22 = entry(2, 2);
   }
 
-  /// The same as AnyStressPoint::stress.
+  /// Returns T and updates `least`, as AnyStressPoint::stress.
   template <class Law>
   [[gnu::always_inline]] Tensor stress(const Law& law, double kappa, double unit_weight, const Tensor& H,
                                        L& least) const {

@@ -1,7 +1,7 @@
 #pragma once
-/// Sum factorisation on one batch of cells: transforms values u at the n³ nodes to reference gradients at the n³ Gauss
-/// points, and back. The first direction is the fastest index. With the one-dimensional interpolation I to the points
-/// and differentiation D at the points,
+/// Sum factorisation on one batch of cells: the transformation of values u at the n³ nodes to reference gradients at
+/// the n³ Gauss points, and the transposed transformation. The first direction is the fastest index. With the
+/// one-dimensional interpolation I to the points and differentiation D at the points,
 ///
 ///   u ← (I⊗I⊗1) u   layer by layer,   then for each plane ξ₃ = const of n² points
 ///   v = (1⊗1⊗I) u,   ∂₁v = (D⊗1) v,   ∂₂v = (1⊗D) v,   ∂₃v = (1⊗1⊗DI) u
@@ -31,7 +31,8 @@ struct EvenOddMatrix {
       }
   }
 
-  /// out_q (+)= Σ_i M_qi in_i, with entries `stride` apart. `symmetric` means the sign + of the symmetry of M.
+  /// out_q ← Σ_i M_qi in_i; if `add` is true, out_q ← out_q + Σ_i M_qi in_i. Entries are `stride` apart. `symmetric` is
+  /// true if the sign in the symmetry of M is +.
   template <bool symmetric, bool add, int stride, class L>
   [[gnu::always_inline]] void apply(const L* in, L* out) const {
     L sum[upper], difference[upper];
@@ -105,8 +106,8 @@ class SumFactorization {
     sweep_columns<false, false>(differentiate_, values, g2);
   }
 
-  /// The transpose: layers (+)= contribution of the gradient g at the points of a plane. The first plane overwrites the
-  /// layers.
+  /// The transposed map of plane_gradient. Adds the contribution of the gradients g1, g2, g3 at the points of a plane
+  /// to the layers. The first plane overwrites the layers. `values` is a workspace.
   template <class L>
   void integrate_plane(const L* g1, const L* g2, const L* g3, int q3, L* values, L* layers) const {
     sweep_rows<false, false>(differentiate_transposed_, g1, values);

@@ -110,9 +110,9 @@ dealii::Point<3> trilinear(const std::array<dealii::Point<3>, 8>& vertices, cons
   return X;
 }
 
-/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. It is the vertex on the sphere for
-/// an outward direction, and the vertex on the plane for a direction from a plane x_c = 0 that contains the poles. The
-/// direction along the axis of the poles is not graded.
+/// The small end of a local direction: 0, 1, or −1 if the direction is not graded. For an outward direction, the small
+/// end is the vertex on the sphere. For a direction from a plane x_c = 0 that contains the poles, it is the vertex on
+/// this plane. The direction along the axis of the poles is not graded.
 int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int direction, unsigned int axis) {
   const dealii::Point<3>&a = vertices[0], &b = vertices[1U << direction];
   if (is_on_sphere(a) != is_on_sphere(b)) return is_on_sphere(b) ? 1 : 0;
@@ -121,7 +121,7 @@ int small_end(const std::array<dealii::Point<3>, 8>& vertices, unsigned int dire
   return -1;
 }
 
-/// β of the grading with 0 < g < 1, by bisection, because β/(exp β − 1) decreases with β.
+/// β of a grading with 0 < g < 1. It is found by bisection, because β/(exp β − 1) decreases with β.
 double growth_of(double size) {
   double least = 0, most = 100;
   for (int i = 0; i < 100; ++i) {
@@ -153,7 +153,7 @@ void mark_boundary(dealii::Triangulation<3>& coarse, const Sector& sector) {
 }
 
 /// Number of the coarse cell that contains a cell, in the order in which the mesh was created. In meshes of p4est, the
-/// number in the CellId is a different one.
+/// CellId of deal.II contains another number.
 int coarse_index(dealii::Triangulation<3>::cell_iterator cell) {
   while (cell->level() > 0) cell = cell->parent();
   return cell->index();

@@ -1,6 +1,6 @@
 #pragma once
-/// The unit ball, or a sector of the ball cut by coordinate planes, on curved hexahedra. It can also be a whole body of
-/// another shape made of hexahedra with trilinear maps, X(ξ) = Σ N_i(ξ) V_i.
+/// The unit ball, or a sector of the ball cut by coordinate planes, on curved hexahedra. The mesh can also be a whole
+/// body of another shape made of hexahedra with trilinear maps, X(ξ) = Σ N_i(ξ) V_i.
 ///
 /// An octant has 4 coarse cells: a block at the centre and three cells between the faces of this block and the sphere.
 /// A coarse cell with vertices V_i and trilinear shape functions N_i is mapped by the transfinite interpolation
@@ -11,9 +11,9 @@
 /// The map is exact on the sphere and on the symmetry planes, because coordinates that are zero remain exactly zero.
 /// Other sectors are reflections of the octant, so that all sectors have the same discretisation.
 ///
-/// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g. It changes local coordinates of
-/// the coarse cells before the transfinite map. The changed coordinates are those that run outwards, and those that run
-/// along the surface from a plane through the poles. They become
+/// A grading reduces the size of cells at the two poles ±e_p of an axis by a factor g. The grading changes local
+/// coordinates ξ of the coarse cells before the transfinite map. The changed coordinates run outwards, or along the
+/// surface from a plane through the poles. They become
 ///
 ///   ξ ← (exp(βξ) − 1)/(exp β − 1),   β/(exp β − 1) = g,
 ///
@@ -61,8 +61,8 @@ class BallMesh {
   const Sector& sector() const { return sector_; }
   /// Boundary id of the free surface; the faces on the symmetry plane x_i = 0 have the id i.
   static constexpr dealii::types::boundary_id surface_id = 3;
-  /// Number of an active cell among all cells, computed from its place in the hierarchy. It does not depend on the
-  /// ranks.
+  /// Number of an active cell among all cells, computed from its place in the hierarchy. The number does not depend on
+  /// the distribution over the ranks.
   std::size_t global_number(const dealii::Triangulation<3>::cell_iterator& cell) const;
 
   /// Position of the point ξ ∈ [0,1]³ of an active cell.
@@ -72,7 +72,7 @@ class BallMesh {
   BallMesh(const Sector& sector, const CoarseMesh& coarse, bool on_sphere, int n_refinements, MPI_Comm communicator);
 
   Sector sector_;
-  bool on_sphere_;     ///< vertices at the distance 1 lie on the sphere
+  bool on_sphere_;     ///< true if vertices at the distance 1 lie on the sphere
   double growth_ = 0;  ///< β
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
   std::vector<std::array<dealii::Point<3>, 8>> coarse_vertices_;

@@ -11,7 +11,7 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Index set of the 3 components of each of these nodes, for n_nodes nodes in total.
+/// Index set of the 3 components of every node in `nodes`. The mesh has n_nodes nodes in total.
 dealii::IndexSet components_of(const dealii::IndexSet& nodes, unsigned int n_nodes) {
   dealii::IndexSet result(3 * n_nodes);
   for (auto interval = nodes.begin_intervals(); interval != nodes.end_intervals(); ++interval)

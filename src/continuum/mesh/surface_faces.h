@@ -1,6 +1,7 @@
 #pragma once
 /// The faces of the finite elements, their nodes and the Gauss quadrature on them. A face is the part ξ_d = 0 or 1 of a
-/// cell. The local directions p = d + 1 and q = d + 2 (mod 3) span it, so ∂X/∂ξ_p × ∂X/∂ξ_q points to increasing ξ_d.
+/// cell. The local directions p = d + 1 and q = d + 2 (mod 3) span the face, so ∂X/∂ξ_p × ∂X/∂ξ_q points to increasing
+/// ξ_d.
 
 #include <Eigen/Core>
 #include <vector>
@@ -60,7 +61,7 @@ struct FacePoint {
   Jet jet(const Vector& u) const;
 };
 
-/// The Gauss rule with n_points points in each direction.
+/// The points of the Gauss rule on a face, with n_points points in each direction.
 std::vector<FacePoint> quadrature_on(const BallSpace& space, const CellFace& face, int n_points);
 
 }  // namespace pseudorigid::continuum

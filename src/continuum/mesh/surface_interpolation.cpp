@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// The part of a component that belongs to one face: [p][q].
+/// The entries of a component that belong to one face: [p][q].
 auto on_face(std::vector<double>& component, std::size_t face, Eigen::Index n) {
   return Eigen::Map<MatrixXd>(component.data() + face * n * n, n, n);
 }

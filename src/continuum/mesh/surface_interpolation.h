@@ -1,8 +1,8 @@
 #pragma once
-/// Nodal functions at Gauss points of the free surface, and nodal forces from forces at these points. On each face,
-/// with the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes and points (ξ_p, ξ_q),
+/// Nodal functions at Gauss points of the free surface, and nodal forces from forces at these points. The functions use
+/// the Lagrange polynomials ℓ_i on the Gauss–Lobatto nodes. At a point (ξ_p, ξ_q) of a face,
 ///
-///   u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij,
+///   u = Σ_ij ℓ_i(ξ_p) ℓ_j(ξ_q) u_ij,   ∂u/∂ξ_p = Σ_ij ℓ_i' ℓ_j u_ij,   ∂u/∂ξ_q = Σ_ij ℓ_i ℓ_j' u_ij.
 ///
 /// The sums are computed one direction after the other.
 
@@ -17,8 +17,8 @@ namespace pseudorigid::continuum {
 class SurfaceInterpolation {
  public:
   using Field = std::array<std::vector<double>, 3>;  ///< [component][point]
-  /// Values and derivatives of a nodal function at the points. It also holds the derivatives of a number with respect
-  /// to these values and derivatives.
+  /// Values and derivatives of a nodal function u at the points. For a function E of these numbers, the same struct
+  /// contains the derivatives of E with respect to u, ∂u/∂ξ_p and ∂u/∂ξ_q.
   struct Jets {
     Field u, by_p, by_q;
   };

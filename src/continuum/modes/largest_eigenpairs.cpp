@@ -11,7 +11,8 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// PETSc does not have a status: after a failure products are 0, and the iteration ends at its next check.
+/// The operator and the status of its products. Functions that PETSc calls cannot return a Status. After a failure, the
+/// products are 0, and the iteration ends at its next check.
 struct Product {
   const SymmetricOperator& apply;
   mechanics::Status status{};
@@ -35,7 +36,7 @@ PetscErrorCode multiply(Mat matrix, Vec in, Vec out) {
   return 0;
 }
 
-/// What a run allocates.
+/// The objects of PETSc and SLEPc that a run allocates.
 struct Run {
   Mat matrix = nullptr;
   EPS solver = nullptr;
@@ -49,7 +50,7 @@ struct Run {
   }
 };
 
-/// The iteration is left as soon as a product has failed.
+/// Ends the iteration if a product has failed, or if the default test of SLEPc ends it.
 PetscErrorCode look(EPS solver, PetscInt n_iterations, PetscInt max_iterations, PetscInt n_converged, PetscInt n_wanted,
                     EPSConvergedReason* reason, void* context) {
   PetscCall(EPSStoppingBasic(solver, n_iterations, max_iterations, n_converged, n_wanted, reason, nullptr));

@@ -1,6 +1,7 @@
 #pragma once
-/// Largest eigenvalues of a symmetric operator by SLEPc (Krylov–Schur), in the complement of eigenvectors that are
-/// known. A Krylov space holds one vector of each eigenspace; copies of an eigenvalue come out one run after the other.
+/// Largest eigenvalues of a symmetric operator by SLEPc (Krylov–Schur), in the orthogonal complement of known
+/// eigenvectors. A Krylov space contains only one vector of each eigenspace. A multiple eigenvalue is therefore found
+/// in several runs, with one eigenvector in each run.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -12,7 +13,7 @@
 
 namespace pseudorigid::continuum {
 
-/// Its first failure ends the iteration.
+/// Sets the second vector to the product of the operator with the first. A failure ends the iteration.
 using SymmetricOperator = std::function<mechanics::Status(std::span<const double>, std::span<double>)>;
 
 struct EigenPair {
@@ -20,8 +21,9 @@ struct EigenPair {
   std::vector<double> vector;
 };
 
-/// Appends n_wanted pairs or a few more to `known`, by falling value and orthogonal to its vectors. It appends fewer if
-/// no more exist. Residuals are below `tolerance` times the eigenvalue.
+/// Appends n_wanted pairs or a few more to `known`, in descending order. The new vectors are orthogonal to the vectors
+/// in `known`. If the operator has fewer other pairs, all of them are appended. Residuals are below `tolerance` times
+/// the eigenvalue. Fails without a change of `known` if a product fails or the iteration does not converge.
 mechanics::Status append_largest_eigenpairs(const SymmetricOperator& apply, std::size_t size, int n_wanted,
                                             double tolerance, std::vector<EigenPair>& known);
 

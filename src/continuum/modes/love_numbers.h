@@ -1,13 +1,14 @@
 #pragma once
-/// Love numbers (gravity/love_numbers.h) of the finite-element ball. The tide V = Y_nm exerts the force f·w = ρ∮V (w·n)
-/// dS on a displacement w. The static response u solves, with the operators of parity_sector.h and s = 0,
+/// Love numbers (gravity/love_numbers.h) of the finite-element ball. The tide V = Y_nm does the work f·w = ρ∮V (w·n) dS
+/// on a displacement w. The static response u and the Love numbers satisfy, with the operators of parity_sector.h and
+/// s = 0,
 ///
 ///   (K + K_g) u − Gᵀλ = f,   G u = 0,
 ///   h_n = g ∮(u·e) Y_nm dS,    l_n = g/(n(n + 1)) ∮u·∇Y_nm dS,    e = X/|X|.
 ///
 /// Tides of even n are even at all three planes of the octant, and tides of odd n are odd. No rigid motion has these
-/// parities. The mesh breaks the symmetry between the harmonics of one degree. Their mean is taken, and their spread is
-/// an error of the mesh.
+/// parities. The mesh breaks the symmetry between the harmonics of one degree. The result is the mean over these
+/// harmonics, and their spread is an error of the mesh.
 
 #include <vector>
 
@@ -16,13 +17,14 @@
 
 namespace pseudorigid::continuum {
 
-/// The numbers of a degree, and (largest − smallest) of its harmonics.
+/// The mean Love numbers of a degree, and the differences between the largest and the smallest number of its harmonics.
 struct BallLoveNumbers {
   gravity::LoveNumbers mean;
   double spread_of_h = 0, spread_of_l = 0;
 };
 
-/// For an incompressible ball with self-gravity. Fails if the ball is not stable at rest.
+/// Sets `numbers` to the Love numbers of `degrees`, for an incompressible ball with self-gravity. Fails if the ball is
+/// not stable at rest.
 mechanics::Status love_numbers(RestProblem problem, const std::vector<int>& degrees,
                                std::vector<BallLoveNumbers>& numbers);
 

@@ -12,16 +12,16 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Relative residual of eigenvectors; frequencies are better by squares.
+/// Relative residual of eigenvectors. The relative error of frequencies is of the order of its square.
 constexpr double eigenvector_tolerance = 1e-7;
 constexpr double round_off = 1e-9;
 
-/// Sectors to solve, and how many sectors have the same spectrum as each.
+/// A sector to solve, and the number of sectors with the same spectrum, including this sector.
 struct SectorClass {
   int number, n_sectors;
 };
 
-/// Whether X → (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs are permuted in the same way then have the same
+/// True if X → (X_y, X_z, X_x) maps nodes to nodes. Sectors whose signs are permuted in the same way then have the same
 /// modes.
 bool has_threefold_axis(const BallSpace& space) {
   using Place = std::array<long, 3>;
@@ -54,11 +54,11 @@ struct SectorMode {
   double omega_squared;
   ModeClass kind;
   Parity parity;
-  int n_copies;  ///< copies in this sector and in those with the same spectrum
+  int n_copies;  ///< number of sectors with the same spectrum, which all have this mode
   Vector u;
 };
 
-/// The modes of one sector that have been found.
+/// Finds the modes of one sector, the lowest first. The modes below `complete_below()` are complete.
 class SectorSpectrum {
  public:
   SectorSpectrum(const RestProblem& problem, const SectorClass& sector_class, int max_degree)
@@ -69,7 +69,7 @@ class SectorSpectrum {
 
   mechanics::Status factorize() { return sector_.factorize(); }
 
-  /// Computes n more pairs and appends the modes among them.
+  /// Computes n more eigenpairs. Appends their modes to `modes`, except for rigid motions.
   mechanics::Status extend(int n, std::vector<SectorMode>& modes, ModesReport& report) {
     const std::size_t n_before = pairs_.size();
     const auto apply = [&](std::span<const double> y, std::span<double> z) {
@@ -99,8 +99,10 @@ class SectorSpectrum {
   bool asked() const { return !pairs_.empty(); }
 
  private:
-  /// A sector has at most one rigid motion: a shift along the axis of its negative sign, or a turn about that of its
-  /// positive one. Modes are orthogonal to it, so that the share of it is nearly 1 or nearly 0, whatever ω² is.
+  /// True if u is a rigid motion. With one negative sign, a sector has the translation along the axis of this sign.
+  /// With two negative signs, it has the rotation about the axis of the positive sign. Other sectors have no rigid
+  /// motion. The modes are orthogonal to this rigid motion. The share of the rigid motion in u is therefore nearly 1 or
+  /// nearly 0 for every ω².
   bool is_rigid(const Vector& u) const {
     const auto& sign = sector_.parity().sign;
     const auto n_negative = std::ranges::count(sign, -1);
@@ -132,7 +134,7 @@ class SectorSpectrum {
 
 double root(double square) { return std::copysign(std::sqrt(std::abs(square)), square); }
 
-/// All frequencies with a copy below the bound, by their lowest copy.
+/// All frequencies with a mode below the bound, in the order of their lowest modes.
 std::vector<mechanics::ModeGroup> sort_modes(const std::vector<SectorMode>& modes, double bound) {
   std::vector<mechanics::ClassifiedMode> known;
   for (const SectorMode& mode : modes) {
@@ -170,7 +172,8 @@ mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std:
                              ModesReport& report, const std::function<bool()>& give_up) {
   const auto interrupted = [&] { return give_up && give_up(); };
   const auto stopped = [] { return mechanics::Status::failure("interrupted while looking for the modes"); };
-  // The fundamentals rise by about 1 a degree: among the lowest n frequencies no degree is above n + 2.
+  // The fundamental frequencies rise by about 1 per degree. Among the lowest n frequencies, no degree is therefore
+  // above n + 2.
   const int max_degree = std::min(n_frequencies + 2, 30);
   std::vector<SectorSpectrum> sectors;
   for (const SectorClass& sector_class : sector_classes(problem.space)) {

@@ -1,14 +1,15 @@
 #pragma once
 /// The lowest eigenfrequencies of the ball at rest, from all eight parity sectors of one octant (parity_sector.h).
 ///
-/// A mode of kind and degree n of the sphere comes 2n+1 times, spread over the sectors; on a mesh the copies differ by
-/// the mesh's error. They are told apart by kind and degree of their surface (surface_harmonics.h), and the lowest 2n+1
-/// of one class are its fundamental, the next its first overtone (mechanics/equilibria/mode_groups.h). Rigid motions
-/// are left out.
+/// The sphere has 2n + 1 modes for each frequency of a kind and degree n. These modes are distributed over the sectors.
+/// On a mesh, their computed frequencies differ by the error of the mesh. The modes are classified by the kind and
+/// degree of their surface displacement (surface_harmonics.h). The lowest 2n + 1 modes of one class are its
+/// fundamental, and the next 2n + 1 modes its first overtone (mechanics/equilibria/mode_groups.h). Rigid motions are
+/// omitted.
 ///
-/// A sector's list is complete up to the largest eigenvalue that the last run of the iteration found in the complement
-/// of all that was known before: the search in the sectors continues until their lists are complete up to all wanted
-/// frequencies.
+/// The iteration of a sector has several runs. Each run is made in the orthogonal complement of all modes found before.
+/// The modes of a sector are therefore complete below the lowest frequency that the last run has found. The search
+/// continues until the modes of every sector are complete up to the requested frequencies.
 
 #include <cstdint>
 #include <functional>
@@ -21,30 +22,32 @@
 
 namespace pseudorigid::continuum {
 
-/// One frequency with its 2n+1 modes. Internal units. For unstable motions ω is negative, and −ω is the growth rate.
+/// A frequency of the ball in internal units. A frequency of degree n has 2n + 1 modes. An unstable motion has ω < 0
+/// and grows at the rate −ω.
 struct BallFrequency {
-  double omega;  ///< mean of the copies
+  double omega;  ///< mean over the 2n + 1 modes
   double least,
-      largest;  ///< frequencies of the copies, which differ because the mesh breaks the symmetry of the sphere
+      largest;  ///< over the modes, whose frequencies differ because the mesh breaks the symmetry of the sphere
   ModeKind kind;
   int degree;
-  int overtone;      ///< 0: the fundamental
+  int overtone;      ///< 0 for the fundamental
   int multiplicity;  ///< 2·degree + 1
-  double share;      ///< least share of the class in a copy's surface displacement
-  Parity parity;     ///< of the shape
-  Vector shape;      ///< one of the modes, on the octant, with largest nodal displacement 1
+  double share;      ///< least share of the class in the squared surface displacement of a mode
+  Parity parity;     ///< parity of the shape
+  Vector shape;      ///< displacement of one of the modes on the octant; the largest nodal displacement is 1
 };
 
 struct ModesReport {
-  long n_applications = 0;  ///< of the inverse operator
+  long n_applications = 0;  ///< number of applications of the inverse operator
   int n_eigenpairs = 0;
 };
 
-/// The lowest n_frequencies, by rising omega. `give_up` is asked between Krylov runs; a failure if it says so.
+/// Computes the lowest n_frequencies in ascending order. `give_up` is called between the runs of the iteration; if it
+/// returns true, the function fails. The function also fails if the mesh is too coarse for so many frequencies.
 mechanics::Status ball_modes(const RestProblem& problem, int n_frequencies, std::vector<BallFrequency>& frequencies,
                              ModesReport& report, const std::function<bool()>& give_up = {});
 
-/// Displacements of the whole ball at the points of nodal_blocks(space), three a point.
+/// Displacements of the whole ball at the points of nodal_blocks(space), three numbers per point.
 std::vector<double> mode_displacement(const BallSpace& space, const Parity& parity, const Vector& shape);
 
 }  // namespace pseudorigid::continuum

@@ -1,6 +1,6 @@
 #pragma once
-/// The eight parities of a displacement of the ball under the reflections of its coordinate planes, u(R_j X) =
-/// s_j R_j u(X) with s_j = ±1 (parity_sector.h).
+/// The eight parities of a displacement u of the ball under the reflections R_j of the coordinate planes. A parity has
+/// three signs s_j = ±1, with u(R_j X) = s_j R_j u(X) (parity_sector.h).
 
 #include <array>
 #include <string>
@@ -10,9 +10,9 @@ namespace pseudorigid::continuum {
 struct Parity {
   std::array<int, 3> sign{1, 1, 1};
 
-  /// Whether a component is 0 on the plane x_j = 0.
+  /// True if this parity requires u_component = 0 on the plane x_plane = 0.
   bool holds(int component, int plane) const { return (component == plane) == (sign[plane] > 0); }
-  /// "++-"
+  /// The signs as text, for example "++-".
   std::string name() const {
     std::string name;
     for (const int s : sign) name += s > 0 ? '+' : '-';
@@ -20,7 +20,7 @@ struct Parity {
   }
 };
 
-/// Bits of the number are the negative signs: 0 is the symmetric motion.
+/// The parity whose negative signs are the bits of `number`. Number 0 is the parity of symmetric motions.
 inline Parity parity_of_sector(int number) {
   Parity parity;
   for (int j = 0; j < 3; ++j) parity.sign[j] = number >> j & 1 ? -1 : 1;

@@ -19,13 +19,13 @@
 namespace pseudorigid::continuum {
 namespace {
 
-/// Corrections in the operator of the iteration for eigenvectors, and for the field that a frequency is taken from.
+/// Numbers of corrections of G u: in the operator of the iteration for eigenvectors, and for the computation of a mode.
 constexpr int n_corrections_of_operator = 1, n_corrections_of_mode = 4;
 /// Tolerances of conjugate gradients with self-gravity in the energy norm: of the iteration for eigenvectors, and of a
 /// static response.
 constexpr double tolerance_of_operator = 1e-9, tolerance_of_response = 1e-13;
 constexpr int n_iterations_with_gravity = 100;
-/// Up to this size the interface is solved densely.
+/// Largest number of unknowns between cells for which their matrix is factorised as a dense matrix.
 constexpr Eigen::Index n_dense = 1500;
 
 #ifdef PSEUDORIGID_CHOLMOD
@@ -79,11 +79,11 @@ void RestProblem::add_springs() {
   }
 }
 
-/// A cell's free entries, those of its own first, then those that it shares.
+/// The free entries of a cell: first its own entries, then the entries that it shares with other cells.
 struct ParitySector::Cell {
   std::vector<int> own, shared;            ///< 3·(node of the cell) + component
-  std::vector<Eigen::Index> unknown;       ///< number of each in the sector's vectors
-  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of its own entries
+  std::vector<Eigen::Index> unknown;       ///< number of each entry in the vectors of the sector
+  Eigen::LLT<Eigen::MatrixXd> own_factor;  ///< L Lᵀ = B of the own entries
   Eigen::MatrixXd coupling;                ///< L⁻¹ B_own,shared
   Eigen::MatrixXd constraint;              ///< G of the free entries
 };
@@ -143,7 +143,9 @@ void ParitySector::number_unknowns() {
   root_mass_ = mass_.cwiseSqrt();
 }
 
-/// Factorises the cell's own part; `coupling` ← B_shared − (L⁻¹B_own,shared)ᵀ(L⁻¹B_own,shared), lower triangle.
+/// Computes the Cholesky factor L of B_own, the part of B for the cell's own entries, and
+/// cell.coupling = L⁻¹B_own,shared. The lower triangle of `schur` is set to that of B_shared − couplingᵀ coupling,
+/// where B_shared does not contain the shift.
 void ParitySector::condense(Cell& cell, unsigned int number, Eigen::MatrixXd& schur) const {
   const Eigen::MatrixXd& B = problem_.stiffness[number];
   const auto n_own = static_cast<Eigen::Index>(cell.own.size());
@@ -247,7 +249,8 @@ void ParitySector::find_attraction() {
   for (int n = 0; n <= harmonics.max_degree(); ++n)
     for (const std::size_t field : harmonics.radial_fields(n)) {
       const double share = n == 0 ? 1 : 3 / (2.0 * n + 1);
-      // A product of two integrals over the whole sphere, of which this is an octant.
+      // With the integral I over the octant, the integral over the sphere is 8 I. The energy of the octant is an eighth
+      // of the energy of the sphere, and contains (8 I)²/8 = 8 I².
       rows.push_back(std::sqrt(8 * share * problem_.weight_of_density) * entries_of(harmonics.force(field)));
     }
   attraction_.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(n_unknowns_));
@@ -262,7 +265,7 @@ mechanics::Status ParitySector::solve(const Eigen::VectorXd& f, int n_correction
   }
   u = Eigen::VectorXd::Zero(f.size());
   Eigen::VectorXd r = f, z = solve_elastic(r, n_corrections), p = z;
-  Eigen::VectorXd B_p = r;  // except for reactions, which do no work on p and z
+  Eigen::VectorXd B_p = r;  // B p except for reactions, which do no work on p and z
   double rz = r.dot(z);
   const double enough = tolerance * tolerance * rz;
   for (int iteration = 0; !(rz <= enough); ++iteration) {

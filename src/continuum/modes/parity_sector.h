@@ -1,29 +1,33 @@
 #pragma once
-/// Small motions u of the ball about its rest, seen in one octant. Under the reflection of x_j a mode is even or odd,
+/// Small motions u of the ball about rest, computed in one octant. Under the reflection R_j of x_j a mode is even or
+/// odd,
 ///
-///   u(R_j X) = s_j R_j u(X),   s_j = ±1:
+///   u(R_j X) = s_j R_j u(X),   s_j = ±1.
 ///
-/// on the plane x_j = 0 it has u_j = 0 if s_j = +1 (the symmetry of the motion), the other two components = 0 if
-/// s_j = −1. The eight choices of signs are eight problems on the same octant, and have all modes of the ball.
+/// On the plane x_j = 0, u_j = 0 if s_j = +1 (the symmetry of the motion), and the other two components are 0 if
+/// s_j = −1. The eight choices of signs are eight problems on the same octant, the sectors. Together the sectors have
+/// all modes of the ball.
 ///
-/// In each, −ω² M u = −K u + Gᵀλ, G u = 0 is inverted about a shift below all ω²: u = T f solves
+/// In each sector, the problem −ω² M u = −K u + Gᵀλ, G u = 0 is inverted about a shift −s below all ω²: u = T f solves
 ///
 ///   (K + s M) u − Gᵀλ = f,   G u = 0.
 ///
-/// The operator on u alone never sees the multiplier's infinite eigenvalues. The solution is by augmented Lagrangian:
-/// B = K + s M + γ GᵀG is positive definite and couples no more than K does, the ψ being those of one cell, and
-/// u ← u − B⁻¹γGᵀG u reduces G u by a factor of the order of 1/γ. B is factorised after condensation: first the
-/// unknowns of one cell alone (dense, cell by cell), then those between cells.
+/// T acts on u alone and therefore does not have the infinite eigenvalues of the multiplier. The equations are solved
+/// by the augmented Lagrangian method. B = K + s M + γ GᵀG is positive definite. B couples the same unknowns as K,
+/// because each ψ is a function of one cell. A correction u ← u − B⁻¹γGᵀG u reduces G u by a factor of the order of
+/// 1/γ. B is factorised after condensation: first the unknowns of a single cell (dense, cell by cell), then the
+/// unknowns between cells.
 ///
-/// Self-gravity adds its second variation, which couples all nodes of the surface with one another. On the sphere it is
+/// Self-gravity adds its second variation, which couples all nodes of the surface. On the sphere, the second variation
+/// is
 ///
-///   uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm (3/(2n + 1)) (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   1 in place of 3 for n = 0:
+///   uᵀK_g u = ρg [∮(u·n)² dS − Σ_nm c_n (∮(u·n) Y_nm dS)²],   g = (4/3)πGρr,   c_0 = 1, c_n = 3/(2n + 1) for n > 0.
 ///
-/// the first term, a spring at each point, is part of K in B. The second is an attraction of the harmonics that the
-/// mesh resolves; those beyond it would soften the surface by 3/(2n + 1) of its springs at most. Conjugate gradients
-/// with T of that B as preconditioner solve (K + K_g + s M) u − Gᵀλ = f in some ten iterations, whatever the mesh and
-/// the strength of gravity. (The surface integrals of a motion, gravity/surface_gravity.h, err by more: l of a tide by
-/// 1e-6 to 1e-5.)
+/// The first term is a spring at each point, and K in B contains these springs. The second term is an attraction of the
+/// harmonics that the mesh resolves. Higher harmonics would soften the springs of the surface by a fraction of at most
+/// 3/(2n + 1). The equation (K + K_g + s M) u − Gᵀλ = f is solved by conjugate gradients with T of this B as the
+/// preconditioner. About ten iterations are sufficient for every mesh and strength of gravity. The surface integrals of
+/// a motion (gravity/surface_gravity.h) have larger errors: 1e-6 to 1e-5 in the Love number l of a tide.
 
 #include <Eigen/Core>
 #include <memory>
@@ -38,9 +42,10 @@
 
 namespace pseudorigid::continuum {
 
-/// Shared by all sectors: space, stiffness and constraint of every cell. The space must be that of an octant.
+/// Data that all sectors share: the space, and the stiffness and the constraint of every cell. The space must be the
+/// space of an octant.
 struct RestProblem {
-  /// Self-gravity is that of an incompressible body; its constant G is in internal units, ρ = r = 1.
+  /// Self-gravity is the gravity of an incompressible body. `gravity_constant` is G in internal units, ρ = r = 1.
   RestProblem(const BallSpace& space, const CellKernels& kernels, const StoredEnergy& stored, bool incompressible,
               double gravity_constant = 0);
 
@@ -50,7 +55,7 @@ struct RestProblem {
   double shift;                             ///< s; 0 is for sectors without rigid motions, of a stable ball
   double weight_of_density;                 ///< ρg
   double penalty;                           ///< γ
-  std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs
+  std::vector<Eigen::MatrixXd> stiffness;   ///< K + γGᵀG of each cell, with the springs of self-gravity
   std::vector<Eigen::MatrixXd> constraint;  ///< G of each cell
   std::vector<int> n_cells_at_node;
 
@@ -71,10 +76,11 @@ class ParitySector {
   /// z = M^½ T M^½ y, symmetric, with the eigenvalues 1/(ω² + s). Fails if T cannot be applied.
   mechanics::Status apply(std::span<const double> y, std::span<double> z) const;
 
-  /// u = T f for a force on the octant.
+  /// Sets u = T f for a force f on the octant.
   mechanics::Status respond(const Vector& f, Vector& u) const;
 
-  /// ω² and the field of an approximate eigenvector y, after a step of inverse iteration: ω² = uᵀKu / uᵀMu.
+  /// A mode with its ω². `mode_of` makes a step of inverse iteration from an approximate eigenvector y, and computes
+  /// ω² = uᵀKu / uᵀMu.
   struct Mode {
     double omega_squared;
     Vector u;
@@ -89,11 +95,12 @@ class ParitySector {
   Eigen::VectorXd gather(const Cell& cell, const Eigen::VectorXd& u) const;
   void scatter_add(const Cell& cell, const Eigen::VectorXd& local, Eigen::VectorXd& u) const;
   void solve_penalized(Eigen::VectorXd& f) const;  ///< f ← B⁻¹f
-  /// T f by n_corrections of the divergence, without self-gravity and with it.
+  /// T f without self-gravity (`solve_elastic`) and with self-gravity (`solve`). n_corrections is the number of
+  /// corrections of G u.
   Eigen::VectorXd solve_elastic(Eigen::VectorXd f, int n_corrections) const;
   mechanics::Status solve(const Eigen::VectorXd& f, int n_corrections, double tolerance, Eigen::VectorXd& u) const;
   void find_attraction();
-  /// K_g u less the force of the springs.
+  /// K_g u without the force of the springs.
   Eigen::VectorXd apply_gravity(const Eigen::VectorXd& u) const {
     return -(attraction_.transpose() * (attraction_ * u));
   }
@@ -106,7 +113,7 @@ class ParitySector {
   std::vector<Cell> cells_;
   std::vector<unsigned int> entry_of_unknown_;  ///< 3·node + component
   Eigen::VectorXd mass_, root_mass_;
-  Eigen::MatrixXd attraction_;  ///< a row for each harmonic: √(3ρg/(2n + 1)) ∮(u·n) Y_nm dS of the sector's unknowns
+  Eigen::MatrixXd attraction_;  ///< the second term of uᵀK_g u on the octant is −|attraction_ u|²
   std::unique_ptr<Interface> interface_;
 };
 

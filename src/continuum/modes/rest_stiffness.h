@@ -1,14 +1,15 @@
 #pragma once
-/// The stiffness of the ball about its rest x = X, cell by cell. The second variation of the stored energy, and of the
-/// constraint if a multiplier carries a stress at rest (materials/rest_moduli.h), is that of
+/// The stiffness K of the ball about rest x = X, cell by cell. The stored energy has the second variation below. If a
+/// multiplier carries a stress at rest, C(H) includes the second variation of the constraint (materials/rest_moduli.h).
 ///
 ///   C_iJkL = ∂C(H)_iJ/∂H_kL + κ δ_iJ δ_kL,      K_(a,i)(b,k) = ∫ ∂_Jφ_a C_iJkL ∂_Lφ_b dX,
 ///
-/// the last term that of the volumetric stabilisation (kernels/stored_energy.h).
+/// C(H) is the tangent of the law for the displacement gradient H. The last term of C_iJkL is due to the volumetric
+/// stabilisation (kernels/stored_energy.h).
 ///
-/// With c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points, and ∂_dφ_a a product of
-/// one-dimensional functions, K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is summed one direction after the other:
-/// O(n⁷) operations for a cell of n³ nodes.
+/// Let c^ik_de = w det(∂X/∂ξ) (∂ξ_d/∂X_J) C_iJkL (∂ξ_e/∂X_L) at the Gauss points with the weights w. ∂_dφ_a is a
+/// product of one-dimensional functions. Therefore the sum K^ik_ab = Σ_de Σ_q c^ik_de ∂_dφ_a ∂_eφ_b is computed one
+/// direction after the other. This takes O(n⁷) operations for a cell of n³ nodes.
 
 #include <Eigen/Core>
 #include <array>
@@ -32,11 +33,11 @@ struct RestElasticity {
 class RestStiffness {
  public:
   RestStiffness(const BallSpace& space, const RestElasticity& elasticity);
-  /// K of a cell; row and column 3·node + component, nodes as in BallSpace::cell_nodes.
+  /// K of a cell. The rows and columns are 3·node + component, with the order of nodes of BallSpace::cell_nodes.
   Eigen::MatrixXd cell_matrix(unsigned int cell) const;
 
  private:
-  /// c^ik_de at the points, [6 pairs i ≤ k][9 pairs d, e].
+  /// c^ik_de at the points: [pair i ≤ k][pair d, e].
   using PointCoefficients = std::array<std::array<Eigen::VectorXd, 9>, 6>;
   PointCoefficients coefficients(unsigned int cell) const;
   Eigen::MatrixXd contract(const std::array<Eigen::VectorXd, 9>& c) const;
@@ -45,7 +46,8 @@ class RestStiffness {
   RestElasticity elasticity_;
   int n_;
   Eigen::MatrixXd values_, derivatives_;  ///< ℓ_i and ℓ_i' at the Gauss points, [point, node]
-  /// Products of two functions of one direction at its points, [2·(first is a derivative) + (second is)](point, pair).
+  /// Products of two functions of one direction at the points of this direction: [2·(first is a derivative) + (second
+  /// is a derivative)](point, pair).
   std::array<Eigen::MatrixXd, 4> products_;
 };
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double n_octants = 8;
 
-/// Y_nm with cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient there.
+/// Y_nm with cos(mφ) or sin(mφ), orthonormal on the sphere, and its gradient on the sphere.
 struct Harmonic {
   double value;
   Eigen::Vector3d gradient;
@@ -34,7 +34,7 @@ Harmonic harmonic(int n, int m, bool sine, const Eigen::Vector3d& e) {
   return {P * angle, dP * angle * e_theta + P * d_angle / s * e_phi};
 }
 
-/// Sign of Y_nm under the reflections of x, y, z.
+/// Signs of Y_nm under the reflections of x, y and z.
 Parity parity_of_harmonic(int n, int m, bool sine) {
   const int even_m = m % 2 == 0 ? 1 : -1;
   return {{sine ? -even_m : even_m, sine ? -1 : 1, (n + m) % 2 == 0 ? 1 : -1}};

@@ -1,11 +1,13 @@
 #pragma once
-/// Which kind of mode of the sphere a small motion is, from its surface. With e = X/|X|, real spherical harmonics Y_nm,
-/// ∇ on the unit sphere and N = n(n+1), a field on the sphere is the sum of the orthonormal fields
+/// Classification of small motions by the kind and degree of modes of the sphere, from the displacement of the surface.
+/// Let e = X/|X|, and let ∇ be the gradient on the unit sphere. With real spherical harmonics Y_nm and N = n(n+1), a
+/// field on the sphere is a sum of the orthonormal fields
 ///
-///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal),
+///   Y e,   ∇Y/√N   (spheroidal),        e×∇Y/√N   (toroidal).
 ///
-/// and a mode of degree n has only those of its kind and degree. (No mode is zero on the free surface: displacement and
-/// traction would both vanish there.) Only harmonics of the field's own parity are looked at, so an octant is enough.
+/// A mode of degree n contains only the fields of its kind and degree. A mode is not zero on the free surface, because
+/// a mode without displacement and traction on the surface would vanish everywhere. The computation uses only harmonics
+/// with the parity of the motion. Therefore an octant is sufficient.
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -17,43 +19,45 @@
 
 namespace pseudorigid::continuum {
 
-/// The numbers are those of modes.csv.
+/// Kind of a mode. The file modes.csv contains these numbers.
 enum class ModeKind { spheroidal = 1, toroidal = 2 };
 
 struct ModeClass {
   ModeKind kind = ModeKind::spheroidal;
   int degree = 0;
-  double share = 0;  ///< of the squared surface displacement
+  double share = 0;  ///< share of this class in the squared surface displacement
 };
 
-/// The highest degree with a point of the mesh for every half wave on a great circle; at most 64.
+/// The highest degree for which the mesh has a point for every half wave on a great circle, but at most 64.
 int largest_resolved_degree(const BallSpace& space);
 
-/// A Gauss rule with more points than the elements have nodes, for products with harmonics.
+/// A Gauss rule with more points than the elements have nodes, for products of fields with harmonics.
 std::vector<FacePoint> harmonic_quadrature(const BallSpace& space, const CellFace& face);
 
 class SurfaceHarmonics {
  public:
-  /// For fields on an octant with this parity; degrees up to `max_degree`. The space must outlive this object.
+  /// `parity` is the parity of the fields on the octant. The degrees are at most `max_degree`. The space must outlive
+  /// this object.
   SurfaceHarmonics(const BallSpace& space, const Parity& parity, int max_degree);
 
   int max_degree() const { return max_degree_; }
 
-  /// The kind and degree with the largest share.
+  /// Returns the kind and degree with the largest share.
   ModeClass classify(const Vector& u) const;
 
-  /// The numbers of the fields Y_nm e of degree n; the field ∇Y_nm/√N of the same harmonic has the next number.
+  /// The indices of the fields Y_nm e of degree n. For n > 0, the field ∇Y_nm/√N of the same harmonic has the next
+  /// index.
   std::vector<std::size_t> radial_fields(int n) const;
   /// ∮u·field dS over the whole sphere.
   double integral(std::size_t field, const Vector& u) const;
-  /// The force f·w = ∮w·field dS on the octant.
+  /// The force f on the octant with f·w = ∮w·field dS for every w. The integral is over the octant.
   Vector force(std::size_t field) const;
 
  private:
   struct Point {
     FacePoint on_face;
-    Eigen::Vector3d e;  ///< on the unit sphere
-    double area;        ///< of the whole sphere's
+    Eigen::Vector3d e;  ///< point of the unit sphere
+    double area;        ///< quadrature weight for integrals over the whole sphere
   };
   struct Row {
     ModeKind kind;
@@ -67,7 +71,7 @@ class SurfaceHarmonics {
   int max_degree_;
   std::vector<Point> points_;
   std::vector<Row> rows_;
-  std::vector<Eigen::Matrix3Xd> fields_;  ///< a row's field at the points, times their weights
+  std::vector<Eigen::Matrix3Xd> fields_;  ///< field of a row at the points, multiplied by `area`
 };
 
 }  // namespace pseudorigid::continuum

@@ -1,8 +1,8 @@
 #pragma once
 /// Positions of material surfaces for pictures: the faces of the finite elements on the free surface and on the
-/// coordinate planes of the undeformed body. On each face a lattice of points
+/// coordinate planes of the undeformed body. Each face has a lattice of points
 ///
-///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m,
+///   x(ξ_a, ξ_b) = Σ_ij ℓ_i(ξ_a) ℓ_j(ξ_b) x_ij,   ξ_a = a/m,  a, b = 0 … m
 ///
 /// with the nodes x_ij of the face, their Lagrange polynomials ℓ_i and m intervals per direction. The rows have
 /// internal units and cover the computed sector only; the rest of the body follows by reflection.

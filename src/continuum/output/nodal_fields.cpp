@@ -29,8 +29,8 @@ std::vector<std::array<double, 3>> images(const Sector& sector) {
   return result;
 }
 
-/// Appends to the values of the sector, with n_components per point, the values of its images. Entries of vectors and
-/// matrices change sign with the coordinates.
+/// Appends the values of the mirror images to `values`, which has the values of the sector with n_components per point.
+/// Components of vectors and matrices change sign with the coordinates.
 void reflect(std::vector<double>& values, int n_components, const Sector& sector) {
   const std::vector<double> of_sector = std::move(values);
   values.clear();
@@ -56,13 +56,13 @@ std::vector<double> potential_at_nodes(const BallBody& ball, const Vector& posit
   return ball.gravity()->potential(position, points);
 }
 
-/// ρφ̄ with ρφ̄V = (5/3)Ê. With self-gravity, the multiplier exceeds the pressure by ρ(φ − φ̄). Collective.
+/// The constant ρφ̄ = (5/3)Ê/V. With self-gravity, the multiplier exceeds the pressure by ρ(φ − φ̄). Collective.
 double mean_potential(const BallBody& ball, const Vector& position) {
   const int n_images = ball.space().mesh().sector().n_images();
   return 5.0 / 3 * n_images * ball.gravity()->energy(position) / ball.volume();
 }
 
-/// Appends the fields at the nodes of a cell. If `multiplier` is null, λ_h is 0.
+/// Appends the fields at the nodes of a cell to `fields`. If `multiplier` is null, λ_h is 0.
 mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                            const Vector* multiplier, double mean_potential, unsigned int cell,
                            mechanics::BodyFields& fields) {
@@ -84,7 +84,7 @@ mechanics::Status add_cell(const BallBody& ball, const materials::AnyLaw& law, c
   return {};
 }
 
-/// All fields at all points. `multiplier` is null for a ball without constraint.
+/// Sets `fields` at all points. `multiplier` is null for a ball without constraint.
 mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law, const BallState& state,
                              const Vector* multiplier, mechanics::BodyFields& fields) {
   fields = {};
@@ -104,8 +104,8 @@ mechanics::Status all_fields(const BallBody& ball, const materials::AnyLaw& law,
   return {};
 }
 
-/// Appends the points of a cell. For a mirror image the order of the layers is reversed, so that the cell is
-/// right-handed.
+/// Appends the numbers of the points of a cell. For a mirror image the order of the layers is reversed, so that the
+/// cell is right-handed.
 void add_block(int n, std::int64_t first_point, bool mirrored, std::vector<std::int64_t>& points) {
   for (int k = 0; k < n; ++k)
     for (int ij = 0; ij < n * n; ++ij) points.push_back(first_point + (mirrored ? n - 1 - k : k) * n * n + ij);

@@ -1,12 +1,13 @@
 #pragma once
 /// Fields of the whole ball for pictures. Every cell has its own (k+1)³ Gauss–Lobatto nodes, because stresses are
-/// discontinuous between cells. The mirror images of a sector follow, image by image.
+/// discontinuous between cells. The points of the mirror images follow the points of the sector, image by image.
 ///
 ///   F = (∂x/∂ξ)(∂X/∂ξ)⁻¹,   σ = (P(F) − (λ_h − ρ(φ − φ̄)) F⁻ᵀ)Fᵀ / det F
 ///
 /// P is the stress of the law without volumetric stabilisation and viscosity, and λ_h is the multiplier of the motion
-/// (0 without constraint). With self-gravity, the potential φ and ρφ̄V = (5/3)Ê remove the gauge of Ê from the pressure
-/// (gravity/surface_gravity.h). All fields have internal units (lengths r, stresses ρc²).
+/// (0 without constraint). With self-gravity, φ is the potential, and the constant φ̄ follows from ρφ̄V = (5/3)Ê with
+/// the volume V. The term with φ removes the gauge of Ê from the pressure (gravity/surface_gravity.h), and is 0 without
+/// self-gravity. All fields have internal units (lengths r, stresses ρc²).
 
 #include <vector>
 
@@ -16,14 +17,14 @@
 
 namespace pseudorigid::continuum {
 
-/// A block for each cell and each mirror image, with the degree of the cell.
+/// A block of points for each cell and each mirror image of a cell, with the degree of the elements.
 mechanics::PointBlocks nodal_blocks(const BallSpace& space);
 
 /// X at the points of the blocks, three numbers per point.
 std::vector<double> nodal_positions(const BallSpace& space);
 
-/// Fields at these points. `law` must be the law of the ball. Fails if the multiplier of the motion cannot be computed,
-/// or if det F ≤ 0 at a node.
+/// Sets `fields` at the points of `nodal_blocks`. `law` must be the law of the ball. Fails if the multiplier of the
+/// motion cannot be computed, or if det F ≤ 0 at a node.
 mechanics::Status nodal_fields(const ElasticBall& ball, const materials::AnyLaw& law,
                                const mechanics::State<ElasticBall>& state, ElasticBall::Workspace& workspace,
                                mechanics::BodyFields& fields);

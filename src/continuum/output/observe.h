@@ -1,6 +1,6 @@
 #pragma once
-/// Observables of the whole finite-element ball (continuum.csv), in internal units. Q_M, J, Z and the nonaffine
-/// quantities are computed relative to the centre of mass.
+/// Observables of the whole finite-element ball at one state (the columns of continuum.csv), in internal units. Q_M, J,
+/// Z and the nonaffine quantities are computed relative to the centre of mass.
 
 #include "continuum/body/compressible_ball.h"
 #include "continuum/body/elastic_ball.h"
@@ -10,13 +10,14 @@ namespace pseudorigid::continuum {
 
 using BallState = mechanics::VectorState<Vector>;
 
-/// Computes the quantities of `request`. Fails if the force fails.
+/// Sets the observables that `request` contains. Fails if the deformation is not admissible or the multiplier cannot be
+/// computed. Collective.
 mechanics::Status observe(const ElasticBall& ball, const BallState& state, ElasticBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 mechanics::Status observe(const CompressibleBall& ball, const BallState& state, CompressibleBall::Workspace& workspace,
                           const mechanics::ObservableRequest& request, mechanics::ContinuumObservables& observables);
 
-/// Kinetic and potential energy; not finite if the force fails. Collective.
+/// Kinetic and potential energy, NaN if the deformation is not admissible. Collective.
 Eigen::Vector2d energies(const BallBody& ball, const BallState& state);
 
 }  // namespace pseudorigid::continuum

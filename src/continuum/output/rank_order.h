@@ -1,6 +1,7 @@
 #pragma once
 /// An order of the entries of distributed vectors that does not depend on the ranks. Nodes are ordered by the first of
-/// their cells, and cells by their place in the hierarchy of the mesh. Any number of ranks can read data in this order.
+/// their cells, and cells by their place in the hierarchy of the mesh. A run with any number of ranks can read vectors
+/// in this order.
 
 #include <cstddef>
 #include <span>
@@ -13,7 +14,7 @@ namespace pseudorigid::continuum {
 
 class RankOrder {
  public:
-  /// Collective, as are `collect_field` and `collect_multiplier`.
+  /// Collective. The functions `collect_field` and `collect_multiplier` are also collective.
   explicit RankOrder(const BallSpace& space);
 
   /// Collects the whole vector on rank 0 in this order, from the own entries of all ranks. The result is empty on other
@@ -31,7 +32,7 @@ class RankOrder {
   struct Order {
     std::size_t n_entries = 0, block = 1;            ///< entries of the whole vector; entries of a block
     std::vector<std::size_t> own;                    ///< place of each block of this rank in the whole vector
-    std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists of all ranks, on rank 0
+    std::vector<std::vector<std::size_t>> of_ranks;  ///< the lists `own` of all ranks, on rank 0
   };
   Order make_order(const std::vector<std::size_t>& keys, std::size_t block) const;
   std::vector<double> collect(std::span<const double> own, const Order& order) const;
@@ -41,8 +42,8 @@ class RankOrder {
   Order fields_, multipliers_;
 };
 
-/// The kinds of the parts of a method's memory, found by `visit_memory`. Numbers are the same on every rank, and
-/// vectors are distributed.
+/// The layout of a method's memory: the kind and the local size of each part. The function `visit_memory` of the method
+/// passes the parts to this object. Plain numbers are equal on all ranks, and vectors are distributed over the ranks.
 class MemoryLayout {
  public:
   explicit MemoryLayout(const RankOrder& order) : order_(&order) {}

@@ -20,7 +20,7 @@ Tangents tangents(const Eigen::Matrix3d& gradient, int d) {
   return t;
 }
 
-/// λ₁²λ₂, computed from trace and determinant of C₀⁻¹c.
+/// The ratio λ₁²λ₂, computed from the trace and the determinant of C₀⁻¹c.
 double stretch_ratio(const Tangents& before, const Tangents& after) {
   const Eigen::Matrix2d A = (before.transpose() * before).inverse() * (after.transpose() * after);
   const double half_trace = A.trace() / 2, product = A.determinant();

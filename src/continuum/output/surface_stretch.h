@@ -1,16 +1,17 @@
 #pragma once
 /// A measure of the distance of an incompressible ball from wrinkling of its surface. Let λ₁ ≤ λ₂ be the stretches
-/// within the surface. They follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the deformation,
+/// within the surface. These stretches follow from the metrics of the tangents ∂X/∂ξ_α before and ∂x/∂ξ_α after the
+/// deformation,
 ///
-///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx,
+///   det(c − λ² C₀) = 0,   C₀_αβ = ∂_αX·∂_βX,   c_αβ = ∂_αx·∂_βx.
 ///
-/// The stretch along the normal is λ_n = 1/(λ₁λ₂), because the volume is constant, and the normal of a surface without
-/// shear traction is a principal direction. The ratio is
+/// The stretch along the normal is λ_n = 1/(λ₁λ₂), because the volume is constant, and because the normal of a surface
+/// without shear traction is a principal direction. The measure is the ratio
 ///
 ///   λ₁/λ_n = λ₁²λ₂.
 ///
 /// A half-space becomes unstable if the ratio falls to the surface limit of its law (materials/law_limits.h). Waves of
-/// every length then grow, and the shortest grow fastest.
+/// every length then grow, and the shortest waves grow fastest.
 
 #include "continuum/mesh/ball_space.h"
 #include "continuum/parallel/least_place.h"

@@ -1,6 +1,6 @@
 #pragma once
-/// Functions that gather vectors of all ranks, or scatter them. They use MPI directly, because the functions of deal.II
-/// include Boost's serialization and compression in every file that uses them.
+/// Functions that gather vectors of all ranks, or scatter them. The functions use MPI directly. The corresponding
+/// functions of deal.II would include Boost's serialization and compression in every file that uses them.
 
 #include <cstddef>
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace pseudorigid::continuum {
 
-/// An MPI type for one T, so that counts are numbers of entries.
+/// An MPI type for one entry of type T. The counts in calls of MPI are then numbers of entries.
 template <class T>
 requires std::is_trivially_copyable_v<T>
 class MpiType {
@@ -99,7 +99,8 @@ std::vector<T> gather_from_others(MPI_Comm communicator, const std::vector<T>& v
   return all;
 }
 
-/// The inverse of gather: each rank gets its vector from rank 0. Arguments on other ranks are ignored. Collective.
+/// Returns to each rank its vector from rank 0, as the inverse of `gather`. Arguments on other ranks are ignored.
+/// Collective.
 template <class T>
 std::vector<T> scatter(MPI_Comm communicator, const std::vector<std::vector<T>>& of_ranks) {
   if (n_ranks(communicator) == 1) return of_ranks.at(0);

@@ -1,6 +1,6 @@
 #pragma once
-/// Ghost entries of distributed vectors, which other ranks own. With one rank there are none, and the functions do
-/// nothing.
+/// Ghost entries of distributed vectors: entries that other ranks own and that this rank reads. With one rank there are
+/// no ghost entries, and the functions do nothing.
 
 #include "continuum/parallel/types.h"
 

@@ -14,7 +14,8 @@ struct LeastPlace {
   double value = std::numeric_limits<double>::infinity();
   std::array<double, 3> where{};
 
-  /// Replaces the value and the place if `other` is less. NaN counts as less than every number.
+  /// Replaces the value and the place if `other` is less. If both agree to 1e-6, the value becomes the lesser one, and
+  /// the place the first one in the order above. NaN counts as less than every number.
   void take(double other, const std::array<double, 3>& there) {
     if (std::isnan(value)) return;
     const double tie = 1e-6 * std::abs(other);

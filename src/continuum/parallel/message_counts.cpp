@@ -9,14 +9,14 @@ namespace {
 
 MessageCounts counts;
 
-/// Persistent requests with the size of their message in bytes. The size is negative if the message stays in this
-/// process.
+/// Persistent requests to send, with the size of their message in bytes. The size is negative if the message stays in
+/// this process.
 std::map<MPI_Request, double>& persistent_sends() {
   static std::map<MPI_Request, double> sends;
   return sends;
 }
 
-/// Size of a message in bytes; negative if it does not go to another process.
+/// Size of a message in bytes. It is negative if the message does not go to another process.
 double bytes_to(int destination, int n, MPI_Datatype type, MPI_Comm communicator) {
   int own = 0, size = 0;
   PMPI_Comm_rank(communicator, &own);

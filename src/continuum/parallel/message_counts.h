@@ -1,15 +1,15 @@
 #pragma once
 /// Counts of the messages that this process has sent through MPI since its start, from all libraries. The program
-/// defines its own versions of the MPI functions that send. These versions count the call, and then call the library by
-/// its second names PMPI_… (profiling interface, MPI 3.1, chapter 14). Messages to the process itself and reductions
-/// over one process do not count.
+/// defines its own versions of MPI functions that send. A version counts the call, and then calls the function of the
+/// library under its second name PMPI_… (profiling interface, MPI 3.1, chapter 14). Messages to the process itself and
+/// reductions over one process do not count.
 
 namespace pseudorigid::continuum {
 
 struct MessageCounts {
   double messages = 0;    ///< messages from this process to other processes
   double bytes = 0;       ///< total size of these messages
-  double reductions = 0;  ///< operations in which processes wait for one another: sums, barriers, gathers
+  double reductions = 0;  ///< collective operations: sums, broadcasts, barriers, gathers
 
   MessageCounts operator-(const MessageCounts& earlier) const {
     return {messages - earlier.messages, bytes - earlier.bytes, reductions - earlier.reductions};

@@ -1,5 +1,6 @@
 #pragma once
-/// PETSc and SLEPc, which also start MPI. They start when first needed, because a run without them starts 0.3 s sooner.
+/// PETSc and SLEPc, which also start MPI. They are started when they are first needed, because a run without them
+/// starts 0.3 s sooner.
 
 namespace pseudorigid::continuum {
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The ranks of a communicator, and sums and minima over ranks. A process that has not started MPI has one rank.
+/// Number of ranks of a communicator, number of this rank, and sums and minima over the ranks. If the process has not
+/// started MPI, the number of ranks is 1 and this rank is 0.
 
 #include <deal.II/base/mpi.h>
 
@@ -42,7 +43,7 @@ std::array<double, n> sum_over_ranks(const std::array<double, n>& values, MPI_Co
   return sum;
 }
 
-/// The least value over the ranks. NaN counts as −∞.
+/// The least value over the ranks. If a rank has NaN, the result is −∞. Collective.
 inline double least_over_ranks(double value, MPI_Comm communicator) {
   return dealii::Utilities::MPI::min(std::isnan(value) ? -std::numeric_limits<double>::infinity() : value,
                                      communicator);

@@ -50,14 +50,14 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     double* to = y.begin();
     for (std::size_t i = 0, n = y.locally_owned_size(); i < n; ++i) to[i] += a * from[i];
   }
-  /// A scale of 0 sets x to 0, even if x contains NaN.
+  /// x ← a x. The factor a = 0 sets x to 0, even if x contains NaN.
   static void scale(double a, Vector& x) {
     if (a == 0)
       x = 0.0;
     else
       for (double& value : x) value *= a;
   }
-  /// The largest |x_i|. NaN counts as infinite, whereas linfty_norm ignores it.
+  /// The largest |x_i| on all ranks. NaN counts as infinite. The norm of deal.II, linfty_norm, ignores NaN.
   static double max_norm(const Vector& x) {
     double norm = 0;
     for (const double value : x)
@@ -65,7 +65,7 @@ struct pseudorigid::mechanics::VectorSpace<pseudorigid::continuum::Vector> {
     return dealii::Utilities::MPI::max(norm, x.get_mpi_communicator());
   }
   static double dot(const Vector& x, const Vector& y) { return x * y; }
-  /// products_k = x_k·y
+  /// Sets products_k = x_k·y. Collective.
   static void dots(std::span<const Vector* const> x, const Vector& y, std::span<double> products) {
     std::ranges::fill(products, 0.0);
     in_pieces(y.locally_owned_size(), [&](std::size_t first, std::size_t n) {
