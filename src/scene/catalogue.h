@@ -1,7 +1,7 @@
 #pragma once
-/// The part of parameter files that other layers define: the names of the methods, the models of the ball, and the
-/// other systems with their entries and columns. The program passes the catalogue to read_scene
-/// (app/models/catalogue.h). The scene layer itself defines only the ball.
+/// The contents of parameter files that other layers define: the names of the methods, the models of the ball, and the
+/// other systems with their entries and columns. The program passes the catalogue (app/models/catalogue.h) to
+/// read_scene. The scene layer itself defines only the ball.
 
 #include <functional>
 #include <optional>
@@ -18,8 +18,8 @@
 
 namespace pseudorigid::scene {
 
-/// A kind of values (entry_kinds.h) without the type of its values. The scene stores such a value as text in its
-/// canonical form.
+/// A kind of values (entry_kinds.h), without the C++ type of the values. The scene stores such a value as text in the
+/// canonical form of its kind.
 class AnyKind {
  public:
   /// Makes an AnyKind from a kind whose values have the type Value.
@@ -56,7 +56,7 @@ struct SystemEntry {
   std::string default_text;
 };
 
-/// A column of the CSV file of a system. The first column of every file is `time`, which is not listed.
+/// A column of a CSV file. The lists of the systems omit the first column, which is `time`.
 struct Column {
   std::string name;
   Unit unit;
@@ -65,16 +65,16 @@ struct Column {
 
 struct Scene;
 
-/// An entry and a text for its value.
+/// An entry and a text that can be read as its value.
 struct Setting {
   std::string path, value;
 };
 
-/// The reason why a scene is not valid: the entry, a sentence about it, and possible changes. The functions of
-/// scene/advice.h add the changes that make the scene valid to the sentence.
+/// The reason why a scene is not valid: the entry, a sentence about it, and possible changes of the scene. The
+/// functions of scene/advice.h try the changes, and append those that make the scene valid to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< each of these changes is sufficient
+  std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
   std::vector<std::string_view>
       models{};  ///< models that accept the input; the sentence then ends before "offered for"
 };
@@ -86,11 +86,11 @@ struct SystemDescription {
   std::string_view documentation;  ///< one sentence for the user
   std::vector<SystemEntry> entries;
   std::vector<Column> columns;  ///< columns of a scene with default values
-  /// The columns for a scene. Their number may depend on its values.
+  /// The columns of a scene. Their number may depend on the values of the scene.
   std::function<std::vector<Column>(const Scene&)> columns_of;
   bool has_equilibria = false;  ///< whether Analysis = equilibrium and manifolds are offered
   bool complete = false;  ///< whether every motion exists for all time, so that runs backwards in time are possible
-  /// Returns the error in a scene of this system, if any. The ranges of single entries are checked before.
+  /// Returns the error in a scene of this system, or nothing. The range of each single entry has been checked before.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 

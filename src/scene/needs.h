@@ -1,5 +1,5 @@
 #pragma once
-/// The parts of the program that a scene needs. The other parts are skipped: they are not built, computed or written.
+/// The parts of the program that a scene needs. The program does not build, compute or write the other parts.
 
 #include <string>
 #include <vector>
@@ -33,11 +33,11 @@ struct Needs {
 /// The needs of a scene that scene::validate has returned.
 Needs needs(const Scene& scene);
 
-/// The scene as one line of text, with the analysis and the body or system.
+/// One line of text: the analysis, the body or system, and the end time of a motion or section.
 std::string summary(const Scene& scene, const Needs& needs);
 
-/// The text of `pseudorigid check`, also written to the log. It lists the needed parts, and the skipped parts with
-/// reasons.
+/// The text that `pseudorigid check` prints, and that a run writes to the log. It lists the needed parts, and the
+/// skipped parts with the reasons.
 std::string describe(const Scene& scene, const Needs& needs);
 
 }  // namespace pseudorigid::scene
