@@ -1,10 +1,10 @@
 #pragma once
-/// Comparison of two models of one ball. It contains the differences of their quantities at each sample, the largest
-/// differences with their times, and the frequencies.
+/// Comparison of two models of one ball: the differences of their quantities at each sample, the largest differences
+/// with their times, and the frequencies.
 ///
-/// The index r marks one model and the index c the reference, which admits more motions. Q of the finite-element model
-/// is its mass moment Q_M, C = QᵀQ, and |·| is the Frobenius norm. A ratio 0/0 counts as 0. Each series is a column of
-/// comparison.csv:
+/// The index r marks one model. The index c marks the reference, which admits more motions. Q of the finite-element
+/// model is its mass moment Q_M, C = QᵀQ, and |·| is the Frobenius norm. A ratio with the numerator 0 counts as 0. Each
+/// series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
@@ -26,9 +26,9 @@
 ///   multiplier_difference       (λ_c − λ_r) / max_t |λ|                 of the model with the larger |λ|
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference
 ///
-/// The frequency is that of one component of C, which is invariant under rotations of the body. Both models use the
-/// component with the largest variance in the first model. Errors in space are errors of the reference. The truncation
-/// of the first model is part of the difference.
+/// The frequency is the frequency of one component of C, because rotations of the body do not change C. Both models use
+/// the component with the largest variance in model r, or in the reference if model r keeps its shape. Errors in space
+/// are errors of the reference only. The truncation of model r is part of the difference.
 
 #include <optional>
 #include <string>
@@ -41,9 +41,9 @@
 
 namespace pseudorigid::analysis {
 
-/// √10 / 2.665622189236, the ratio of the frequency of the pseudo-rigid ball to the exact frequency (Lamb 1882). It
-/// holds for small amplitudes of an incompressible elastic ball without gravity that is at rest on average. The law
-/// must have a shear modulus. With gravity, see app/run/small_pulsation.h.
+/// √10 / 2.665622189236, the ratio of the frequency of the pseudo-rigid ball to the exact frequency (Lamb 1882). The
+/// ratio is valid for small amplitudes of an incompressible elastic ball without gravity that does not rotate on
+/// average. The law must have a shear modulus. The ratio with gravity is in app/run/small_pulsation.h.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
 struct ComparisonOptions {
@@ -74,9 +74,9 @@ struct Comparison {
   bool has_state = false;
   std::string signal;         ///< component of C with the fitted frequency, "C33"
   std::string signal_reason;  ///< reason for the choice of this component
-  /// Bound of |δQ|/|Q|, the part of q_difference that the discretisations may cause, largest over the samples. `space`
-  /// is the error of the reference. `time` is 3 e / min_t |Q_r|, with e the sum of the estimated time errors of both
-  /// models. `quadrature` is the same with the errors of their quadrature rules.
+  /// Bound of |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
+  /// the reference. `time` is 3 e / min_t |Q_r|, with the sum e of the estimated time errors of both models.
+  /// `quadrature` is the same expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty without two frequencies, or if one of the lines belongs to a load
   std::optional<double> exact_ratio;    ///< empty if the body spins
@@ -87,15 +87,16 @@ struct Comparison {
   std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
-  /// Whether the models differ by more than the error of the discretisations. Empty if this error is not known.
+  /// Whether the models differ by more than the error of the discretisations. The result is empty if a part of this
+  /// error is not known. Requires `has_state`.
   std::optional<bool> is_resolved() const {
     const auto bar = error.total();
     return bar ? std::optional(find("q_difference")->max > *bar) : std::nullopt;
   }
 };
 
-/// Compares the samples of two models. UserError if the tables are empty, have different sample times or a value that
-/// is not finite. Groups of columns that a table lacks are omitted and listed in `not_compared`.
+/// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
+/// finite. If a table lacks a group of columns, the comparison omits this group and lists it in `not_compared`.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis
