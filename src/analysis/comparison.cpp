@@ -87,7 +87,7 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. It is replaced by b/2 if δb exceeds b/2,
+  // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. It is replaced by b/2 if δb exceeds b/2,
   // because the ratio is then not determined.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
@@ -151,7 +151,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // // If the ball does not move, the divisors are the resolution times |Q| or |C|.
+  // If the ball does not move, the divisors are the resolution times |Q| or |C|.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});

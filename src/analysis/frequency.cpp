@@ -69,7 +69,7 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // // A slow trend looks like one or two cycles. The residual of the line must therefore be smaller than the residual
+  // A slow trend looks like one or two cycles. The residual of the line must therefore be smaller than the residual
   // of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
@@ -114,7 +114,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // // Close lines can imitate a modulated amplitude, but then the residual has peaks. For two true lines, it has none.
+  // Close lines can imitate a modulated amplitude, but then the residual has peaks. For two true lines, it has none.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -136,7 +136,7 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
     const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
     gained = std::ranges::any_of(rounds, gains);
   }
-  // // If lines merge, a smaller residual can increase the error of the frequency. In this case, the unrefined
+  // If lines merge, a smaller residual can increase the error of the frequency. In this case, the unrefined
   // frequencies remain.
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);

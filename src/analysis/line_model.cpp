@@ -53,7 +53,7 @@ void LineModel::project() {
   gram_.compute(gram.selfadjointView<Eigen::Lower>());
   coefficients_ = gram_.solve(A_.transpose() * y_);
   residual_ = y_ - A_ * coefficients_;
-  // // The normal equations square the condition number. One step of iterative refinement restores the lost digits.
+  // The normal equations square the condition number. One step of iterative refinement restores the lost digits.
   coefficients_ += gram_.solve(A_.transpose() * residual_);
   residual_ = y_ - A_ * coefficients_;
 }

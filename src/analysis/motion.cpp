@@ -90,7 +90,7 @@ std::vector<double> Deformation::component(int i, int j) const {
 std::pair<int, int> Deformation::liveliest_component() const {
   Matrix3d variance = Matrix3d::Zero();
   for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-  // // Variances that are equal in exact arithmetic differ by round-off. The first of these components is returned. The
+  // Variances that are equal in exact arithmetic differ by round-off. The first of these components is returned. The
   // result then does not depend on the order of summation.
   const double least = (1 - 1e-9) * variance.maxCoeff();
   for (int i = 0; i < 3; ++i)
@@ -180,7 +180,7 @@ MotionSummary summarize_system(const ModelRunTable& run) {
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
-    // // The zero of a potential is arbitrary. Therefore the size of a potential energy is its range, and the size of a
+    // The zero of a potential is arbitrary. Therefore the size of a potential energy is its range, and the size of a
     // kinetic energy is its largest value. If both are round-off of the potential energy, the system does not move.
     double size = 0, potential = 0;
     if (table.has_column("kinetic")) size = largest(table.column("kinetic"));

@@ -218,7 +218,7 @@ void CsvWriter::flush() {
   try {
     write_fully(file_descriptor_, pending_, path_);
   } catch (const WriteError&) {
-    // // Only whole rows may remain in the file. If the truncation also fails, the rethrown error is sufficient.
+    // Only whole rows may remain in the file. If the truncation also fails, the rethrown error is sufficient.
     [[maybe_unused]] const int result = ::ftruncate(file_descriptor_, static_cast<off_t>(file_size_));
     throw;
   }

@@ -47,7 +47,7 @@ std::string kind_unless_file(const std::filesystem::path& path);
 
 /// Writes the concatenated parts to the file `path`.partial and then renames it. A reader therefore sees either the old
 /// file or the new one. If this fails (WriteError), the old file remains. It also remains if the program is killed or
-/// the disk is full. A power failure may damage it, because there is no fsync. If `path` is a link, the target is
+/// the disk is full. A power failure may damage the file, because there is no fsync. If `path` is a link, its target is
 /// replaced and the link remains. Pipes and devices are written directly. A pipe without a reader is a WriteError with
 /// ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);

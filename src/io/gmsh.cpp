@@ -57,7 +57,7 @@ std::string other_element(int type) {
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // // The program would wait without end for some pipes.
+  // The program would wait without end for some pipes.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;

@@ -37,7 +37,7 @@ class Progress {
   bool drawn_ = false;
 };
 
-/// The text of the line, for example " 42 % 1.3e+05 steps/s 3 min left". It is a separate function for tests.
+/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". It is a separate function for tests.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

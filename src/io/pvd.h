@@ -17,8 +17,8 @@ class PvdCollection {
     long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Reads the list of an earlier run, if it exists, and keeps the pictures before the time `until`. Throws UserError
-  /// "path:line: …" if an entry of the list does not have the form that `add` writes.
+  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. Without such a list, the result
+  /// is empty. Throws UserError "path:line: …" if an entry of the list does not have the form that `add` writes.
   static PvdCollection resume(std::filesystem::path path, double until);
 
   /// Adds a picture and writes the list. The paths in the list are relative to its folder, and therefore the run

@@ -96,7 +96,7 @@ Judgement judge(Identity holder) {
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
   if (holder[boot] != own[boot]) {
-    // // If this machine was restarted, its boot identifier has changed. The identifier is also different on another
+    // If this machine was restarted, its boot identifier has changed. The identifier is also different on another
     // machine with the same name, such as a container or a copy of a virtual machine.
     const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
     return is_this_machine ? Judgement::ended : Judgement::unknown;
@@ -130,7 +130,7 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // // After `create` has found the lock of another run, this run may end, and a third run may create a new lock.
+  // After `create` has found the lock of another run, this run may end, and a third run may create a new lock.
   // Therefore the constructor tries again.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
@@ -146,7 +146,7 @@ RunLock::RunLock(RunLock&& other) noexcept
 RunLock::~RunLock() {
   if (identity_.empty()) return;
   try {
-    // // The user may have removed the file, and another run may then have created a new file.
+    // The user may have removed the file, and another run may then have created a new file.
     if (read_file(path_) == identity_) ::unlink(path_.c_str());
   } catch (const std::exception&) {
   }
@@ -170,7 +170,7 @@ bool RunLock::create() const {
   if (::link(own.c_str(), path_.c_str()) == 0) return true;
   const int reason = errno;
   struct stat status;
-  // // A network disk may have created the link although it reported an error.
+  // A network disk may have created the link although it reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
   // The disk does not support links.

@@ -1,5 +1,6 @@
 #pragma once
-/// Standard input, output and error of the process. They may be closed, a full disk, or a pipe without a reader.
+/// Standard input, output and error of the process. A shell may close them, direct them to a full disk, or connect them
+/// to a pipe without a reader.
 
 #include <string_view>
 

@@ -13,7 +13,7 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model except `time`, for the documentation. The entries of a vector or matrix are one line, for
+/// All columns of a model except `time`, for the documentation. All entries of a vector or matrix are in one line, for
 /// example `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();

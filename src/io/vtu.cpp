@@ -41,7 +41,7 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
 std::string compressed(std::string_view bytes) {
   constexpr std::size_t block_size =
       std::size_t{1} << 18;  // much more than the 32 KiB window of zlib, so that blocks lose little compression
-  // // Numbers of a motion compress badly. A higher level needs twice the time and reduces the size by only 1 %.
+  // Numbers of a motion compress badly. A higher level needs twice the time and reduces the size by only 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};

@@ -32,7 +32,7 @@ std::string in_words(const std::vector<Setting>& settings, const Refusal& refusa
 
 Setting models(const std::vector<std::string_view>& names) { return {models_path, joined(names)}; }
 
-/// The models among `names` that make the scene valid if it runs this model alone. If there is none, returns all of
+/// The models among `names` such that the scene is valid if it runs this model only. If there is none, returns all of
 /// `names`.
 std::vector<std::string_view> accepted_of(const std::vector<std::string_view>& names, const Scene& scene,
                                           const Accepts& accepts) {
@@ -60,7 +60,7 @@ std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, con
   if (!refusal.models.empty()) {
     const auto names = accepted_of(refusal.models, scene, accepts);
     text += " offered for " + the_models(names);
-    // // Recommend all models if the scene is valid with all of them, otherwise the first.
+    // Recommend all models if the scene is valid with all of them, otherwise the first.
     const Setting all = models(names);
     const bool together = accepts(with_settings(scene, {all}));
     remedies.insert(remedies.begin(), {together ? all : models({names.front()})});

@@ -36,8 +36,8 @@ std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) 
   return refusal;
 }
 
-/// Returns the violated requirement of relative equilibria, or nothing. They are known for a ball under potentials that
-/// depend only on the shape of the body.
+/// Returns the violated requirement of relative equilibria, or nothing. Relative equilibria are known for a ball under
+/// potentials that depend only on the shape of the body.
 std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   if (scene.body.inertia || scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes",
@@ -150,7 +150,7 @@ std::optional<Refusal> refuses_love_numbers(const Scene& scene) {
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene) {
   if (scene.analysis == Analysis::equilibrium)
     if (auto refusal = refuses_equilibria(scene)) return refusal;
-  // // The initial state of every analysis may be a member of a family.
+  // The initial state of every analysis may be a member of a family.
   if (scene.initial_state.equilibrium != Family::none)
     if (auto refusal = refuses_relative_equilibrium(scene)) return refusal;
   if (scene.analysis == Analysis::modes) return refuses_modes(scene);

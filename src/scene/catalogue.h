@@ -71,7 +71,7 @@ struct Setting {
 };
 
 /// The reason why a scene is not valid: the entry, a sentence about it, and possible changes of the scene. The
-/// functions of scene/advice.h try the changes, and append those that make the scene valid to the sentence.
+/// functions of scene/advice.h try the changes, and append to the sentence those with which the scene is valid.
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
@@ -121,29 +121,30 @@ struct ModelDescription {
   /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
   /// models. A model without them is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
-  /// Whether Analysis = modes, love numbers, equilibrium are offered.
+  /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
   EquilibriaTable equilibria{};  ///< used if has_equilibria
-  /// Columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with `n_modes`
-  /// degrees of freedom. Null if the model does not compute them.
+  /// Returns the columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with
+  /// `n_modes` degrees of freedom. The pointer is null if the model does not compute these equilibria.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< columns of all groups, for the documentation
   /// Names of further runs of the model that a scene may request, by increasing number of degrees of freedom. Each run
   /// has its own files.
   std::vector<std::string> rungs{};
-  /// The runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a model
-  /// with one run of its name.
+  /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
+  /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// The names of the columns of its CSV file.
+  /// Returns the names of the columns of the model's CSV file.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// Text about the discretisation of the companion run, which serves to estimate the error in space. The text is empty
-  /// if a search chooses the discretisation. The function is null for a model without this error.
+  /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
+  /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
   std::function<std::optional<std::string>(const Scene&)> companion{};
-  /// The line about the model for the user, if the scene runs it or not.
+  /// Return the line for the user about the model: `needed` if the scene runs the model, otherwise `skipped`.
   std::function<std::string(const Scene&)> needed, skipped;
-  /// Whether the model can use a method. Null if it can use every method.
+  /// Returns whether the model can use a method. The pointer is null if the model can use every method.
   bool (*takes_method)(std::string_view name) = nullptr;
-  /// Returns the error in a valid scene for this model, if any.
+  /// Returns the error of the scene for this model, or nothing. The checks in scene/validate.cpp have accepted the
+  /// scene.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -167,7 +168,8 @@ struct Catalogue {
   std::vector<SystemDescription> systems{};
   /// The columns of connections.csv.
   std::vector<Column> connections{};
-  /// The columns of equilibria.csv for a system of one degree of freedom, without the coordinates of the system.
+  /// The columns of equilibria.csv for a system with one degree of freedom. The coordinates of the system are not
+  /// included.
   std::vector<Column> equilibria{};
 
   /// The system of this name, or null for the ball.

@@ -7,9 +7,10 @@
 ///   N = k · 1.6^r,
 ///
 /// The error does not depend on k 2^r alone, the number of nodes along an edge. At equal k 2^r, a high degree is more
-/// accurate. Shear fronts start at the surface, and therefore the error decreases only with a power of N. High degrees
-/// resolve these fronts better. The base 1.6 is fitted to measured errors of releases (tests/app/auto_degree_test.py).
-/// The largest stable step is proportional to 1/(k² 2^r). With this step, the cost of a run is
+/// accurate. The motion is not smooth at shear fronts, which start at the surface. The error therefore decreases only
+/// with a power of N, but high degrees resolve the fronts better. The base 1.6 is fitted to measured errors of releases
+/// (tests/app/auto_degree_test.py). The largest stable step is proportional to 1/(k² 2^r). With this step, the cost of
+/// a run is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 

@@ -80,7 +80,7 @@ std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds)
   return found;
 }
 
-/// "the reduced model" or "the models a, b".
+/// Returns "the reduced model" or "the models a, b".
 inline std::string the_models(const std::vector<std::string_view>& names) {
   return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
 }

@@ -98,7 +98,7 @@ struct Scene {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< rising; empty: auto (love_degrees)
+    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees)
   } love;
   struct Manifolds {
     int starts = 24;

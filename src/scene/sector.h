@@ -20,7 +20,7 @@ struct Sector {
   int n_planes() const { return reflect[0] + reflect[1] + reflect[2]; }
   /// The number of copies of the sector that fill the ball.
   int n_images() const { return 1 << n_planes(); }
-  /// "octant", "quarter (planes x, y)", "half (plane z)" or "full ball".
+  /// Returns "octant", "quarter (planes x, y)", "half (plane z)" or "full ball".
   std::string name() const;
 };
 

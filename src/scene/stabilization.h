@@ -1,7 +1,7 @@
 #pragma once
 /// The stiffness κ of the volumetric stabilisation of incompressible finite elements
-/// (continuum/kernels/stored_energy.h), a pressure in the units of the user. If the scene does not set it, the
-/// stiffness is
+/// (continuum/kernels/stored_energy.h). It is a pressure in the units of the user. If the scene does not set κ, its
+/// value is
 ///
 ///   κ = (2π/3) G ρ² r² + ½ρ t r²,
 ///

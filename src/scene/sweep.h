@@ -9,8 +9,8 @@
 ///
 /// With `latin S`, the n values belong to n runs of a Latin hypercube, and all parameters with `latin` vary together.
 /// The range of each parameter is divided into n equal parts. Each part contains the value of one run. The seed S
-/// determines which run it is, and the position of the value in the part. These n runs are repeated for each
-/// combination of the other parameters, and vary faster than those.
+/// determines the run of each part, and the position of the value in the part. These n runs are repeated for each
+/// combination of the other parameters, and vary faster than the other parameters.
 
 #include <cstdint>
 #include <map>

@@ -26,10 +26,12 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Largest semi-axis in radii; the least is its reciprocal. The entries of E₀ contain the squares, at most 10¹².
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the squares, at most
+/// 10¹².
 constexpr double largest_axis = 1e6;
 
-/// Largest inertia, stiffness and unit of time; the least is the reciprocal. Products of three such numbers are finite.
+/// Largest inertia, stiffness and unit of time. Their least values are the reciprocal. Products of three such numbers
+/// are finite.
 constexpr double largest_unit = 1e100;
 
 /// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. It is

@@ -43,7 +43,7 @@ T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matr
   return T(1.0) + T(0.0) * slope_over_distance;
 }
 
-/// Success if add_central_force returned 1. Failure if it returned NaN.
+/// Returns success if add_central_force returned 1, and a failure if it returned NaN.
 inline mechanics::Status status_of_force(double reserve) {
   if (reserve > 0) return {};
   return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");

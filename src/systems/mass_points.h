@@ -1,6 +1,7 @@
 #pragma once
 /// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). The points satisfy m_i q̈_i
 /// = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The forces, or their potentials V, are
+///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
 ///            dashpots  f_ij = −d ⟨v_i − v_j, n⟩ n,  n = (q_i − q_j)/|q_i − q_j|   (zero on rigid motions: objective)

@@ -5,17 +5,17 @@
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// Frame: M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n, which precesses in
-/// space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². It rotates about its axis n, which
+/// precesses in space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
-/// Origin: r = r₀ + ṙ₀t + ½at² + b sin(wt).
+/// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt).
 ///
-/// Forces: in space, uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. In the frame there are
-/// uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
+/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
+/// forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
 ///
-/// In the inertial frame the same motion satisfies q̈ = f.
+/// In the inertial frame, the same motion satisfies q̈ = f.
 
 #include <Eigen/Geometry>
 #include <array>

@@ -4,6 +4,7 @@
 /// origin of the body and of space, and the column x is then absent. Without a fixed point, the origin of the body is
 /// the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the kinetic energy K and
 /// the equations of motion are
+///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
 ///

@@ -172,7 +172,7 @@ struct RigidBodyScene {
     mechanics::State<System> initial;
     BodyObserver observer;
     FixedPointBody
-        body;  ///< for its loads, and for the landscape of rotations (about the centre of mass if the body is free)
+        body;  ///< the form with constraints, for the loads and the landscape of rotations about the origin of the body
     bool fixed_point;
     Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body
 

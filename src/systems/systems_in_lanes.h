@@ -92,9 +92,9 @@ requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, m
 }
 
 /// Cost of an iteration (mechanics/core/stage_by_stage.h), from measured times in nanoseconds. For three systems it is
-/// the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. These times are 110/349 for the
-/// double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other systems it is twice
-/// the time of an iteration divided by the time of a force of explicit-8 (charts: 72/99 to 590/480).
+/// the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. The quotients are 110/349 for
+/// the double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other systems it is
+/// twice the time of an iteration divided by the time of a force of explicit-8 (charts: 72/99 to 590/480).
 template <class S>
 inline constexpr double cost_of_iteration_in_lanes = 2;
 template <>
