@@ -7,23 +7,24 @@
 /// series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
-///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
-///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        of the model that varies more. C̄ is the mean
+///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that departs farther
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more. C̄ is the mean
 ///                               over time. The denominator of a sinusoid is its amplitude. Rotations do not change C.
 ///   a1_difference …             (a_c − a_r) / a_r
-///   volume_ratio_difference     (vol_c − vol_r), both relative to the reference volume
+///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,
 ///   elastic_difference,
-///   energy_difference           (E_c − E_r) / E₀,   E₀ = max_t (kinetic + elastic) of the model with more energy. This
-///                               is the initial mechanical energy if there is no gravity, load or growth by error. If
+///   energy_difference           (E_c − E_r) / E₀,  E₀ = max_t (kinetic + elastic) of the model with more energy. If
+///                               there is no gravity, load or growth by error, E₀ is the initial mechanical energy. If
 ///                               nothing moves, E₀ is the largest of the other energies (energy_reference).
-///   dissipated_difference       (D_c − D_r) / max_t D, D the energy dissipated, of the model that dissipates more
+///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more
 ///   max_stretch_difference,
-///   min_stretch_difference      (λ_c − λ_r) / λ_r, λ the largest or the least principal stretch anywhere in the body
+///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
 ///   angular_momentum_difference,
-///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|. If this is round-off, J₀ = m̄|Q||Q̇| at the time
-///                               of the largest |Q̇|, which bounds |J| and |Z| up to a factor √2.
-///   multiplier_difference       (λ_c − λ_r) / max_t |λ|                 of the model with the larger |λ|
+///   circulation_difference      |J_c − J_r| / J₀,  with J₀ = max_t |J_r| (Z instead of J for circulations). If J₀ is
+///                               round-off, it is replaced by m̄|Q||Q̇| at the time of the largest |Q̇|. This product
+///                               bounds |J| and |Z| up to a factor √2.
+///   multiplier_difference       (λ_c − λ_r) / max_t |λ|,  with the multiplier λ of the model with the larger |λ|
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference
 ///
 /// The frequency is the frequency of one component of C, because rotations of the body do not change C. Both models use

@@ -9,9 +9,9 @@
 
 namespace pseudorigid::io {
 
-/// Sets the cells of the grid to those of the blocks. With `linear`, a block is divided into degree³ hexahedra. With
-/// `lagrange`, a block is one hexahedron of the same degree. Pictures then show the fields of a block as polynomials,
-/// for which VTK treats the points as equidistant.
+/// Sets the cells of the grid to the cells of the blocks. With `linear`, a block is divided into degree³ hexahedra.
+/// With `lagrange`, a block is one hexahedron of the same degree. Pictures then show the fields of a block as
+/// polynomials, for which VTK treats the points as equidistant.
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
 
 /// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra.

@@ -19,8 +19,8 @@ struct Table {
   std::size_t n_rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   std::span<const double> row(std::size_t i) const { return {values.data() + i * columns.size(), columns.size()}; }
   bool has_column(std::string_view name) const;
-  std::size_t column_index(std::string_view name) const;    ///< UserError if there is none
-  std::vector<double> column(std::string_view name) const;  ///< UserError if there is none
+  std::size_t column_index(std::string_view name) const;    ///< throws UserError if there is no such column
+  std::vector<double> column(std::string_view name) const;  ///< throws UserError if there is no such column
 };
 
 /// Reads a file of this syntax. Throws UserError "path:line: …" for any other text.

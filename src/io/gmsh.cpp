@@ -234,7 +234,7 @@ class GmshReader {
     require("$EndElements");
   }
 
-  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face.
+  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then the nodes around the upper face.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();

@@ -38,7 +38,7 @@ double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
 }
 
 /// The map of a cell and its Jacobian at ξ. The coordinates are relative to the first corner, in units of the size of
-/// the cell. This avoids round-off if the origin is distant, and overflow if the unit of length is extreme.
+/// the cell. Such coordinates avoid round-off if the origin is distant, and overflow if the unit of length is extreme.
 PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   const double unit = size_of_cell(mesh, cell);

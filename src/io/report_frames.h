@@ -21,9 +21,10 @@ struct PictureFace {
 /// hexahedra or lacks the field reference_coordinates.
 std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
-/// A table with the columns of shapes.csv and the additional column `von_mises`. It contains the faces at up to eight
-/// times of pictures. For a body with the motion x = QX, Q a matrix, it contains one point at the times of all
-/// pictures. The table is empty if the pictures do not contain reference coordinates and stress.
+/// A table with the columns of shapes.csv and the additional column `von_mises`. The table contains the faces at up to
+/// eight times of pictures. For a body with the motion x = QX, Q a matrix, it contains one point at the times of all
+/// pictures. The table is empty if the pictures cannot be read, lack reference coordinates or stress, or have too many
+/// points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

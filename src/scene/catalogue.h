@@ -71,7 +71,7 @@ struct Setting {
 };
 
 /// The reason why a scene is not valid: the entry, a sentence about it, and possible changes of the scene. The
-/// functions of scene/advice.h try the changes, and append to the sentence those with which the scene is valid.
+/// functions of scene/advice.h try the changes, and append the successful changes to the sentence.
 struct Refusal {
   std::string path, sentence;
   std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries

@@ -30,8 +30,8 @@ namespace {
 /// 10¹².
 constexpr double largest_axis = 1e6;
 
-/// Largest inertia, stiffness and unit of time. Their least values are the reciprocal. Products of three such numbers
-/// are finite.
+/// Largest inertia, stiffness and unit of time. The least values are the reciprocal. Products of three such numbers are
+/// finite.
 constexpr double largest_unit = 1e100;
 
 /// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. It is

@@ -10,8 +10,8 @@
 ///
 ///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g,
 ///
-/// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. Their components
-/// perpendicular to the axis (⊥) are
+/// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. The components of
+/// these forces perpendicular to the axis (⊥) are
 ///
 ///   f_b^⊥ = −(e × N + aF^⊥)/(b − a),   f_a^⊥ = F^⊥ − f_b^⊥.
 ///

@@ -30,8 +30,8 @@
 namespace pseudorigid::systems {
 
 /// The potential landscape of a body on SO(3). The mass matrix of a flat body is singular in the space of the matrices
-/// q. The term GᵀG, with the derivative G of the constraints, makes it regular. It does not change the kinetic energy
-/// of motions on SO(3), because these satisfy G q̇ = 0.
+/// q. The term GᵀG, with the derivative G of the constraints, makes the mass matrix regular. This term does not change
+/// the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
 struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
   using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
   void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
