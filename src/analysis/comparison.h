@@ -8,8 +8,9 @@
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
 ///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that departs farther
-///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more. C̄ is the mean
-///                               over time. The denominator of a sinusoid is its amplitude. Rotations do not change C.
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more and its
+///                               mean C̄ over time. The denominator of a sinusoid is its amplitude. Rotations of the
+///                               body do not change C.
 ///   a1_difference …             (a_c − a_r) / a_r
 ///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,

@@ -112,7 +112,7 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  // The error of the fit is a standard error and is multiplied by three. The other errors are bounds.
+  // The error of the fit is a standard error and counts three times, once in `uncertainty`. Other errors are bounds.
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);

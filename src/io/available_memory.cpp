@@ -66,7 +66,7 @@ double available_memory(const fs::path& root) {
   double available = kilobyte * number_named(root / "proc/meminfo", "MemAvailable:", infinite);
   const fs::path mounts = root / "sys/fs/cgroup";
   std::ifstream groups(root / "proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {  // number:controllers:path
+  for (std::string line; std::getline(groups, line);) {  // a line is number:controllers:path
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == line.npos) continue;
     const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1)),

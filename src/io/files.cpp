@@ -101,7 +101,7 @@ class PartialFile {
 
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
-  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // later writes may wait
+  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // from here on, writes may wait
   for (const std::string_view part : parts) write_fully(file.value(), part, path);
   if (!file.close()) throw WriteError(path, errno);
 }

@@ -188,7 +188,7 @@ std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine) tr
   if (rows.empty()) return {};
   return fmt::format("time,{},von_mises\n{}", fmt::join(mechanics::shape_columns, ","), rows);
 } catch (const UserError&) {
-  return {};  // a killed run or removed files: the report omits the picture
+  return {};  // if files are missing after a killed run, the report omits the faces
 }
 
 }  // namespace pseudorigid::io

@@ -44,7 +44,7 @@ std::string first_line(const fs::path& path) {
 }
 
 struct ProcessState {
-  char state = 0;  ///< 0: unknown
+  char state = 0;  ///< 0 if it is not known
   std::string start;
 };
 

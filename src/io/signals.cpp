@@ -8,7 +8,7 @@ namespace pseudorigid::io {
 namespace {
 
 std::atomic<bool> requested = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may only set such a flag
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may only use lock-free atomics
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 

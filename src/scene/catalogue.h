@@ -172,7 +172,7 @@ struct Catalogue {
   /// included.
   std::vector<Column> equilibria{};
 
-  /// The system of this name, or null for the ball.
+  /// The system of this name. The result is null for the ball and for an unknown name.
   const SystemDescription* system(std::string_view name) const {
     for (const SystemDescription& system : systems)
       if (system.name == name) return &system;

@@ -69,7 +69,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
     const bool may_have_expression =
         kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
     if (may_have_expression &&
-        has_expression(*statement.value)) {  // evaluated when the parameters of the sweep are known
+        has_expression(*statement.value)) {  // evaluated after the parameters of the sweep are read
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
       return;

@@ -33,7 +33,7 @@ struct MassDistribution {
     d.center /= d.mass;
     return d;
   }
-  /// The same body in coordinates whose origin is the point c.
+  /// Mass, centre of mass and second moment of the body if the point c is the origin of K.
   MassDistribution about(const Eigen::Vector3d& c) const {
     const Eigen::Matrix3d mixed = mass * center * c.transpose();
     return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};
