@@ -50,9 +50,9 @@ inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.66562
 
 struct ComparisonOptions {
   SceneFacts facts{};
-  std::optional<double> exact_frequency_ratio{};  ///< ratio for small amplitudes, if the scene has an exact one
+  std::optional<double> exact_frequency_ratio{};  ///< exact ratio for small amplitudes; empty if it is not known
   std::optional<double>
-      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit, if any
+      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit; empty if it did not
 };
 
 struct Series {
@@ -74,19 +74,19 @@ struct Comparison {
   std::vector<Series> series;
   ModelSummary model, reference;
   bool has_state = false;
-  std::string signal;         ///< component of C with the fitted frequency, "C33"
+  std::string signal;         ///< component of C with the fitted frequency, for example "C33"
   std::string signal_reason;  ///< reason for the choice of this component
   /// Bound of |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
   /// the reference. `time` is 3 e / min_t |Q_r|, with the sum e of the estimated time errors of both models.
   /// `quadrature` is the same expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty without two frequencies, or if one of the lines belongs to a load
-  std::optional<double> exact_ratio;    ///< empty if the body spins
+  std::optional<double> exact_ratio;    ///< empty if the body spins or the scene does not have an exact ratio
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< after this time the results of the reference depend on its mesh
-  std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"
+  std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
   /// Whether the models differ by more than the error of the discretisations. The result is empty if a part of this

@@ -66,7 +66,7 @@ inline std::string in_short(const ErrorBar& bar) {
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
 }
 
-/// Estimated errors of the samples of a run.
+/// Estimated errors of the samples of a run. An error is empty if it is not known.
 struct RunErrors {
   std::optional<double> time{};          ///< largest entry of the error of Q
   std::optional<double> space{};         ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space

@@ -41,7 +41,7 @@ struct Line {
 /// this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
-  std::string reason;       ///< "the signal is constant", …; empty if lines were found
+  std::string reason;       ///< for example "the signal is constant"; empty if lines were found
   double mean = 0;          ///< mean of the samples
   double residual_rms = 0;  ///< in the unit of the signal
   double cycles = 0;        ///< number of periods of the dominant line in the record

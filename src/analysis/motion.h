@@ -74,7 +74,7 @@ std::string energy_clause(const ModelSummary& summary);
 
 /// A drift up to this value is reported as round-off. This is the error of some hundred operations in double precision.
 inline constexpr double round_off_drift = 1e-13;
-/// The text of a drift: "3.2e-07" or "round-off".
+/// The text of a drift, for example "3.2e-07", or "round-off".
 std::string drift_in_words(double drift);
 
 /// Reference value for angular momenta or circulations: their largest norm. If this norm is round-off, the reference is
@@ -98,7 +98,7 @@ struct MotionSummary {
   std::size_t n_samples = 0;
   double first_time = 0, last_time = 0;
   bool has_state = false;
-  std::string signal;  ///< component of C with the largest variance, "C33"
+  std::string signal;  ///< component of C with the largest variance, for example "C33"
   std::vector<ColumnRange> ranges;
   std::optional<double>
       mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK, with η_K the non-affine fraction of the kinetic energy K

@@ -104,7 +104,7 @@ struct EquilibriaTable {
 /// One run of a model of the ball.
 struct ModelRun {
   std::string name;       ///< name of its files
-  std::string adjective;  ///< adjective of its ball in sentences, "polynomial N = 3"
+  std::string adjective;  ///< adjective of its ball in sentences, for example "polynomial N = 3"
   bool finds_degree =
       false;  ///< whether the run chooses its degree N (counter `degree`), which the adjective then contains
 };
@@ -112,7 +112,7 @@ struct ModelRun {
 /// A model of the ball. Its name is a value of the entry Models.
 struct ModelDescription {
   std::string_view name;           ///< its files are `<name>.csv`, `<name>.pvd` and `checkpoint-<name>.bin`
-  std::string_view adjective;      ///< adjective of its ball in sentences, "elastic"
+  std::string_view adjective;      ///< adjective of its ball in sentences, for example "elastic"
   std::string_view documentation;  ///< one sentence for the user
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
