@@ -14,8 +14,8 @@
 
 namespace pseudorigid::analysis {
 
-/// The samples of the run of a model and their errors, with the name of the model and the adjective of its ball
-/// ("elastic").
+/// One run of a model: the name of the model, the adjective of its ball (for example "elastic"), the samples and their
+/// errors.
 struct ModelRunTable {
   std::string name, adjective;
   const io::Table& table;
@@ -57,9 +57,9 @@ struct Deformation {
 FrequencyFit fit_component(const std::vector<double>& signal, const std::vector<double>& time, bool deforms);
 
 /// Reference value for the energies of one or more models. It is the larger of max_t (kinetic + elastic) and the
-/// largest dissipated energy. This value is round-off if it is less than 1e-12 of the gravitational and external
-/// energies, or less than 1e-24 of the unit of energy `unit` of the scene. The reference is then the largest of the
-/// gravitational and external energies. If these are also zero, it is `unit`.
+/// largest dissipated energy, unless this value is round-off. The value is round-off if it is less than 1e-12 of the
+/// gravitational and external energies, or less than 1e-24 of the unit of energy `unit`. In this case, the reference is
+/// the largest of the gravitational and external energies, or `unit` if these are zero.
 double energy_reference(std::initializer_list<const io::Table*> models, double unit);
 
 /// Sets the drift of the energy relative to the reference value, its bound, and the first time beyond the bound. Let

@@ -1,6 +1,6 @@
 #pragma once
-/// Estimate of the discretisation error of a series of runs from the differences d of successive runs. In the model of
-/// the estimate, the error e of a run with resolution N is
+/// Estimate of the discretisation error from the differences d of successive runs in a series. In the model of the
+/// estimate, the error e of a run with resolution N is
 ///
 ///   e(N) = C N⁻ᵖ,
 ///

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Names of the files of a control group. If there is no limit, the file of version 1 contains a number larger than any
-/// memory, and the file of version 2 contains the word "max".
+/// Names of the files of a control group. In a group without a limit, the file of version 1 contains a number larger
+/// than any memory. The file of version 2 contains the word "max".
 struct Names {
   const char *limit, *used;
   /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.

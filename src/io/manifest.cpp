@@ -39,8 +39,8 @@ Json numbers(const std::map<std::string, double>& values) {
   return object;
 }
 
-/// The list of the columns. If the scene has units, each column has a factor, which is the unit of the column in the
-/// scales of the scene (length r, mass ρr³, time). A value divided by this factor is dimensionless.
+/// The list of the columns. If the scene has units, each column has a factor. The factor is the unit of the column in
+/// the scales of the scene (length r, mass ρr³, time). A value divided by this factor is dimensionless.
 Json to_json(const std::vector<scene::Column>& columns, const std::optional<Units>& units) {
   Json list = Json::array();
   for (const scene::Column& column : columns) {

@@ -29,8 +29,8 @@ const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view 
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// The indices of the points of a face in the lattice of n³ points of a block, row by row. The face is normal to
-/// `direction`.
+/// The points of a face of a block, row by row. The face is normal to `direction`. A point is given by its index in the
+/// lattice of n³ points of the block.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];

@@ -24,11 +24,11 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates and locks the folder, and removes the results of an earlier run. A file is a result if it has the name of
-  /// a result, such as `<name>.csv`, `modes-<name>.csv` or a picture, for the name of a model or system in `movers`.
-  /// Other files remain. Throws UserError with path and reason in three cases: the folder cannot be created or written,
-  /// a pipe or a device has the name of a result, or another run uses the folder. The caller may use the folder until
-  /// the returned lock is destroyed.
+  /// Creates and locks the folder, and removes the results of an earlier run. A file is a result if its name is
+  /// `<name>.csv`, `modes-<name>.csv` or another name of a result. Here <name> is a model or system in `movers`.
+  /// Pictures are results as well, and other files remain. Throws UserError, with path and reason, if the folder cannot
+  /// be created or written. Also throws it if a pipe or a device has the name of a result, or if another run uses the
+  /// folder. The caller may use the folder until the returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
   /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not contain a
   /// checkpoint, and in the cases of prepare_fresh.

@@ -18,8 +18,8 @@ using Accepts = std::function<bool(Scene)>;
 /// Returns the scene in which the entries of `settings` have the given values.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// Returns the sentence of a refusal with its recommendations, for example "a sweep is offered for the models a, b; set
-/// Models = a, or set Method = rattle or explicit-8".
+/// Returns the sentence of a refusal with its recommendations. An example is "a sweep is offered for the models a, b;
+/// set Models = a, or set Method = rattle or explicit-8".
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

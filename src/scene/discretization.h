@@ -4,7 +4,7 @@
 ///
 /// The error of Q decreases with the resolution
 ///
-///   N = k · 1.6^r,
+///   N = k · 1.6^r.
 ///
 /// The error does not depend on k 2^r alone, the number of nodes along an edge. At equal k 2^r, a high degree is more
 /// accurate. The motion is not smooth at shear fronts, which start at the surface. The error therefore decreases only

@@ -1,9 +1,10 @@
 #pragma once
-/// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … has the coordinate plane with normal
-/// e_i as a symmetry plane if the initial state and the loads are invariant under the reflection S_i = Id − 2 e_i e_iᵀ.
-/// A matrix A (Q₀, Q̇₀, E₀ or a matrix of a load) must satisfy S_i A S_i = A. Its entries (i,j) and (j,i) with j ≠ i
-/// are therefore zero. A vector a (centre of mass, its velocity or a vector of a load) must satisfy S_i a = a, that is
-/// a_i = 0. A load can replace these conditions on its entries by a function `breaks_plane`.
+/// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … can have the coordinate plane with
+/// normal e_i as a symmetry plane. The condition is that the initial state and the loads are invariant under the
+/// reflection S_i = Id − 2 e_i e_iᵀ. A matrix A (Q₀, Q̇₀, E₀ or a matrix of a load) must satisfy S_i A S_i = A. Its
+/// entries (i,j) and (j,i) with j ≠ i are therefore zero. A vector a (centre of mass, its velocity or a vector of a
+/// load) must satisfy S_i a = a, that is a_i = 0. A load can replace these conditions on its entries by a function
+/// `breaks_plane`.
 
 #include <array>
 #include <optional>
@@ -31,7 +32,7 @@ inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
 /// Describes the first entry of the initial state or of the loads that breaks the symmetry about the plane with normal
-/// e_i, for example "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the motion has
+/// e_i. An example is "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the motion has
 /// this symmetry.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 

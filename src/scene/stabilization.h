@@ -3,7 +3,7 @@
 /// (continuum/kernels/stored_energy.h). It is a pressure in the units of the user. If the scene does not set κ, its
 /// value is
 ///
-///   κ = (2π/3) G ρ² r² + ½ρ t r²,
+///   κ = (2π/3) G ρ² r² + ½ρ t r².
 ///
 /// The first term is the pressure at the centre of a ball of radius r and density ρ at rest under its own gravity. The
 /// second term is the pressure under the potential ½t|x|² per mass. Here t is the largest eigenvalue of the tidal

@@ -5,10 +5,10 @@
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
 ///
-/// Bearings at the points a e and b e hold the axis. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e, the total
+/// Bearings at the points a e and b e support the axis. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e, the total
 /// force F of the bearings and their total torque N are
 ///
-///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g,
+///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g.
 ///
 /// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. The components of
 /// these forces perpendicular to the axis (⊥) are

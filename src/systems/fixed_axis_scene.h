@@ -1,5 +1,5 @@
 #pragma once
-/// The body with a fixed axis (fixed_axis.h, which defines the symbols) in parameter files. The entry Weights adds mass
+/// The body with a fixed axis (fixed_axis.h, mass_distribution.h) in parameter files. The entry Weights adds mass
 /// points that are fixed to the body. The columns contain the forces of the two bearings. The scales are the mass m,
 /// the length √(tr E₀/m) and the time 1/ω with
 ///

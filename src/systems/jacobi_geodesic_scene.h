@@ -2,7 +2,7 @@
 /// Geodesics of the Jacobi metric (mechanics/core/jacobi_metric.h; Oliva, Geometric Mechanics, 5.2) in parameter files.
 /// For the energy h, the potential U and the metric g of the kinetic energy, the Jacobi metric is
 ///
-///   g_h = 2(h − U) g,
+///   g_h = 2(h − U) g.
 ///
 /// There are four systems. Two are a particle of unit mass in the plane with U = ½k|q|² or −μ/|q|. The others are a
 /// heavy particle of unit mass on an upright torus, and a double pendulum whose first mass is 1. The arc length s̃ of

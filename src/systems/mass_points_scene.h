@@ -4,7 +4,7 @@
 /// the initial positions and the centre c of forces, motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
-///   length   L = the largest of |q_i − q̄|, of |q_i − c| if forces come from c, and of the rest lengths of springs
+///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
 /// If this L is 0, for example for one point, it is |v|/ω with ω of springs and confinement, or |v|²/|g| without such
@@ -140,8 +140,8 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// The rate of change of a state. The motion of the centre of mass does not count, unless forces come from the
-    /// centre c.
+    /// The rate of change of a state. The motion of the centre of mass does not count, unless the centre c exerts
+    /// forces.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;
