@@ -18,7 +18,7 @@ namespace pseudorigid::analysis {
 namespace {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
-/// The tables of both models, and the comparison to which functions add series.
+/// The tables of both models, and the comparison to which the functions below add series.
 struct Workshop {
   const io::Table& r;
   const io::Table& c;
@@ -26,7 +26,7 @@ struct Workshop {
   const ComparisonOptions& options;
   Comparison out;
 
-  /// Whether both tables have the columns. If not, `what` is added to the quantities that are not compared.
+  /// Whether both tables have the columns. If not, `what` is added to `out.not_compared`.
   bool available(std::string_view what, const Columns& columns) {
     return has(r, out.model, what, columns) && has(c, out.reference, what, columns);
   }
@@ -87,7 +87,8 @@ std::vector<double> common_times(const ModelRunTable& model, const ModelRunTable
 FrequencyRatio ratio_of(const ModelSummary& model, const ModelSummary& reference) {
   const double a = model.frequency.dominant().frequency, b = reference.frequency.dominant().frequency;
   const ErrorBar &of_a = model.frequency_error, &of_b = reference.frequency_error;
-  // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. If δb exceeds b/2, the ratio is not determined.
+  // The largest value of (a ± δa)/(b ± δb) has the denominator b − δb. It is replaced by b/2 if δb exceeds b/2,
+  // because the ratio is then not determined.
   const double least =
       b - std::min(of_b.fit + of_b.time.value_or(0) + of_b.space.value_or(0) + of_b.quadrature.value_or(0), b / 2);
   const auto of_parts = [&](double da, double db) { return (da + db * a / b) / least; };
@@ -122,7 +123,7 @@ void fit_frequencies(Workshop& w, const Deformation& r, const Deformation& c) {
   out.ratio = ratio_of(out.model, out.reference);
 }
 
-/// Whether the body spins: J/m̄ and Z/m̄ are the axial vectors of Q̇Qᵀ and QᵀQ̇.
+/// Whether the body spins. The test uses J/m̄ and Z/m̄, which are the axial vectors of Q̇Qᵀ and QᵀQ̇.
 bool spins(const io::Table& table) {
   const auto Q = read<Matrix3d>(table, Q_columns), Qdot = read<Matrix3d>(table, Qdot_columns);
   double spin = 0, bound = 0;
@@ -150,7 +151,7 @@ void compare_states(Workshop& w) {
   };
   out.error.time = of_both(&RunErrors::time);
   out.error.quadrature = of_both(&RunErrors::quadrature);
-  // If nothing moves, the resolution replaces the divisor.
+  // If the ball does not move, the divisors are the resolution times |Q| or |C|.
   const double departure = std::max({out.model.departure, out.reference.departure, resolution * r.Q[0].norm()});
   const double amplitude =
       std::max({out.model.strain_amplitude, out.reference.strain_amplitude, resolution * r.C[0].norm()});
@@ -180,7 +181,7 @@ void compare_energies(Workshop& w) {
   set_energy_drift(w.c, reference, w.options.facts.tolerance, w.out.reference);
 }
 
-/// Compares the dissipated energies, if there are any.
+/// Compares the dissipated energies if both tables have them.
 void compare_dissipation(Workshop& w) {
   if (!w.r.has_column("dissipated") || !w.c.has_column("dissipated")) return;
   const std::vector<double> r = w.r.column("dissipated"), c = w.c.column("dissipated");
@@ -188,7 +189,8 @@ void compare_dissipation(Workshop& w) {
     w.add("dissipated_difference", reference, each(std::minus{}, c, r));
 }
 
-/// Compares the extreme principal stretches in the body. They are the same at every point of a pseudo-rigid body.
+/// Compares the extreme principal stretches in the body. For a pseudo-rigid body, these are the principal stretches of
+/// Q.
 void compare_stretches(Workshop& w) {
   for (const auto& [name, of_mean] : {std::pair{"max_stretch", "stretch1"}, std::pair{"min_stretch", "stretch3"}}) {
     const std::string of_model = w.r.has_column(name) ? name : of_mean;

@@ -1,34 +1,36 @@
 #pragma once
-/// Comparison of two models of one ball. It contains the differences of their quantities at each sample, the largest
-/// differences with their times, and the frequencies.
+/// Comparison of two models of one ball: the differences of their quantities at each sample, the largest differences
+/// with their times, and the frequencies.
 ///
-/// The index r marks one model and the index c the reference, which admits more motions. Q of the finite-element model
-/// is its mass moment Q_M, C = QᵀQ, and |·| is the Frobenius norm. A ratio 0/0 counts as 0. Each series is a column of
-/// comparison.csv:
+/// The index r marks one model. The index c marks the reference, which admits more motions. Q of the finite-element
+/// model is its mass moment Q_M, C = QᵀQ, and |·| is the Frobenius norm. A ratio with the numerator 0 counts as 0. Each
+/// series is a column of comparison.csv:
 ///
 ///   q_difference                |Q_c − Q_r| / |Q_r|
-///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|          of the model that departs farther
-///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|)        of the model that varies more. C̄ is the mean
-///                               over time. The denominator of a sinusoid is its amplitude. Rotations do not change C.
+///   q_difference_of_departure   |Q_c − Q_r| / max_t |Q − Q(0)|,  with Q of the model that departs farther
+///   strain_difference           |C_c − C_r| / (√2 rms_t |C − C̄|),  with C of the model that varies more and its
+///                               mean C̄ over time. The denominator of a sinusoid is its amplitude. Rotations of the
+///                               body do not change C.
 ///   a1_difference …             (a_c − a_r) / a_r
-///   volume_ratio_difference     (vol_c − vol_r), both relative to the reference volume
+///   volume_ratio_difference     vol_c − vol_r, both relative to the reference volume
 ///   kinetic_difference,
 ///   elastic_difference,
-///   energy_difference           (E_c − E_r) / E₀,   E₀ = max_t (kinetic + elastic) of the model with more energy. This
-///                               is the initial mechanical energy if there is no gravity, load or growth by error. If
+///   energy_difference           (E_c − E_r) / E₀,  E₀ = max_t (kinetic + elastic) of the model with more energy. If
+///                               there is no gravity, load or growth by error, E₀ is the initial mechanical energy. If
 ///                               nothing moves, E₀ is the largest of the other energies (energy_reference).
-///   dissipated_difference       (D_c − D_r) / max_t D, D the energy dissipated, of the model that dissipates more
+///   dissipated_difference       (D_c − D_r) / max_t D,  with the dissipated energy D of the model that dissipates more
 ///   max_stretch_difference,
-///   min_stretch_difference      (λ_c − λ_r) / λ_r, λ the largest or the least principal stretch anywhere in the body
+///   min_stretch_difference      (λ_c − λ_r) / λ_r,  with the largest or least principal stretch λ anywhere in the body
 ///   angular_momentum_difference,
-///   circulation_difference      |J_c − J_r| / J₀,   J₀ = max_t |J_r|. If this is round-off, J₀ = m̄|Q||Q̇| at the time
-///                               of the largest |Q̇|, which bounds |J| and |Z| up to a factor √2.
-///   multiplier_difference       (λ_c − λ_r) / max_t |λ|                 of the model with the larger |λ|
+///   circulation_difference      |J_c − J_r| / J₀,  with J₀ = max_t |J_r| (Z instead of J for circulations). If J₀ is
+///                               round-off, it is replaced by m̄|Q||Q̇| at the time of the largest |Q̇|. This product
+///                               bounds |J| and |Z| up to a factor √2.
+///   multiplier_difference       (λ_c − λ_r) / max_t |λ|,  with the multiplier λ of the model with the larger |λ|
 ///   nonaffine_kinetic_fraction, nonaffine_displacement                  columns of the reference
 ///
-/// The frequency is that of one component of C, which is invariant under rotations of the body. Both models use the
-/// component with the largest variance in the first model. Errors in space are errors of the reference. The truncation
-/// of the first model is part of the difference.
+/// The frequency is the frequency of one component of C, because rotations of the body do not change C. Both models use
+/// the component with the largest variance in model r, or in the reference if model r keeps its shape. Errors in space
+/// are errors of the reference only. The truncation of model r is part of the difference.
 
 #include <optional>
 #include <string>
@@ -41,16 +43,16 @@
 
 namespace pseudorigid::analysis {
 
-/// √10 / 2.665622189236, the ratio of the frequency of the pseudo-rigid ball to the exact frequency (Lamb 1882). It
-/// holds for small amplitudes of an incompressible elastic ball without gravity that is at rest on average. The law
-/// must have a shear modulus. With gravity, see app/run/small_pulsation.h.
+/// √10 / 2.665622189236, the ratio of the frequency of the pseudo-rigid ball to the exact frequency (Lamb 1882). The
+/// ratio is valid for small amplitudes of an incompressible elastic ball without gravity that does not rotate on
+/// average. The law must have a shear modulus. The ratio with gravity is in app/run/small_pulsation.h.
 inline constexpr double incompressible_ball_ratio = 3.1622776601683795 / 2.665622189236;
 
 struct ComparisonOptions {
   SceneFacts facts{};
-  std::optional<double> exact_frequency_ratio{};  ///< ratio for small amplitudes, if the scene has an exact one
+  std::optional<double> exact_frequency_ratio{};  ///< exact ratio for small amplitudes; empty if it is not known
   std::optional<double>
-      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit, if any
+      surface_limit_time{};  ///< time at which the surface of the reference reached Biot's limit; empty if it did not
 };
 
 struct Series {
@@ -72,30 +74,31 @@ struct Comparison {
   std::vector<Series> series;
   ModelSummary model, reference;
   bool has_state = false;
-  std::string signal;         ///< component of C with the fitted frequency, "C33"
+  std::string signal;         ///< component of C with the fitted frequency, for example "C33"
   std::string signal_reason;  ///< reason for the choice of this component
-  /// Bound of |δQ|/|Q|, the part of q_difference that the discretisations may cause, largest over the samples. `space`
-  /// is the error of the reference. `time` is 3 e / min_t |Q_r|, with e the sum of the estimated time errors of both
-  /// models. `quadrature` is the same with the errors of their quadrature rules.
+  /// Bound of |δQ|/|Q|, the largest part of q_difference that the discretisations may cause. `space` is the error of
+  /// the reference. `time` is 3 e / min_t |Q_r|, with the sum e of the estimated time errors of both models.
+  /// `quadrature` is the same expression with the errors of the quadrature rules.
   ErrorBar error;
   std::optional<FrequencyRatio> ratio;  ///< empty without two frequencies, or if one of the lines belongs to a load
-  std::optional<double> exact_ratio;    ///< empty if the body spins
+  std::optional<double> exact_ratio;    ///< empty if the body spins or the scene does not have an exact ratio
   std::optional<double> mean_nonaffine_kinetic_fraction;  ///< Σ η_K K / ΣK over the samples, with η_K the non-affine
                                                           ///< fraction of the kinetic energy K
   std::optional<double> min_jacobian;
   std::optional<double> surface_limit_time;  ///< after this time the results of the reference depend on its mesh
-  std::vector<std::string> not_compared;  ///< data missing from the files: "semi-axes (no column a1 in continuum.csv)"
+  std::vector<std::string> not_compared;  ///< quantities that a file lacks: "semi-axes (no column a1 in continuum.csv)"
 
   const Series* find(std::string_view name) const;
-  /// Whether the models differ by more than the error of the discretisations. Empty if this error is not known.
+  /// Whether the models differ by more than the error of the discretisations. The result is empty if a part of this
+  /// error is not known. Requires `has_state`.
   std::optional<bool> is_resolved() const {
     const auto bar = error.total();
     return bar ? std::optional(find("q_difference")->max > *bar) : std::nullopt;
   }
 };
 
-/// Compares the samples of two models. UserError if the tables are empty, have different sample times or a value that
-/// is not finite. Groups of columns that a table lacks are omitted and listed in `not_compared`.
+/// Compares the samples of two models. Throws UserError if a table is empty, the sample times differ or a value is not
+/// finite. If a table lacks a group of columns, the comparison omits this group and lists it in `not_compared`.
 Comparison compare(const ModelRunTable& model, const ModelRunTable& reference, const ComparisonOptions& options = {});
 
 }  // namespace pseudorigid::analysis

@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// Adds the parts of an error and their sum. Unknown values are null.
+/// Adds the parts of an error and their sum to `json`. Values that are not known are null.
 void add_errors(Json& json, const std::string& prefix, const ErrorBar& bar, bool is_fitted) {
   if (is_fitted) json[prefix + "fit_error"] = bar.fit;
   json[prefix + "time_error"] = to_json(bar.time);
@@ -80,12 +80,13 @@ Json model_json(const ModelSummary& m, bool has_state) {
   return json;
 }
 
-/// A percentage with one digit, or a whole number above 9 %, rounded up.
+/// A percentage rounded up, with one digit up to 9 % and as a whole number above.
 std::string roughly(double percent) {
   return percent <= 9 ? printed_error(percent) : fmt::format("{:.0f}", std::ceil(percent));
 }
 
-/// "18.6", or "18.6 +- 0.4" if the uncertainty affects the three printed digits.
+/// The percentage of a value, for example "18.6". If the uncertainty affects the three printed digits, the text is
+/// "18.6 +- 0.4".
 std::string percent(double value, double uncertainty) {
   const double p = 100 * value, u = 100 * uncertainty;
   return u > 0.005 * std::abs(p) ? fmt::format("{:.3g} +- {}", p, roughly(u)) : fmt::format("{:.3g}", p);
@@ -95,8 +96,8 @@ std::string unknown_frequency(const ModelSummary& m) {
   return fmt::format("no frequency can be given for the {} ball ({})", m.adjective, m.frequency.reason);
 }
 
-/// Text for two frequencies with an error that is not known. It has no error bar but the words "as far as the fits
-/// tell".
+/// The sentence about two frequencies if their error is not known. Instead of an error bar, it has the words "As far as
+/// the fits tell".
 std::string fitted_frequencies(const Comparison& c) {
   const double excess = c.ratio->value - 1;
   const std::string apart =
@@ -111,7 +112,7 @@ std::string known_frequencies(const Comparison& c, double uncertainty) {
   const double excess = c.ratio->value - 1;
   constexpr double round_off = 1e-12, says_little = 0.05;
   const double known_to = std::max({std::abs(excess), uncertainty, round_off});
-  // The error of the fit is a standard error and is multiplied by three. The other errors are bounds.
+  // The error of the fit is a standard error and counts three times, once in `uncertainty`. Other errors are bounds.
   if (std::abs(excess) > 2 * c.ratio->error.fit + uncertainty + round_off)
     return fmt::format("The {} ball pulsates {} % {} than the {} ball", c.model.adjective,
                        percent(std::abs(excess), uncertainty), excess > 0 ? "faster" : "slower", c.reference.adjective);
@@ -128,7 +129,7 @@ std::string compared_frequencies(const Comparison& c) {
   return text;
 }
 
-/// Text for the case that at least one model moves with a load.
+/// The sentence for the case that at least one ball follows a load.
 std::string followed_load(const ModelSummary& r, const ModelSummary& e) {
   const std::string who = r.load && e.load ? "Both balls follow a load"
                                            : fmt::format("The {} ball follows a load", (r.load ? r : e).adjective);
@@ -214,7 +215,7 @@ void add_model_rows(const Comparison& c, std::vector<std::string>& lines) {
   drift("drift of the circulation", &ModelSummary::circulation_drift);
 }
 
-/// Series in the table for the terminal, with their labels.
+/// The series in the table for the terminal, with their labels.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> shown{{
     {"q_difference", "Q, relative to |Q|"},
     {"strain_difference", "C, relative to its amplitude"},

@@ -1,6 +1,6 @@
 #pragma once
-/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part and has no
-/// error bar.
+/// The error of a number from a run, as a sum of parts. If a part is not known, the output names this part, and does
+/// not contain an error bar.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,13 +20,14 @@ struct ErrorBar {
   std::optional<double> quadrature =
       0;  ///< error of the quadrature of a polynomial body; for other bodies it is a part of `space`
 
-  /// The sum of the parts; empty if a part is not known.
+  /// The sum of the parts. The result is empty if a part is not known.
   std::optional<double> total() const {
     return time && space && quadrature ? std::optional(fit + *time + *space + *quadrature) : std::nullopt;
   }
 };
 
-/// An error with one digit, rounded up, so that the printed number is also a bound: "0.003", "2e-06".
+/// An error printed with one digit, for example "0.003" or "2e-06". It is rounded up, so that the printed number is
+/// also a bound.
 inline std::string printed_error(double error) {
   if (!(error > 0)) return "0";
   const double place = std::pow(10, std::floor(std::log10(error)));
@@ -34,7 +35,7 @@ inline std::string printed_error(double error) {
   return fmt::format("{:.1g}", std::ceil(error / place * (1 - round_off)) * place);
 }
 
-/// "error in space not known". Empty if every part is known.
+/// Returns, for example, "error in space not known". The result is empty if every part is known.
 inline std::string unknown_parts(const ErrorBar& bar) {
   std::vector<std::string> names;
   if (!bar.time) names.emplace_back("time");
@@ -47,7 +48,8 @@ inline std::string unknown_parts(const ErrorBar& bar) {
   return fmt::format("errors in {} and {} not known", fmt::join(names, ", "), last);
 }
 
-/// "fit 3e-03, time 2e-06, space not known", and for polynomial bodies also ", quadrature 4e-06".
+/// Returns, for example, "fit 3e-03, time 2e-06, space not known". The text contains the quadrature only if its error
+/// is not zero.
 inline std::string parts_in_words(const ErrorBar& bar) {
   const auto part = [](const char* name, const std::optional<double>& value) {
     return value ? fmt::format("{} {}", name, printed_error(*value)) : fmt::format("{} not known", name);
@@ -58,13 +60,13 @@ inline std::string parts_in_words(const ErrorBar& bar) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-/// Text after a number: " +- 0.003", or " (error in space not known)".
+/// The text after a number, for example " +- 0.003" or " (error in space not known)".
 inline std::string in_short(const ErrorBar& bar) {
   const auto total = bar.total();
   return total ? " +- " + printed_error(*total) : fmt::format(" ({})", unknown_parts(bar));
 }
 
-/// Estimated errors of the samples of a run.
+/// Estimated errors of the samples of a run. An error is empty if it is not known.
 struct RunErrors {
   std::optional<double> time{};          ///< largest entry of the error of Q
   std::optional<double> space{};         ///< largest |δQ|/|Q|; 0 for a model without a discretisation in space

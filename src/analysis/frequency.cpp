@@ -16,8 +16,8 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Finds a frequency near a low peak. Below six cycles, the mirror image and the drift displace the peak of a windowed
-/// periodogram. The function therefore returns the frequency near the peak with the least residual.
+/// The frequency near a low peak with the least residual. Below six cycles, the mirror image of the line and the drift
+/// displace the peak of a windowed periodogram.
 double scan_low_frequencies(LineModel model, double peak) {
   double best = peak, least = std::numeric_limits<double>::infinity();
   for (double omega = std::max(peak - 1.5 * pi, 0.5 * pi); omega <= peak + 1.5 * pi; omega += 0.25 * pi) {
@@ -34,8 +34,8 @@ double scan_low_frequencies(LineModel model, double peak) {
 
 enum class Neighbours { admitted, excluded };
 
-/// Adds the line of a peak at Ω. The line is free or constrained to a multiple of the first line. If the peak
-/// contradicts a constrained line, this line becomes free instead. Returns false if Ω is too close to another line.
+/// Adds a line for a peak at Ω. The line is free, or constrained to a multiple of the first line. If the peak is close
+/// to a constrained line, this line becomes free instead. Returns false if Ω is too close to another line.
 bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   constexpr double tie_width = 0.5 * pi, resolved = 0.7 * pi, well_separated = 2 * pi;
   double distance = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ bool add_line(LineModel& model, double omega, Neighbours neighbours) {
   return true;
 }
 
-/// Finds the first line. Returns the reason if none is found, otherwise an empty text.
+/// Finds the first line and adds it to the model. Returns the reason if there is none, otherwise an empty text.
 std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degree) {
   const std::vector<double> peaks = periodogram_peaks(model.residual());
   if (peaks.empty()) return "no line stands out of the noise";
@@ -69,14 +69,14 @@ std::string find_first_line(LineModel& model, const VectorXd& y, int drift_degre
   model.refine(LineModel::Accuracy::rough);
   const double cycles = std::abs(model.bases[0]) / pi;
   if (!(cycles >= 1)) return "the record is shorter than one period";
-  // A slow trend looks like one or two cycles. The line must therefore have a smaller residual than a polynomial with
-  // the same number of parameters.
+  // A slow trend looks like one or two cycles. The residual of the line must therefore be smaller than the residual
+  // of a polynomial with the same number of parameters.
   if (cycles < polynomial_cycles && LineModel(y, drift_degree + 3).rss() <= model.rss())
     return "the signal drifts without an oscillation that stands out";
   return {};
 }
 
-/// Quality of a model, from its residual.
+/// The quality of a model, computed from its residual.
 struct Assessment {
   std::vector<double> peaks;  ///< peaks of the periodogram of the residual
   double deviation;           ///< σ of FrequencyFit: the standard errors are deviation · √(S⁻¹)
@@ -92,15 +92,15 @@ Assessment assess(LineModel& model, double size) {
   return a;
 }
 
-/// A round of the search. It sets the largest number of peaks that become lines, and whether new lines may be close to
-/// other lines.
+/// A round of the search: the largest number of peaks that become lines, and whether new lines may be close to other
+/// lines.
 struct Round {
   std::size_t n_peaks;
   Neighbours neighbours;
 };
 
-/// Adds lines at peaks of the residual if this reduces the error of the first frequency. Otherwise the model does not
-/// change.
+/// Adds lines at peaks of the residual if this reduces the error of the first frequency, and returns true. Otherwise
+/// the model does not change, and the result is false.
 bool add_lines(LineModel& model, Assessment& state, const Round& round, double size, int max_lines) {
   LineModel trial = model;
   std::size_t n_added = 0;
@@ -114,7 +114,7 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   trial.refine(LineModel::Accuracy::rough);
   Assessment outcome = assess(trial, size);
   if (!(outcome.first_error < state.first_error)) return false;
-  // Close lines can imitate a modulated amplitude, but then the residual has peaks. Two true lines leave no peaks.
+  // Close lines can imitate a modulated amplitude, but then the residual has peaks. For two true lines, it has none.
   if (round.neighbours == Neighbours::admitted && !outcome.peaks.empty()) return false;
   std::swap(model.bases, trial.bases);
   std::swap(model.waves, trial.waves);
@@ -123,7 +123,8 @@ bool add_lines(LineModel& model, Assessment& state, const Round& round, double s
   return true;
 }
 
-/// Adds lines until the residual is round-off or no further line reduces the error of the first frequency.
+/// Adds lines until the residual is round-off, the first frequency has the required precision, or no further line
+/// reduces its error. Then refines all frequencies. Returns the quality of the model.
 Assessment complete_lines(LineModel& model, double size, const FrequencyOptions& options) {
   const double round_off = 16 * std::numeric_limits<double>::epsilon() * size;
   const std::size_t all = std::size_t(options.max_lines);
@@ -135,8 +136,8 @@ Assessment complete_lines(LineModel& model, double size, const FrequencyOptions&
     const auto gains = [&](const Round& round) { return add_lines(model, state, round, size, options.max_lines); };
     gained = std::ranges::any_of(rounds, gains);
   }
-  // If lines merge, a smaller residual can increase the error of the frequency. Keep the frequencies with the smaller
-  // error.
+  // If lines merge, a smaller residual can increase the error of the frequency. In this case, the unrefined
+  // frequencies remain.
   LineModel polished = model;
   polished.refine(LineModel::Accuracy::full);
   Assessment outcome = assess(polished, size);

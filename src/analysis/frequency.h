@@ -1,21 +1,21 @@
 #pragma once
-/// Frequencies of a uniformly sampled signal by a nonlinear least-squares fit.
+/// Frequencies of a uniformly sampled signal, found by a nonlinear least-squares fit of the model
 ///
 ///   y(t) ≈ Σ_{k≤d} d_k P_k(s) + Σ_l [a_l cos(ω_l t) + b_l sin(ω_l t)],   s ∈ [−1, 1] over the record,  P_k Legendre
 ///
-/// with P_k the Legendre polynomials. The coefficients d_k, a_l, b_l are eliminated (variable projection: G. Golub, V.
-/// Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps that may not increase the residual
-/// determine the frequencies.
+/// with the Legendre polynomials P_k. The coefficients d_k, a_l, b_l are eliminated (variable projection: G. Golub, V.
+/// Pereyra, SIAM J. Numer. Anal. 10 (1973); Kaufman's form). Gauss–Newton steps determine the frequencies. A step that
+/// increases the residual is not accepted.
 ///
-/// A line (one frequency ω_l) is added if the Hann-windowed periodogram of the residual has a peak. Lines are added
-/// while this reduces the standard error of the first frequency ω₀. A peak near a multiple kω₀ is constrained to ω =
-/// kω₀, so that all harmonics of an anharmonic motion determine its fundamental frequency. The constraint is removed if
-/// the residual contradicts it.
+/// A line is one frequency ω_l with its amplitude and phase. A line is added if the Hann-windowed periodogram of the
+/// residual has a peak. Lines are added while this reduces the standard error of the first frequency ω₀. A peak near a
+/// multiple kω₀ is constrained to ω = kω₀. All harmonics of an anharmonic motion then determine its fundamental
+/// frequency. The constraint is removed if the residual contradicts it.
 ///
-/// Limits: The record contains at least one period. Lines are at least two resolution widths 2π/T apart, with T the
-/// length of the record. Closer lines are separated only if they explain the whole residual, because a modulated or
-/// damped line also looks like several close lines. Frequencies are below the Nyquist frequency. A fit cannot detect
-/// that a frequency is an alias of a higher one.
+/// The fit has the following limits. The record must contain at least one period. Two lines are at least two resolution
+/// widths 2π/T apart, with the length T of the record. Closer lines are admitted only if they explain the whole
+/// residual, because a modulated or damped line also looks like several close lines. Frequencies are below the Nyquist
+/// frequency. The fit cannot detect that a frequency is an alias of a higher frequency.
 
 #include <span>
 #include <string>
@@ -31,17 +31,17 @@ struct Line {
   double phase = 0;
 };
 
-/// The lines of a fit, or the reason why none was found. The first line belongs to the highest peak of the periodogram.
-/// The others follow by decreasing amplitude.
+/// The lines of a fit, or the reason why no line was found. The first line was found at the highest peak of the
+/// periodogram. The other lines are sorted by decreasing amplitude.
 ///
-/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹, with S the projected
-/// Gauss–Newton matrix (line_model.h). If the residual is noise, σ is its standard deviation, but at least the
-/// round-off of the samples. The residual may still have a peak, for example of a line close to another. In this case σ
-/// is the norm of the whole residual. The inequality of Cauchy and Schwarz makes this a bound of the error that a
-/// signal of this size can cause.
+/// The standard errors of the frequencies are σ times the roots of the diagonal of S⁻¹, with the projected Gauss–Newton
+/// matrix S (line_model.h). If the residual is noise, σ is its standard deviation, but at least the round-off of the
+/// samples. If the residual still has a peak, for example of a line close to another line, σ is the norm of the whole
+/// residual. By the inequality of Cauchy and Schwarz, the standard error is then a bound of the error that a signal of
+/// this size can cause.
 struct FrequencyFit {
   std::vector<Line> lines;
-  std::string reason;       ///< "the signal is constant", …; empty if lines were found
+  std::string reason;       ///< for example "the signal is constant"; empty if lines were found
   double mean = 0;          ///< mean of the samples
   double residual_rms = 0;  ///< in the unit of the signal
   double cycles = 0;        ///< number of periods of the dominant line in the record
@@ -57,7 +57,7 @@ struct FrequencyOptions {
   double round_off = 1e-12;  ///< a signal with a smaller relative variation counts as constant
 };
 
-/// Fits the samples `values`, which have the constant positive time step `interval`.
+/// Fits the lines to the samples `values`, which have the constant positive time step `interval`.
 FrequencyFit fit_frequency(std::span<const double> values, double interval, const FrequencyOptions& options = {});
 
 }  // namespace pseudorigid::analysis

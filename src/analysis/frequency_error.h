@@ -1,24 +1,24 @@
 #pragma once
-/// The error of a fitted frequency ω of a component of C = QᵀQ, as the sum of four parts:
+/// The error of a fitted frequency ω of a component of C = QᵀQ. It is the sum of four parts:
 ///
-///   fit     The standard error of the fit (frequency.h), or that on another discretisation if it is larger. A coarse
-///           model has few lines, so its own standard error is too small if the record is short.
+///   fit     The standard error of the fit (frequency.h). If the standard error on another discretisation is larger, it
+///           is used instead. A coarse model has few lines, and its own standard error is too small for short records.
 ///   time    Let e bound the error in time of every entry of Q. Then the error of an entry of C is bounded by
 ///
-///             |δC_ij| ≤ ε,   ε = max_t (|q_i|₁ + |q_j|₁) e,   q_i the columns of Q.
+///             |δC_ij| ≤ ε,   ε = max_t (|q_i|₁ + |q_j|₁) e,   with the columns q_i of Q.
 ///
-///           The estimate treats it as an error of phase φ ≤ ε/A that grows along the record of length T, with A the
-///           amplitude of the line. A least-squares fit then changes the frequency by
+///           The estimate treats δC_ij as an error of phase φ ≤ ε/A that grows along the record of length T, with the
+///           amplitude A of the line. A least-squares fit then changes the frequency by
 ///
 ///             δω = (12/T³) ∫ (t − T/2) φ(t) dt ≤ (3/2) ε/(A T),
 ///
 ///           with equality if φ jumps from 0 to its bound at T/2. A phase that grows as a power of t gives at most
 ///           1.03 ε/(A T).
-///   quadrature  The same with the quadrature error of a polynomial body instead of e.
-///
+///   quadrature  The same expression, with the quadrature error of a polynomial body instead of e.
 ///   space   The difference from the frequency on another discretisation, times a factor. The factor assumes that the
-///           error decreases with the resolution at the slowest measured rate (space_error.h). Both runs have the same
-///           time steps, so the error in time cancels.
+///           error decreases with the resolution at the slowest measured rate (space_error.h). The error in time
+///           cancels, because both runs have the same time steps. For a model without a discretisation in space, this
+///           part is 0.
 
 #include <vector>
 
@@ -27,13 +27,14 @@
 
 namespace pseudorigid::analysis {
 
-/// The error of `fit`, the fit of the entry (i, j) of C at the given times.
+/// The error of the dominant frequency of `fit`. The samples of `fit` are the entry (i, j) of C at the given times. If
+/// the fit has no lines, the errors are not known.
 ErrorBar frequency_error(const FrequencyFit& fit, const Deformation& deformation, std::pair<int, int> entry,
                          const std::vector<double>& time, const RunErrors& errors);
 
-/// The frequency Ω of the load that causes the fitted line, among the given angular frequencies. The condition is ω = Ω
-/// or ω = 2Ω within a quarter of a cycle over the record. The body then follows the load, and ω is not a property of
-/// the body.
+/// The angular frequency Ω among `load_frequencies` of the load that causes the fitted line. The condition is ω = Ω or
+/// ω = 2Ω within a quarter of a cycle over the record. The body then follows the load, and ω is not a property of the
+/// body. The result is empty if there is no such load.
 std::optional<double> load_of_line(const FrequencyFit& fit, const std::vector<double>& load_frequencies);
 
 }  // namespace pseudorigid::analysis

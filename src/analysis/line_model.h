@@ -1,12 +1,12 @@
 #pragma once
-/// The least-squares problem of the frequency fit for a given set of waves:
+/// The least-squares problem of the frequency fit for a given set of waves. It consists of two minimisations:
 ///
 ///   minimise |y − A(Ω) c|² over c (projection, A has the columns P_k, cos Ωs, sin Ωs), then over Ω by Gauss–Newton:
 ///   S δΩ = Dᵀr,  D = ∂(A c)/∂Ω,  S = DᵀD − DᵀA (AᵀA)⁻¹ AᵀD,  r = y − A c.
 ///
-/// with the samples y, the coefficients c and Legendre polynomials P_k. A frequency is Ω = ωT/2, the phase per unit of
-/// s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. The distance of one resolution width 2π/T is π
-/// in Ω.
+/// with the samples y, the coefficients c and the Legendre polynomials P_k. The frequency Ω = ωT/2 is the phase per
+/// unit of s ∈ [−1, 1] in a record of length T. The record contains Ω/π cycles. One resolution width 2π/T of ω is the
+/// distance π of Ω.
 
 #include <Eigen/Dense>
 #include <utility>
@@ -21,7 +21,7 @@ struct Wave {
 
 class LineModel {
  public:
-  /// `y` must outlive the model.
+  /// Makes a model without waves. The vector `y` must outlive the model.
   LineModel(const Eigen::VectorXd& y, int drift_degree);
 
   std::vector<double> bases;  ///< free frequencies; call project() after a change of `bases` or `waves`
@@ -31,17 +31,18 @@ class LineModel {
   void project();
 
   enum class Accuracy { rough, full };
-  /// Makes Gauss–Newton steps. Each step is halved until the residual decreases. Rough accuracy ends after a step that
-  /// reduces the squared residual by less than a tenth. This is sufficient to find further lines.
+  /// Makes Gauss–Newton steps for the free frequencies. A step is halved until the residual decreases. With rough
+  /// accuracy, the function ends after a step that reduces the squared residual by less than a tenth. This accuracy is
+  /// sufficient to find further lines.
   void refine(Accuracy accuracy);
 
   double omega(const Wave& w) const { return w.multiple * bases[w.base]; }
   double rss() const { return residual_.squaredNorm(); }
   const Eigen::VectorXd& residual() const { return residual_; }
   Eigen::Index n_parameters() const { return A_.cols() + Eigen::Index(bases.size()); }
-  /// The coefficients (a, b) of a cos Ωs + b sin Ωs.
+  /// The coefficients (a, b) of the wave a cos Ωs + b sin Ωs.
   std::pair<double, double> amplitudes(std::size_t wave) const;
-  /// The diagonal of S⁻¹, with one entry per free frequency.
+  /// The diagonal of S⁻¹, with one entry for each free frequency.
   Eigen::VectorXd inverse_curvature();
 
  private:

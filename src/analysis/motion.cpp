@@ -51,11 +51,11 @@ MotionSummary begin_summary(const ModelRunTable& run) {
   return s;
 }
 
-/// Energies below this fraction of other energies are round-off. Kinetic energies below `least_kinetic_part` of the
-/// unit of the scene are round-off of velocities.
+/// Energies below the fraction `least_energy_part` of other energies are round-off. Kinetic energies below the fraction
+/// `least_kinetic_part` of the unit of energy are round-off of velocities.
 constexpr double least_energy_part = 1e-12, least_kinetic_part = 1e-24;
 
-/// Columns in the table for the terminal, with their labels.
+/// The columns in the table for the terminal, with their labels.
 constexpr std::pair<const char*, const char*> shown_ranges[] = {
     {"a1", "semi-axis a1"},
     {"a2", "semi-axis a2"},
@@ -90,7 +90,8 @@ std::vector<double> Deformation::component(int i, int j) const {
 std::pair<int, int> Deformation::liveliest_component() const {
   Matrix3d variance = Matrix3d::Zero();
   for (const Matrix3d& c : C) variance += (c - C_mean).cwiseAbs2();
-  // Equal variances differ by round-off. In this case the first component is returned, whatever the order of summation.
+  // Variances that are equal in exact arithmetic differ by round-off. The first of these components is returned. The
+  // result then does not depend on the order of summation.
   const double least = (1 - 1e-9) * variance.maxCoeff();
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
@@ -179,8 +180,8 @@ MotionSummary summarize_system(const ModelRunTable& run) {
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     s.ranges.push_back(range_of(table.columns[c], table.column(table.columns[c])));
   if (table.has_column("energy")) {
-    // The zero of a potential is arbitrary, so its size is its range. The size of a kinetic energy is its largest
-    // value. If both are round-off of the potential, the system does not move.
+    // The zero of a potential is arbitrary. Therefore the size of a potential energy is its range, and the size of a
+    // kinetic energy is its largest value. If both are round-off of the potential energy, the system does not move.
     double size = 0, potential = 0;
     if (table.has_column("kinetic")) size = largest(table.column("kinetic"));
     if (table.has_column("potential")) {

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
-/// Magnitudes at θ = 2πk/n_padded for k = 0 … n_padded/2. Zero padding resolves the peaks.
+/// Magnitudes of the periodogram at θ = 2πk/n_padded for k = 0 … n_padded/2. Zero padding resolves the peaks.
 std::vector<double> spectrum(const VectorXd& y, std::size_t n_padded) {
   std::vector<double> windowed(n_padded, 0.0);
   const double n = double(y.size());
@@ -34,7 +34,8 @@ double lower_quartile(std::vector<double> values) {
   return *quarter;
 }
 
-/// Position of the vertex of the parabola through the logarithms of m at k−1, k, k+1.
+/// The vertex of the parabola through the logarithms of m at k − 1, k, k + 1. If it does not have a maximum, the result
+/// is k.
 double vertex(const std::vector<double>& m, std::size_t k) {
   const double left = std::log(m[k - 1]), middle = std::log(m[k]), right = std::log(m[k + 1]);
   const double curvature = left - 2 * middle + right;

@@ -17,7 +17,8 @@ inline const Columns Q_columns{"Q11", "Q12", "Q13", "Q21", "Q22", "Q23", "Q31", 
 inline const Columns Qdot_columns{"Qdot11", "Qdot12", "Qdot13", "Qdot21", "Qdot22",
                                   "Qdot23", "Qdot31", "Qdot32", "Qdot33"};
 
-/// Reads columns of a table. Each sample is an Eigen object whose entries are the columns, row by row.
+/// Reads columns of a table, which must have samples. Returns an Eigen object for each sample. Its entries are the
+/// values of the columns, row by row.
 template <class Value>
 std::vector<Value> read(const io::Table& table, const Columns& names) {
   std::vector<Value> samples(table.n_rows());
@@ -30,7 +31,7 @@ std::vector<Value> read(const io::Table& table, const Columns& names) {
   return samples;
 }
 
-/// Values of f for the samples of one or more lists of the same length.
+/// Returns the values of f at the samples of one or more lists of the same length.
 template <class F, class First, class... Rest>
 std::vector<double> each(F f, const std::vector<First>& first, const std::vector<Rest>&... rest) {
   std::vector<double> values(first.size());
@@ -56,14 +57,14 @@ inline double largest(const std::vector<double>& values) {
 
 inline double ratio_or_zero(double a, double b) { return a == 0 ? 0 : a / b; }
 
-/// The weighted mean Σ w v / Σ w of the values v.
+/// The weighted mean Σ w v / Σ w of the values v. It is 0 if Σ w v = 0.
 inline double weighted_mean(const std::vector<double>& values, const std::vector<double>& weights) {
   double total = 0, sum = 0;
   for (std::size_t n = 0; n < values.size(); ++n) total += weights[n], sum += values[n] * weights[n];
   return ratio_or_zero(sum, total);
 }
 
-/// Largest difference from the first value, divided by the reference.
+/// The largest difference from the first value, divided by the reference. It is 0 if all values are equal.
 inline double drift(const std::vector<double>& values, double reference) {
   return ratio_or_zero(largest(each([&](double v) { return v - values[0]; }, values)), reference);
 }

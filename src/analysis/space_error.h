@@ -1,54 +1,57 @@
 #pragma once
-/// The discretisation error of a series of runs, from the differences d of successive runs. The model of the error e of
-/// a run with resolution N is
+/// Estimate of the discretisation error from the differences d of successive runs in a series. In the model of the
+/// estimate, the error e of a run with resolution N is
 ///
 ///   e(N) = C N⁻ᵖ,
 ///
-/// with a constant C and the rate p. The rate is algebraic in the degree and in the mesh size, because shear fronts
-/// leave the surface of the ball. Two runs with resolutions N and N' and an assumed rate give
+/// with a constant C and the rate p. The error decreases only with a power of the degree and of the mesh size. The
+/// reason is that the motion is not smooth at the shear fronts, which start at the surface of the ball. Two runs with
+/// resolutions N and N' and an assumed rate give
 ///
 ///   e(N) = d N⁻ᵖ / |N'⁻ᵖ − N⁻ᵖ|,
 ///
-/// and three runs with the differences d₁₂ and d₂₃ also give the rate, from
+/// and three runs with the differences d₁₂ and d₂₃ also determine the rate by
 ///
 ///   d₁₂ / d₂₃ = (N₁⁻ᵖ − N₂⁻ᵖ) / (N₂⁻ᵖ − N₃⁻ᵖ).
 ///
-/// The rate is kept between bounds: two runs may be close by chance, and a fast initial rate need not continue. Errors
-/// of successive runs often differ in sign or have their maxima at different times. The difference d is then up to
-/// their sum, and the estimate is an upper bound.
+/// The rate is kept between two bounds. The lower bound is necessary because two runs may be close by chance. The upper
+/// bound is necessary because a fast initial rate need not continue. Errors of successive runs often differ in sign, or
+/// have their maxima at different times. The difference d can then be as large as the sum of both errors, and the
+/// estimate is an upper bound.
 
 #include <cstddef>
 #include <vector>
 
 namespace pseudorigid::analysis {
 
-/// Assumed rate and its bounds. The measured rates are between the bounds or larger (docs/benchmarks.md, "Error in
-/// space").
+/// The assumed rate, and the bounds of the rate of finite elements. Measured rates are between the bounds or larger
+/// (docs/benchmarks.md, "Error in space").
 inline constexpr double assumed_space_rate = 3, least_space_rate = 2.5, largest_space_rate = 6;
-/// Lower bound of the rate p for polynomial bodies, with N their degree; also the rate assumed for a run and its
-/// companion. Releases of incompressible balls have rates above 2. A compressible ball whose pressure front meets at
-/// the centre has the rate 1.3, for which the estimate is too small.
+/// Lower bound of the rate p for polynomial bodies, whose resolution N is their degree. The error of a run is also
+/// computed with this rate if there is only the companion run. Releases of incompressible balls have rates above 2. A
+/// compressible ball whose pressure front meets at the centre has the rate 1.3, for which the estimate is too small.
 inline constexpr double least_polynomial_rate = 1.5;
 
-/// The error e of a run with resolution N, if d is its difference from a run with resolution N_other.
+/// The error e of a run with resolution N, if the difference from a run with resolution N_other is d.
 double space_error(double d, double N, double N_other, double rate = assumed_space_rate);
 
-/// The rate and the error of runs with increasing resolution.
+/// The rate and the errors of a series of runs with increasing resolution.
 class SpaceErrorLadder {
  public:
   explicit SpaceErrorLadder(double least_rate = least_space_rate) : least_rate_(least_rate) {}
 
-  /// Adds the next run. Its difference from the run before is d, which is ignored for the first run.
+  /// Adds the next run with its resolution N. The difference from the previous run is d, which is ignored for the first
+  /// run.
   void add(double N, double d) { runs_.push_back({N, d}); }
   std::size_t n_runs() const { return runs_.size(); }
   double resolution_of(std::size_t i) const { return runs_[i].N; }
   double difference_of(std::size_t i) const { return runs_[i].d; }
 
-  /// The rate p.
+  /// The rate p from the last three runs. If there are fewer than three runs, it is the assumed rate.
   double rate() const;
-  /// The error e of the last run. Infinite if there is only one run.
+  /// The error e of the last run. It is infinite if there are fewer than two runs.
   double error() const;
-  /// The error e of a run with resolution N.
+  /// The error e of a further run with resolution N. It is infinite if there are fewer than two runs.
   double predicted_error(double N) const;
 
  private:

@@ -1,7 +1,7 @@
 #pragma once
 /// Exact frequencies of the elastic sphere (Lamb 1882; Eringen and Şuhubi, Elastodynamics II, 8.14). The unknown is x =
-/// ωr/c with c the speed of shear waves, and y = ωr/c_p = x c/c_p with c_p the speed of pressure waves. With the degree
-/// n, N = n(n+1) and the spherical Bessel functions j_n, the equations are
+/// ωr/c with the speed c of shear waves. With the speed c_p of pressure waves, y = ωr/c_p = x c/c_p. For the degree n,
+/// with N = n(n+1) and the spherical Bessel functions j_n, the equations are
 ///
 ///   toroidal                   x j_n' − j_n = 0,        j_n' = j_{n−1} − (n+1)/x j_n
 ///   spheroidal, incompressible [2n(n−1) − x² + γ n k_n][(2N − 2 − x²) j_n − 2x j_n']
@@ -30,7 +30,7 @@ inline double incompressible_spheroidal_equation(int n, double x, double gamma) 
          2 * N * (n - 1) * (2 * toroidal_equation(n, x) + pull * j);
 }
 
-/// The argument `ratio` is c/c_p.
+/// The left-hand side of the equation for compressible spheroidal modes. The argument `ratio` is c/c_p.
 inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   const double y = ratio * x, N = n * (n + 1);
   const auto j = [](int degree, double z) { return std::sph_bessel(static_cast<unsigned>(degree), z); };
@@ -41,8 +41,8 @@ inline double compressible_spheroidal_equation(int n, double x, double ratio) {
   return T11 * T43 - T13 * T41;
 }
 
-/// The root of f above 0.5 with the number `overtone`; the lowest root has the number 0. Frequencies of the sphere have
-/// x > 0.5.
+/// The root of f above 0.5 with the number `overtone`. The lowest root has the number 0. All frequencies of the sphere
+/// satisfy x > 0.5.
 template <class Function>
 double sphere_root(const Function& f, int overtone) {
   constexpr double first = 0.5, step = 0.01;  // the distance of two roots of one degree is larger than this step
@@ -58,13 +58,13 @@ double sphere_root(const Function& f, int overtone) {
   return 0.5 * (low + high);
 }
 
-/// The frequency x of the incompressible sphere for degree n ≥ 1.
+/// The frequency x = ωr/c of the incompressible sphere for degree n ≥ 1.
 inline double sphere_frequency(bool spheroidal, int n, int overtone, double gamma = 0) {
   return sphere_root(
       [=](double x) { return spheroidal ? incompressible_spheroidal_equation(n, x, gamma) : toroidal_equation(n, x); },
       overtone);
 }
-/// The frequency x of the compressible sphere, for degree n ≥ 0 if spheroidal and n ≥ 1 if toroidal.
+/// The frequency x = ωr/c of the compressible sphere. The degree is n ≥ 0 for spheroidal and n ≥ 1 for toroidal modes.
 inline double compressible_sphere_frequency(bool spheroidal, int n, int overtone, double ratio) {
   if (!spheroidal) return sphere_frequency(false, n, overtone);
   return sphere_root([=](double x) { return compressible_spheroidal_equation(n, x, ratio); }, overtone);

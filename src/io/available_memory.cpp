@@ -15,24 +15,24 @@ namespace fs = std::filesystem;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Names of the files of a control group. Without a limit, version 1 writes a number larger than any memory, and
-/// version 2 writes a word.
+/// Names of the files of a control group. In a group without a limit, the file of version 1 contains a number larger
+/// than any memory. The file of version 2 contains the word "max".
 struct Names {
   const char *limit, *used;
-  /// Entries of memory.stat: bytes of files that the kernel can drop, in the group and in all groups below.
+  /// Entries of memory.stat: the bytes of files that the kernel can drop, in the group and in all groups below it.
   const char *inactive, *active;
 };
 constexpr Names version_1{"memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file", "total_active_file"};
 constexpr Names version_2{"memory.max", "memory.current", "inactive_file", "active_file"};
 
-/// The number in a file, or `otherwise` if the file does not exist or contains a word.
+/// The number in a file. If the file does not exist or contains a word, the result is `otherwise`.
 double number_in(const fs::path& path, double otherwise) {
   std::ifstream file(path);
   double number;
   return file >> number ? number : otherwise;
 }
 
-/// The number after a name, or `otherwise` if the file does not contain the name.
+/// The number after the word `wanted`. If the file does not contain this word, the result is `otherwise`.
 double number_named(const fs::path& path, std::string_view wanted, double otherwise) {
   std::ifstream file(path);
   double number;
@@ -49,7 +49,8 @@ double left_in_group(const fs::path& group, const Names& names) {
 }
 
 /// The least free memory of a group and of the groups above it. In a container, the mounted folder may contain only the
-/// container's own group, but `path` names the groups of the machine. A missing file means that there is no limit.
+/// group of the container, although `path` names the groups of the machine. If a file is missing, its group has no
+/// limit.
 double left_in_groups(const fs::path& mount, const std::string& path, const Names& names) {
   double left = infinite;
   for (fs::path group = fs::path(path).lexically_normal();; group = group.parent_path()) {
@@ -65,7 +66,7 @@ double available_memory(const fs::path& root) {
   double available = kilobyte * number_named(root / "proc/meminfo", "MemAvailable:", infinite);
   const fs::path mounts = root / "sys/fs/cgroup";
   std::ifstream groups(root / "proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);) {  // number:controllers:path
+  for (std::string line; std::getline(groups, line);) {  // a line is number:controllers:path
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (second == line.npos) continue;
     const std::string controllers = fmt::format(",{},", line.substr(first + 1, second - first - 1)),

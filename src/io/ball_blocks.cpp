@@ -8,23 +8,23 @@
 namespace pseudorigid::io {
 namespace {
 
-/// Half the edge of the cube. Its corners have the distance 0.69 from the centre of the unit ball.
+/// Half the edge of the cube. The corners of the cube have the distance 0.69 from the centre of the unit ball.
 constexpr double half_edge = 0.4;
 
-/// Coordinate of a point of the cube in units of half the edge. Equal steps of the index are equal angles seen from the
-/// centre. The function is odd, so that the points have exactly the symmetry of the cube.
+/// The coordinate of a point of the cube in units of half the edge. Equal steps of the index are equal angles seen from
+/// the centre. The function is odd. Therefore the points have exactly the symmetry of the cube.
 double face_coordinate(int twice_index_from_middle, int n) {
   return std::tan(std::numbers::pi / 4 * twice_index_from_middle / n);
 }
 
-/// Gives each point a number when it is first used.
+/// Points with numbers. A point gets its number when it is used for the first time.
 class Points {
  public:
   Points(int n_intervals, int n_layers, std::vector<Eigen::Vector3d>& points)
       : n_intervals_(n_intervals), n_layers_(n_layers), points_(points) {}
 
-  /// Number of a point. `cube` is its place in [−n, n]³ in steps of 2; layers above 0 lie outside the surface of the
-  /// cube.
+  /// The number of a point. The index `cube` gives the place in the cube, from −n to n in steps of 2 for n intervals.
+  /// Layer 0 is the cube itself. The other layers are outside the cube, from its surface to the surface of the ball.
   std::int64_t number(const std::array<int, 3>& cube, int layer) {
     const auto [found, is_new] =
         numbers_.try_emplace({cube[0], cube[1], cube[2], layer}, static_cast<std::int64_t>(points_.size()));
@@ -45,7 +45,7 @@ class Points {
   std::map<std::array<int, 4>, std::int64_t> numbers_;
 };
 
-/// Calls append(i, j, k) for each point of a block.
+/// Calls append(i, j, k) for each point of a block of the given degree.
 template <class Append>
 void visit_block(int degree, Append&& append) {
   for (int k = 0; k <= degree; ++k)

@@ -1,7 +1,7 @@
 #pragma once
-/// Points that fill the unit ball, for pictures of models without elements. They form blocks: a cube in the middle and
-/// six shells between its faces and the surface. The points on a face of the cube are at equal angles seen from the
-/// centre.
+/// Points that fill the unit ball, for pictures of models without elements. The points form blocks. A cube in the
+/// middle consists of blocks, and so does each of the six shells between a face of the cube and the surface. On a face
+/// of the cube, the rows of points are at equal angles seen from the centre.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,7 +15,7 @@ struct BallBlocks {
   mechanics::PointBlocks blocks;
 };
 
-/// Blocks of the given degree: n³ blocks in the cube and n² in each shell.
+/// Divides the ball into blocks of the given degree: n³ blocks in the cube and n² in each shell.
 BallBlocks ball_blocks(int degree, int n);
 
 }  // namespace pseudorigid::io

@@ -9,9 +9,9 @@
 namespace pseudorigid::io {
 namespace {
 
-/// Index that VTK gives to the point (i, j, k) of a Lagrange hexahedron of degree p. The order is corners, edges,
-/// faces, interior. Files of version 1.0 number the edges along k as 0, 1, 3, 2; VTK exchanges the last two when it
-/// reads a file.
+/// The index that VTK gives to the point (i, j, k) of a Lagrange hexahedron of degree p. The order is corners, edges,
+/// faces, interior. Files of version 1.0 number the edges along k as 0, 1, 3, 2. VTK exchanges the last two when it
+/// reads such a file.
 std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std::size_t p) {
   const std::size_t on_edge = p - 1, on_face = on_edge * on_edge;
   const auto is_end = [p](std::size_t index) { return index == 0 || index == p; };
@@ -27,7 +27,7 @@ std::size_t place_in_hexahedron(std::size_t i, std::size_t j, std::size_t k, std
   return inside + (k - 1) * on_face + (j - 1) * on_edge + i - 1;
 }
 
-/// The points of the Lagrange cell of a block of degree p, in VTK's order.
+/// The points of the Lagrange cell of a block of degree p, in VTK's order. A point is given by its index in the block.
 std::vector<std::size_t> lagrange_cell(std::size_t p) {
   std::vector<std::size_t> points((p + 1) * (p + 1) * (p + 1));
   for (std::size_t k = 0; k <= p; ++k)
@@ -36,8 +36,8 @@ std::vector<std::size_t> lagrange_cell(std::size_t p) {
   return points;
 }
 
-/// The points of the linear cells of a block of degree p, in VTK's order. Each cell has the lower face
-/// counter-clockwise and then the upper face.
+/// The points of the linear cells of a block of degree p, in VTK's order. A cell lists the lower face counter-clockwise
+/// and then the upper face. A point is given by its index in the block.
 std::vector<std::size_t> linear_cells(std::size_t p) {
   const std::size_t n = p + 1;
   const std::array<std::size_t, 8> corners{0, 1, n + 1, n, n * n, n * n + 1, n * n + n + 1, n * n + n};
@@ -49,8 +49,9 @@ std::vector<std::size_t> linear_cells(std::size_t p) {
   return points;
 }
 
-/// Number of cells in the first row of which each shares a face with the next. This is the degree of their blocks.
-/// Returns 1 if blocks of this degree do not fit the number of cells.
+/// The degree p of the blocks that linear_cells has divided. It is the number of cells at the beginning of the list
+/// that form a row, in which each cell shares a face with the next. The result is 1 if the number of cells is not a
+/// multiple of p³.
 std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   const auto share_a_face = [&](std::size_t cell) {
     const std::int64_t *here = &grid.connectivity[8 * cell], *next = here + 8;
@@ -61,8 +62,8 @@ std::size_t cells_in_a_row(const UnstructuredGrid& grid) {
   return grid.n_cells() % (p * p * p) == 0 ? p : 1;
 }
 
-/// The point (i, j, k) of a block that linear_cells has divided. It is a corner of the cell (i, j, k), or of the last
-/// cell if an index equals p.
+/// The point (i, j, k) of a block that linear_cells has divided. The point is the first corner of the cell (i, j, k).
+/// If an index equals p, it is another corner of the last cell in this direction.
 std::int64_t point_of_linear_block(const std::int64_t* cells, std::size_t p, std::array<std::size_t, 3> place) {
   constexpr std::array<std::size_t, 8> corner{0, 1, 3, 2, 4, 5, 7, 6};  // VTK's number of the corner i + 2j + 4k
   std::size_t cell = 0, which = 0;

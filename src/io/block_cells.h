@@ -1,5 +1,5 @@
 #pragma once
-/// Conversion between blocks of points of a body and cells of VTK.
+/// Conversion between blocks of points of a body (mechanics::PointBlocks) and cells of VTK.
 
 #include <optional>
 
@@ -9,12 +9,12 @@
 
 namespace pseudorigid::io {
 
-/// Makes the cells of the blocks. `linear` divides a block into degree³ hexahedra. `lagrange` makes one hexahedron of
-/// the degree of the block. Pictures then show the fields of a block as polynomials, and VTK treats its points as
-/// equidistant.
+/// Sets the cells of the grid to the cells of the blocks. With `linear`, a block is divided into degree³ hexahedra.
+/// With `lagrange`, a block is one hexahedron of the same degree. Pictures then show the fields of a block as
+/// polynomials, for which VTK treats the points as equidistant.
 void set_cells(UnstructuredGrid& grid, const mechanics::PointBlocks& blocks, scene::Cells cells);
 
-/// The blocks from which `set_cells` made the cells. Empty if the cells are not hexahedra.
+/// The blocks from which `set_cells` made the cells of the grid. The result is empty if the cells are not hexahedra.
 std::optional<mechanics::PointBlocks> blocks_of(const UnstructuredGrid& grid);
 
 }  // namespace pseudorigid::io

@@ -14,7 +14,8 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector3d;
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-/// The rotation nearest to M in the Frobenius norm: U diag(1, 1, ±1) Vᵀ with the singular values M = U diag(σ) Vᵀ.
+/// The rotation nearest to M in the Frobenius norm. It is U diag(1, 1, ±1) Vᵀ for the singular value decomposition M =
+/// U diag(σ) Vᵀ, with the sign that gives the determinant 1.
 Matrix3d rotation_of(const Matrix3d& M) {
   const Eigen::JacobiSVD<Matrix3d> svd(M, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
@@ -26,7 +27,7 @@ std::vector<double> scaled(std::vector<double> values, double unit) {
   return values;
 }
 
-/// Adds fields to a grid. A function computes the value at each point.
+/// Adds fields to a grid. The argument `value_at(i)` computes the value at point i.
 class Fields {
  public:
   Fields(const mechanics::BodyFields& body, UnstructuredGrid& grid) : body_(body), grid_(grid) {}

@@ -1,7 +1,7 @@
 #pragma once
-/// The picture of a body at one time, at its current position and in the units of the user. Every model gives the same
-/// BodyFields. This file selects the fields of the picture. A material point has the position x and the reference
-/// position X, and x_c is the centre of mass:
+/// The picture of a body at one time, at its current position and in the units of the user. Every model computes the
+/// same BodyFields, and body_picture selects the fields of the picture. A material point has the position x and the
+/// reference position X, and x_c is the centre of mass:
 ///
 ///   displacement                  u = x − X
 ///   displacement_without_rotation x − x_c − R X, R the rotation nearest to the motion (the polar factor of

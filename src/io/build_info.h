@@ -1,6 +1,7 @@
 #pragma once
-/// Version, compiler and flags of this executable, fixed when it was built. They are in a library of their own (CMake
-/// target build_info), because the commit changes often. A new commit then only links the executables again.
+/// Version, compiler and flags of this executable, fixed when it was built. A separate library (CMake target
+/// build_info) contains them, because the commit changes often. After a new commit, only this library is compiled, and
+/// the executables are linked again.
 
 #include <string_view>
 

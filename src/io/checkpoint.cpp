@@ -34,14 +34,14 @@ std::string_view bytes_of(const T* values, std::size_t n = 1) {
   return {reinterpret_cast<const char*>(values), n * sizeof(T)};
 }
 
-/// Continues an FNV-1a hash with further bytes.
+/// Continues an FNV-1a hash with further bytes and returns the new hash.
 std::uint64_t hash_on(std::uint64_t hash, std::string_view bytes) {
   for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
   return hash;
 }
 constexpr std::uint64_t hash_of_nothing = 0xcbf29ce484222325u;
 
-/// Reads values from the front of a payload. Before each read it checks that enough bytes remain.
+/// Reads values from the beginning of a payload. Before each read, it checks that enough bytes remain.
 class Cursor {
  public:
   explicit Cursor(std::string_view bytes) : rest_(bytes) {}
@@ -81,7 +81,7 @@ UserError unusable(const std::filesystem::path& path, const std::string& reason)
   return UserError(fmt::format("the checkpoint '{}' cannot be used: {}", path.native(), reason));
 }
 
-/// The payload of a file. Throws UserError if header, size or checksum are wrong.
+/// The payload of a file. Throws UserError if the header, the size or the checksum is wrong.
 std::string read_payload(const std::filesystem::path& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
@@ -139,7 +139,7 @@ const std::vector<double>& Checkpoint::get_doubles(const std::string& name, std:
 std::int64_t Checkpoint::get_integer(const std::string& name) const { return get<std::int64_t>(name, "an integer"); }
 const std::string& Checkpoint::get_string(const std::string& name) const { return get<std::string>(name, "a text"); }
 
-/// Writes the values without a copy, because a copy of a large state may exceed the memory.
+/// Writes the file without a copy of the values, because a copy of a large state may not fit into memory.
 void Checkpoint::save(const std::filesystem::path& path) const {
   std::deque<std::string> heads;  // a deque, because `parts` refers to its elements
   std::vector<std::string_view> parts(1);

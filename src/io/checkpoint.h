@@ -1,11 +1,12 @@
 #pragma once
-/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically.
+/// A binary file of named values that contains the state of a run. A new file replaces the old one atomically. Its
+/// format is
 ///
 ///   header   magic "PSRGCKPT" | endianness tag u32 | version u32 | payload size u64 | FNV-1a of the payload u64
 ///   payload  section after section: type u8 | name length u32 | name | count u64 | count values (f64, i64 or char)
 ///
-/// `load` verifies the sizes and the checksum before it uses a value. A truncated, altered or foreign file is a
-/// UserError.
+/// `load` verifies the sizes and the checksum before it uses a value. It throws UserError for a truncated, altered or
+/// foreign file.
 
 #include <concepts>
 #include <cstdint>
@@ -34,8 +35,8 @@ class Checkpoint {
   }
 
   bool has(const std::string& name) const { return values_.contains(name); }
-  /// These functions throw a UserError, with names of file and entry, if the entry is missing or has another type or
-  /// size.
+  /// The value of the entry `name`. Throws UserError with the names of the file and the entry if the entry is missing
+  /// or has another type or size.
   const std::vector<double>& get_doubles(const std::string& name) const;
   const std::vector<double>& get_doubles(const std::string& name, std::size_t expected_size) const;
   double get_double(const std::string& name) const { return get_doubles(name, 1)[0]; }

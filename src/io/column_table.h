@@ -1,5 +1,5 @@
 #pragma once
-/// CSV files whose columns have units. Rows are appended in internal units and written in the units of the user.
+/// CSV files whose columns have units. Rows are given in internal units and written in the units of the user.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::io {
 
-/// Names of columns, and factors that convert a row to the units of the user. `factor(unit)` returns the factor of a
-/// unit.
+/// The names of columns, and the factors that convert a row to the units of the user. The function `factor(unit)`
+/// returns the factor of a unit.
 struct ColumnUnits {
   template <class Factor>
   ColumnUnits(const std::vector<scene::Column>& columns, const Factor& factor) {
@@ -33,7 +33,7 @@ class ColumnTable {
   ColumnTable(const std::filesystem::path& path, const std::vector<scene::Column>& columns, const Factor& factor)
       : units_(columns, factor), csv_(CsvWriter::create(path, units_.names)) {}
 
-  /// Returns false, and does not write the row, if a value is not finite in the units of the user.
+  /// Returns false and does not write the row if a value in the units of the user is not finite.
   bool append_if_finite(std::vector<double> row) {
     units_.convert(row);
     const bool is_finite = std::ranges::all_of(row, [](double x) { return std::isfinite(x); });

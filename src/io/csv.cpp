@@ -23,7 +23,8 @@ constexpr std::size_t pending_limit = 1 << 16;  // largest number of bytes that 
 
 std::string header_line(std::span<const std::string> columns) { return fmt::format("{}\n", fmt::join(columns, ",")); }
 
-/// Moves the next line of `text`, without its newline, into `line`. False if no complete line remains.
+/// Moves the next line of `text`, without its newline, into `line`. Returns false if `text` does not contain a complete
+/// line.
 bool next_line(std::string_view& text, std::string_view& line) {
   const std::size_t end = text.find('\n');
   if (end == text.npos) return false;
@@ -45,7 +46,7 @@ std::vector<std::string> split_header(std::string_view line) {
   return columns;
 }
 
-/// Appends the numbers of a line to `values`. Returns the error message, or an empty text.
+/// Appends the numbers of a line to `values`. Returns an error message, or an empty text if there is no error.
 std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<double>& values) {
   const char *position = line.data(), *const end = position + line.size();
   for (std::size_t i = 0; i < n_columns; ++i) {
@@ -61,7 +62,7 @@ std::string parse_row(std::string_view line, std::size_t n_columns, std::vector<
   return {};
 }
 
-/// Writes the same digits as printf with %.17g in a third of the time.
+/// Appends the same digits as printf with %.17g, in a third of the time.
 void append_number(std::string& text, double value) {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr);
@@ -112,7 +113,8 @@ std::int64_t n_rows_before(const std::filesystem::path& path, double value) {
 
 namespace {
 
-/// The lines of the first `n_rows` rows of a table, without the header.
+/// The first `n_rows` rows of a table as text, without the header. Throws UserError if the header or the number of rows
+/// is wrong.
 std::string_view first_rows(const std::filesystem::path& path, std::string_view content,
                             std::span<const std::string> columns, std::int64_t n_rows) {
   const std::string header = header_line(columns);
@@ -216,7 +218,7 @@ void CsvWriter::flush() {
   try {
     write_fully(file_descriptor_, pending_, path_);
   } catch (const WriteError&) {
-    // Only whole rows may remain. If truncation fails too, the rethrown error is sufficient.
+    // Only whole rows may remain in the file. If the truncation also fails, the rethrown error is sufficient.
     [[maybe_unused]] const int result = ::ftruncate(file_descriptor_, static_cast<off_t>(file_size_));
     throw;
   }

@@ -1,6 +1,6 @@
 #pragma once
 /// The syntax of the CSV files of a run: one header line, commas between values, finite numbers only. Numbers have 17
-/// significant digits, so that reading returns the same doubles.
+/// significant digits. A reader therefore obtains the same doubles that were written.
 
 #include <cstdint>
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace pseudorigid::io {
 
-/// The contents of a CSV file. `values` contains one row after the other.
+/// The contents of a CSV file. The vector `values` contains the rows one after the other.
 struct Table {
   std::vector<std::string> columns;
   std::vector<double> values;
@@ -19,46 +19,46 @@ struct Table {
   std::size_t n_rows() const { return columns.empty() ? 0 : values.size() / columns.size(); }
   std::span<const double> row(std::size_t i) const { return {values.data() + i * columns.size(), columns.size()}; }
   bool has_column(std::string_view name) const;
-  std::size_t column_index(std::string_view name) const;    ///< UserError if there is none
-  std::vector<double> column(std::string_view name) const;  ///< UserError if there is none
+  std::size_t column_index(std::string_view name) const;    ///< throws UserError if there is no such column
+  std::vector<double> column(std::string_view name) const;  ///< throws UserError if there is no such column
 };
 
-/// Reads a file of this syntax. Any other text is a UserError "path:line: …".
+/// Reads a file of this syntax. Throws UserError "path:line: …" for any other text.
 Table read_csv(const std::filesystem::path& path);
 
-/// Number of rows at the beginning of a table whose first value is less than `value`. An incomplete last row does not
-/// count; a killed run may leave one.
+/// The number of rows before the first row whose first value is not less than `value`. An incomplete last row, which a
+/// killed run may leave, does not count.
 std::int64_t n_rows_before(const std::filesystem::path& path, double value);
 
 /// Throws UserError "path:line: …" unless the file begins with this header and `n_rows` valid rows. Later rows are not
 /// checked.
 void require_rows(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Names of the columns. Throws UserError "path:line: …" if the file does not begin with a header.
+/// The names of the columns in a file. Throws UserError "path:line: …" if the file does not begin with a header.
 std::vector<std::string> columns_in(const std::filesystem::path& path);
 
-/// Keeps the header and the first `n_rows` rows, for a resumed run. The text after them is removed; after a kill it may
-/// end with an incomplete row. UserError if the file has fewer rows or other columns.
+/// Keeps the header and the first `n_rows` rows, for a resumed run. All text after these rows is removed; a killed run
+/// may have left an incomplete row. Throws UserError if the file has fewer rows or other columns.
 void truncate_csv(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
-/// Appends rows to a file. Rows collect in memory, and flush() writes them to the file. Call flush() before each
-/// checkpoint, so that the file contains all rows of the checkpoint. If a write fails (WriteError), the file is
-/// truncated to whole rows and the pending rows are kept. A later flush may then succeed.
+/// Appends rows to a file. The rows are collected in memory, and flush() writes them to the file. Call flush() before
+/// each checkpoint. The file then contains all rows up to the checkpoint. If a write fails (WriteError), the file is
+/// truncated to whole rows, and the rows that are not written remain in memory. A later flush may then succeed.
 class CsvWriter {
  public:
   static CsvWriter create(const std::filesystem::path& path, std::span<const std::string> columns);
-  /// For a resumed run: truncates the file to `n_rows` rows and appends new rows.
+  /// Opens the file of a resumed run, and keeps only its first `n_rows` rows. New rows are appended.
   static CsvWriter resume(const std::filesystem::path& path, std::span<const std::string> columns, std::int64_t n_rows);
 
   CsvWriter(CsvWriter&& other) noexcept;
   CsvWriter& operator=(CsvWriter&&) = delete;
   ~CsvWriter();  ///< flushes and ignores errors; call flush() to detect them
 
-  /// Appends one finite value per column. If a value is not finite, the row is discarded and a std::logic_error names
-  /// the column.
+  /// Appends a row with one finite value per column. If a value is not finite, the row is discarded, and a
+  /// std::logic_error contains the name of the column.
   void append(std::span<const double> row);
   void flush();
-  std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, with the rows from before a resume
+  std::int64_t n_rows() const { return n_rows_; }  ///< number of rows, including those before a resume
 
  private:
   CsvWriter(std::filesystem::path path, int file_descriptor, std::span<const std::string> columns, std::int64_t n_rows,
@@ -68,7 +68,7 @@ class CsvWriter {
   std::vector<std::string> columns_;
   std::string pending_;
   std::int64_t n_rows_;
-  std::int64_t file_size_;  ///< bytes of the whole rows in the file
+  std::int64_t file_size_;  ///< size in bytes of the header and the whole rows in the file
 };
 
 }  // namespace pseudorigid::io

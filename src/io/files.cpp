@@ -58,7 +58,7 @@ bool is_file(int file_descriptor) {
   return ::fstat(file_descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// The path at the end of a chain of links. This path need not exist.
+/// The path at the end of a chain of symbolic links. A file with this path need not exist.
 fs::path behind_links(fs::path path) {
   constexpr int most = 40;  // the limit of the kernel
   for (int n = 0; n < most; ++n) {
@@ -70,7 +70,8 @@ fs::path behind_links(fs::path path) {
   throw WriteError(path, ELOOP);
 }
 
-/// The file `path`.partial. The destructor removes it unless `commit` has renamed it.
+/// The file `path`.partial. The member `commit` renames it to `path`. Without a successful `commit`, the destructor
+/// removes the file.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& target)
@@ -100,7 +101,7 @@ class PartialFile {
 
 void write_into(const fs::path& path, std::span<const std::string_view> parts) {
   Descriptor file(path, O_WRONLY);
-  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // later writes may wait
+  if (!file || ::fcntl(file.value(), F_SETFL, 0) != 0) throw WriteError(path, errno);  // from here on, writes may wait
   for (const std::string_view part : parts) write_fully(file.value(), part, path);
   if (!file.close()) throw WriteError(path, errno);
 }

@@ -17,47 +17,49 @@ struct WriteError : std::runtime_error {
   int error_number;  ///< value of errno
 };
 
-/// Suffix of a file that is not complete. A complete file is renamed; a killed run may leave an incomplete one.
+/// Suffix of the name of an incomplete file. When the file is complete, it is renamed. A killed run may leave an
+/// incomplete file.
 inline constexpr std::string_view partial_suffix = ".partial";
 
 /// A file descriptor that is closed at the end of its scope.
 class Descriptor {
  public:
-  /// Opens the file as open(2) does, but does not wait if the file is a pipe without a reader.
+  /// Opens the file as open(2) does, but does not wait for the other end of a pipe.
   Descriptor(const std::filesystem::path& path, int flags);
   ~Descriptor();
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
   int value() const { return value_; }
   explicit operator bool() const { return value_ >= 0; }
-  /// Returns false if close(2) fails. A full network disk may report its error only at this call.
+  /// Closes the file. Returns false if close(2) fails. A full network disk may report its error only at this call.
   bool close();
 
  private:
   int value_;
 };
 
-/// Whether the path exists. A link exists even if its target does not.
+/// Whether the path exists. A symbolic link exists even if its target does not.
 bool is_there(const std::filesystem::path& path);
 
-/// Returns "a named pipe", "a socket", "a device" or "a directory". Empty for a file, for a link to a file, and for a
-/// path that does not exist.
+/// Returns "a named pipe", "a socket", "a device" or "a directory". The result is empty for a regular file, for a link
+/// to a regular file, and for a path that does not exist.
 std::string kind_unless_file(const std::filesystem::path& path);
 
-/// Writes the concatenated parts to `path`.partial and renames this file. A reader therefore sees either the old file
-/// or the new one. The old file remains after a WriteError. This protects from a killed program and a full disk, but
-/// not from a power failure, because there is no fsync. If `path` is a link, the target is replaced and the link
-/// remains. Pipes and devices are written directly. A pipe without a reader is a WriteError with ENXIO.
+/// Writes the concatenated parts to the file `path`.partial and then renames it. A reader therefore sees either the old
+/// file or the new one. If this fails (WriteError), the old file remains. It also remains if the program is killed or
+/// the disk is full. A power failure may damage the file, because there is no fsync. If `path` is a link, its target is
+/// replaced and the link remains. Pipes and devices are written directly. A pipe without a reader is a WriteError with
+/// ENXIO.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::string_view> parts);
 inline void write_file_atomically(const std::filesystem::path& path, std::initializer_list<std::string_view> parts) {
   write_file_atomically(path, std::span(parts.begin(), parts.size()));
 }
 
-/// The contents of a file. A UserError gives the path and the reason. Pipes and devices are UserErrors, because some
-/// never end.
+/// The contents of a file. Throws UserError with the path and the reason. Pipes and devices are refused, because some
+/// of them never end.
 std::string read_file(const std::filesystem::path& path);
 
-/// Calls write(2) until all bytes are written. Throws a WriteError with `path`.
+/// Calls write(2) until all bytes are written. Throws a WriteError with `path` if this fails.
 void write_fully(int file_descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace pseudorigid::io

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t largest_file = std::size_t{1} << 28;
 constexpr int hexahedron = 5;
 
-/// Number of nodes of Gmsh's elements without volume (point, line, quadrangle). Empty for other elements.
+/// Number of nodes of Gmsh's elements on boundaries (point, line, quadrangle). The result is empty for other elements.
 std::optional<std::size_t> n_nodes_of_boundary(int type) {
   switch (type) {
     case 15:
@@ -39,7 +39,8 @@ std::optional<std::size_t> n_nodes_of_boundary(int type) {
   }
 }
 
-/// The part of a message after "expected hexahedra": the element that was found, and the way to make hexahedra in Gmsh.
+/// The part of a message after "expected hexahedra". It names the element that was found, and the way to make hexahedra
+/// in Gmsh.
 std::string other_element(int type) {
   constexpr std::string_view divided = "Gmsh divides it into hexahedra if Mesh.SubdivisionAlgorithm = 2",
                              straight = "save the mesh with -order 1";
@@ -56,7 +57,7 @@ std::string other_element(int type) {
 std::string text_of(const std::filesystem::path& file) {
   std::error_code ignored;
   std::ifstream stream;
-  // A pipe may wait without end, and can be read only once.
+  // The program would wait without end for some pipes.
   if (std::filesystem::is_regular_file(file, ignored)) stream.open(file, std::ios::binary);
   if (!stream.is_open()) throw UserError(fmt::format("cannot open the mesh {}", file.string()));
   std::string text;
@@ -71,7 +72,7 @@ std::string text_of(const std::filesystem::path& file) {
   return text;
 }
 
-/// Removes the byte order mark that some programs write.
+/// The text without a byte order mark of UTF-8. Throws UserError for a text in UTF-16.
 std::string_view without_mark(std::string_view text, const std::string& file) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw UserError(fmt::format("{}: expected plain text (ASCII or UTF-8), this file is in UTF-16", file));
@@ -114,8 +115,8 @@ class GmshReader {
     throw UserError(fmt::format("{}:{}: {}", file_, n_lines_, sentence));
   }
 
-  /// Moves to the next line and removes white space at its ends. Lines end with LF, CR LF or CR. False at the end of
-  /// the file.
+  /// Sets `line_` to the next line without white space at its ends. Lines end with LF, CR LF or CR. Returns false at
+  /// the end of the file.
   bool next_line() {
     if (rest_.empty()) return false;
     const auto end = std::min(rest_.find_first_of("\r\n"), rest_.size());
@@ -132,7 +133,7 @@ class GmshReader {
     if (!next_line()) throw UserError(fmt::format("{}: the file ends within {}; is it truncated?", file_, within));
   }
 
-  /// Reads the next number of the line. Programs in Fortran write 1.0D+00.
+  /// Reads the next number of the line. The exponent may have the letter D, which Fortran writes (1.0D+00).
   template <class T>
   T take(const char* what) {
     line_.remove_prefix(std::min(line_.find_first_not_of(" \t"), line_.size()));
@@ -158,7 +159,7 @@ class GmshReader {
     if (line_ != keyword) refuse(fmt::format("expected {}", keyword));
   }
 
-  /// Reads the section $MeshFormat. Comments may come before it.
+  /// Reads the section $MeshFormat. Comments and empty lines may come before it.
   void read_format() {
     constexpr const char* convert = "\"gmsh FILE -format msh22 -save\" writes it";
     bool found = next_line();
@@ -233,7 +234,7 @@ class GmshReader {
     require("$EndElements");
   }
 
-  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then those around the upper face.
+  /// Reads the nodes of a cell. Gmsh lists the nodes around the lower face and then the nodes around the upper face.
   void read_hexahedron(long name) {
     auto& cell = mesh_.cells.emplace_back();
     for (const int i : {0, 1, 3, 2, 4, 5, 7, 6}) cell[i] = take_node();

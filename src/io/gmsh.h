@@ -16,7 +16,7 @@
 
 namespace pseudorigid::io {
 
-/// Reads the mesh of the file. The mesh satisfies the conditions of require_one_body.
+/// Reads the mesh of the file. The returned mesh satisfies the conditions of require_one_body.
 HexahedralMesh read_gmsh(const std::filesystem::path& file);
 
 }  // namespace pseudorigid::io

@@ -19,7 +19,7 @@ namespace {
 using Point = HexahedralMesh::Point;
 using Face = std::array<unsigned int, 4>;
 
-/// Corners of the six faces, in the order of a path around the face.
+/// The corners of the six faces. The order follows a path around each face.
 constexpr std::array<std::array<int, 4>, 6> corners_of_faces{
     {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
 
@@ -28,7 +28,7 @@ struct PointOfCell {
   double jacobian;  ///< det ∂X/∂ξ in the same units
 };
 
-/// Largest difference of a coordinate between a corner and the first corner.
+/// The largest distance in a coordinate direction between the first corner of a cell and another corner.
 double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   double size = 0;
@@ -37,8 +37,8 @@ double size_of_cell(const HexahedralMesh& mesh, std::size_t cell) {
   return size;
 }
 
-/// Map and Jacobian at ξ. Relative coordinates in units of the cell avoid round-off by a distant origin or an extreme
-/// unit of length.
+/// The map of a cell and its Jacobian at ξ. The coordinates are relative to the first corner, in units of the size of
+/// the cell. Such coordinates avoid round-off if the origin is distant, and overflow if the unit of length is extreme.
 PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   const Point& V0 = mesh.vertices[mesh.cells[cell][0]];
   const double unit = size_of_cell(mesh, cell);
@@ -65,9 +65,10 @@ PointOfCell at(const HexahedralMesh& mesh, std::size_t cell, const Point& xi) {
   return {X, jacobian};
 }
 
-/// A lower bound of the Jacobian in the cube with corner ξ₀ and this edge. The Jacobian is quadratic in each ξ_d. Its
-/// values f at 3³ points therefore give its Bernstein coefficients, in each direction f₀, 2f_½ − (f₀ + f₁)/2 and f₁.
-/// The Jacobian at each point is a convex combination of these coefficients, so their least value is a bound.
+/// A lower bound of the Jacobian in the cube with the corner ξ₀ and the given edge. The Jacobian is quadratic in each
+/// ξ_d. The values f at 3³ points therefore determine its Bernstein coefficients. In each direction these are f₀, 2f_½
+/// − (f₀ + f₁)/2 and f₁. The Jacobian at each point is a convex combination of the coefficients, and therefore their
+/// least value is a bound.
 double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point& xi0, double edge) {
   std::array<double, 27> b;
   for (int i = 0; i < 27; ++i)
@@ -79,8 +80,8 @@ double least_jacobian(const HexahedralMesh& mesh, std::size_t cell, const Point&
   return *std::min_element(b.begin(), b.end());
 }
 
-/// Throws unless the Jacobian is positive at every point. The bound is computed on the eighths of each cell, so that it
-/// rejects only cells that are tangled or almost tangled.
+/// Throws UserError unless the Jacobian is positive at every point. The bound is computed for each eighth of a cell. It
+/// therefore rejects only cells that are tangled or almost tangled.
 void require_untangled(const HexahedralMesh& mesh) {
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
     for (int part = 0; part < 8; ++part) {
@@ -111,7 +112,7 @@ Face face_of(const std::array<unsigned int, 8>& cell, int face) {
   return result;
 }
 
-/// All faces, identified by their sorted vertices, with the cells of each face.
+/// The cells of each face. The key of a face is its sorted vertices. Throws UserError if three cells share a face.
 CellsOfFaces cells_of_faces(const HexahedralMesh& mesh) {
   CellsOfFaces cells_of;
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell)
@@ -142,12 +143,12 @@ void require_one_piece(const HexahedralMesh& mesh, const CellsOfFaces& cells_of)
                                   mesh.cell_names[0], mesh.cell_names[cell]));
 }
 
-/// Points closer than this fraction of the edges at them count as one point.
+/// Two vertices count as one if their distance is at most this fraction of the shortest edge at one of them.
 constexpr double same_place = 1e-6;
 
 double distance(const Point& X, const Point& Y) { return std::hypot(X[0] - Y[0], X[1] - Y[1], X[2] - Y[2]); }
 
-/// For each vertex, the length of the shortest edge that ends there.
+/// For each vertex, the length of the shortest edge that ends at the vertex.
 std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   std::vector<double> shortest(mesh.vertices.size(), std::numeric_limits<double>::infinity());
   for (const auto& cell : mesh.cells)
@@ -159,7 +160,7 @@ std::vector<double> shortest_edges(const HexahedralMesh& mesh) {
   return shortest;
 }
 
-/// Vertices sorted into boxes, for the search of near points. A box contains about one vertex.
+/// Vertices sorted into boxes, for the search of near points. There are about as many boxes as vertices.
 class Places {
  public:
   explicit Places(const HexahedralMesh& mesh) : vertices_(mesh.vertices), low_(vertices_.front()) {
@@ -172,7 +173,8 @@ class Places {
 
   void add(std::size_t vertex) { boxes_[box_of(vertices_[vertex], 0)].push_back(vertex); }
 
-  /// Finds an earlier vertex within the distance `reach` of X for which `is_same(vertex, distance)` is true.
+  /// Finds an added vertex for which `is_same(vertex, distance from X)` is true. The search covers the boxes within
+  /// `reach` of X.
   template <class IsSame>
   std::optional<std::size_t> find(const Point& X, double reach, const IsSame& is_same) const {
     const Box first = box_of(X, -reach), last = box_of(X, reach);
@@ -199,7 +201,7 @@ class Places {
   std::map<Box, std::vector<std::size_t>> boxes_;
 };
 
-/// Throws if two vertices have the same position.
+/// Throws UserError if two vertices have the same position. Returns the vertices sorted into boxes.
 Places require_own_places(const HexahedralMesh& mesh) {
   const std::vector<double> shortest = shortest_edges(mesh);
   const double reach = same_place * *std::max_element(shortest.begin(), shortest.end());
@@ -216,8 +218,8 @@ Places require_own_places(const HexahedralMesh& mesh) {
   return places;
 }
 
-/// Throws if a vertex is at the middle of a face or of an edge of the surface. Such a hanging node occurs if a divided
-/// cell is next to an undivided cell.
+/// Throws UserError if a vertex is at the middle of a face or edge on the surface of the cells. Such a hanging node
+/// occurs if a divided cell is next to an undivided cell.
 void require_conforming(const HexahedralMesh& mesh, const CellsOfFaces& cells_of) {
   const Places places = require_own_places(mesh);
   const auto require_free = [&](const Point& X, double edge, std::size_t cell) {

@@ -1,11 +1,11 @@
 #pragma once
-/// A mesh of hexahedra, which are images of the cube under trilinear maps,
+/// A mesh of hexahedra. Each cell is the image of the cube [0,1]³ under a trilinear map,
 ///
 ///   X(ξ) = Σ_i N_i(ξ) V_i,   ξ ∈ [0,1]³,   i = i₁ + 2 i₂ + 4 i₃ with ξ = (i₁, i₂, i₃) at V_i,
 ///
-/// with the vertices V_i and the trilinear shape functions N_i. The mesh is one body if it satisfies these conditions.
-/// All cells are right-handed at every point and connected. Every vertex belongs to a cell. A face belongs to two cells
-/// or to the surface, and neighbouring cells share their vertices.
+/// with the vertices V_i and the trilinear shape functions N_i. The mesh is one body if it satisfies the following
+/// conditions. All cells are right-handed at every point, and are connected by faces. Every vertex belongs to a cell. A
+/// face belongs to two cells or to the surface. Neighbouring cells share their vertices.
 
 #include <array>
 #include <vector>
@@ -19,14 +19,14 @@ struct HexahedralMesh {
   std::vector<long> vertex_names, cell_names;  ///< numbers in the file, for messages
 };
 
-/// Reverses the orientation of every cell if all cells are left-handed.
+/// Reverses the orientation of every cell if all cells are left-handed at their centres.
 void turn_right_handed(HexahedralMesh& mesh);
 
-/// Throws UserError if the mesh is not one body; one sentence names the cells or vertices. The conditions do not depend
-/// on the unit of length or the position of the body.
+/// Throws UserError if the mesh is not one body. The sentence names the cells or vertices that violate a condition. The
+/// conditions do not depend on the unit of length or on the position of the body.
 void require_one_body(const HexahedralMesh& mesh);
 
-/// Volume, centre of mass for a constant density, and the largest distance of a vertex from this centre.
+/// The volume, the centre of mass for a constant density, and the largest distance of a vertex from this centre.
 struct MeshSize {
   double volume;
   HexahedralMesh::Point center;

@@ -17,7 +17,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// Writes "warning: " or "error: " before messages of these levels. Other messages do not have a prefix.
+/// Writes "warning: " before warnings and "error: " before errors. Other messages do not have a prefix.
 class SeverityPrefix : public spdlog::custom_flag_formatter {
  public:
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override {
@@ -47,7 +47,7 @@ spdlog::sink_ptr terminal_sink(Verbosity verbosity) {
   auto sink = std::make_shared<spdlog::sinks::stderr_sink_mt>();
   sink->set_level(terminal_level(verbosity));
   auto formatter = std::make_unique<spdlog::pattern_formatter>();
-  // On a terminal, a message first deletes the progress line.
+  // On a terminal, the progress line is deleted before a message is written.
   formatter->add_flag<SeverityPrefix>('*').set_pattern(Progress::stderr_is_terminal() ? "\r\033[K%*%v" : "%*%v");
   sink->set_formatter(std::move(formatter));
   return sink;
@@ -91,7 +91,7 @@ std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std
   auto logger = std::make_shared<spdlog::logger>("pseudorigid", sinks.begin(), sinks.end());
   logger->set_level(sinks.empty() ? spdlog::level::off : spdlog::level::debug);
   logger->flush_on(spdlog::level::info);
-  // A failed write to the log must not end a run. A full disk is reported when results are written.
+  // A failed write to the log must not end a run. A full disk causes an error when results are written.
   logger->set_error_handler([](const std::string&) {});
   return std::make_shared<Logger>(std::move(logger));
 }

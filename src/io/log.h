@@ -1,6 +1,6 @@
 #pragma once
-/// Messages of a run. The file log.txt contains all of them with the time; --quiet and --verbose select those on
-/// stderr.
+/// Messages of a run. The file log.txt contains all messages with the time. The options --quiet and --verbose select
+/// the messages on stderr.
 
 #include <fmt/core.h>
 
@@ -15,11 +15,11 @@ class logger;
 
 namespace pseudorigid::io {
 
-/// Selection of the messages on the terminal. `silent` is for the other ranks of a parallel run.
+/// Selection of the messages on the terminal. Ranks other than rank 0 of a parallel run have the value `silent`.
 enum class Verbosity { silent, quiet, normal, verbose };
 
-/// Writes messages. Values replace the places {…} of a message. Only log.cpp formats messages, because a source that
-/// formats through spdlog compiles all of its formatting again.
+/// Writes messages. The arguments after the text replace the places {…} in the text. The messages are formatted in
+/// log.cpp alone. A source that formats through spdlog would compile the formatting of spdlog again.
 class Logger {
  public:
   enum class Level { debug, info, warning, error };
@@ -54,8 +54,9 @@ class Logger {
   std::shared_ptr<spdlog::logger> logger_;
 };
 
-/// Makes a new logger that is not registered globally. Without `log_file`, it writes to the terminal only, as for the
-/// command `check`. `append` continues the file of a resumed run. WriteError if the file cannot be opened.
+/// Constructs a logger that spdlog does not register globally. Without `log_file`, the logger writes to the terminal
+/// only, for example for the command `check`. If `append` is true, the logger continues the file of a resumed run.
+/// Throws WriteError if the file cannot be opened.
 std::shared_ptr<Logger> make_logger(Verbosity verbosity, const std::optional<std::filesystem::path>& log_file,
                                     bool append = false);
 

@@ -1,5 +1,6 @@
 #pragma once
-/// The file manifest.json, which describes scene, program, machine, duration and end of a run.
+/// The file manifest.json of a run. It describes the scene, the program, the machine, and the duration and end of the
+/// run.
 
 #include <chrono>
 #include <cstdint>
@@ -17,11 +18,11 @@
 
 namespace pseudorigid::io {
 
-/// A run of a model of the ball, with its data for the manifest.
+/// A run of a model of the ball, and two properties of the model.
 struct BallRun {
   scene::ModelRun run;
   bool discretized = false;
-  bool affine = false;  ///< its motion is x = QX with a matrix Q
+  bool affine = false;  ///< whether the motion is x = QX with a matrix Q
 };
 
 struct Manifest {
@@ -45,8 +46,8 @@ struct Manifest {
   std::map<std::string, Model> models;                        ///< results of the models or of the system, by name
 };
 
-/// Keeps manifest.json up to date. The constructor writes the state "running" and `finish` the final state. Without a
-/// call of `finish`, the destructor writes the state "failed", for example after an exception.
+/// Writes manifest.json. The constructor writes the state "running", and `finish` writes the final state. If `finish`
+/// is not called, for example after an exception, the destructor writes the state "failed".
 class ManifestFile {
  public:
   ManifestFile(std::filesystem::path path, Manifest content);
@@ -56,8 +57,9 @@ class ManifestFile {
 
   Manifest& content() { return content_; }
   const Manifest& content() const { return content_; }
-  /// Writes the state "done", "interrupted" or "failed". `message` is the sentence that the user saw, if any. If the
-  /// disk is full, the state "failed" replaces "running" in the old file, and the WriteError is rethrown.
+  /// Writes the state "done", "interrupted" or "failed". `message` is the sentence that the user saw, if there was one.
+  /// If the file cannot be written, the state "failed" replaces "running" in the old file, and the WriteError is
+  /// rethrown.
   void finish(mechanics::Outcome outcome, int exit_code, const std::string& message = {});
 
  private:
@@ -66,7 +68,7 @@ class ManifestFile {
     std::optional<int> exit_code{};
     std::string message{};
   };
-  /// `end` is empty while the run is in progress.
+  /// Writes the file. `end` is empty while the run is in progress.
   void write(const std::optional<End>& end);
   std::filesystem::path path_;
   Manifest content_;
@@ -74,19 +76,22 @@ class ManifestFile {
   bool finished_ = false;
 };
 
-/// Writes the state "failed". A rank calls this function if it aborts the run but does not own the ManifestFile. It
-/// ignores errors.
+/// Writes the state "failed", the exit code and the message into the file. A rank without the ManifestFile calls this
+/// function if it aborts the run. Errors are ignored.
 void note_failure(const std::filesystem::path& manifest, int exit_code, const std::string& message) noexcept;
 
-/// Names of the trajectories in the manifest of a run: of the system, or of the models of the ball. UserError if the
-/// file is not a manifest of this program, or if an earlier version did not record the entries for a report.
+/// The names of the trajectories in the manifest of a run. They are the name of the system's file, or the names of the
+/// models of the ball. Throws UserError if the file is not a manifest of this program. Also throws it if an earlier
+/// version wrote the file without the entries, which a report needs.
 std::vector<std::string> movers_in(const std::filesystem::path& manifest);
-/// Names of the models of the ball with the motion x = QX, Q a matrix. Empty if the file is not a manifest.
+/// The names of the models of the ball with the motion x = QX, Q a matrix. The result is empty if the file does not
+/// exist or is not a manifest.
 std::vector<std::string> affine_movers_in(const std::filesystem::path& manifest);
 
 /// The name of the processor in /proc/cpuinfo, or "unknown".
 std::string cpu_model();
-/// The largest memory of this process so far (peak resident set size) in bytes, or 0 if the system does not state it.
+/// The largest memory that this process has used so far (peak resident set size), in bytes. The result is 0 if the
+/// system does not report it.
 std::int64_t peak_memory();
 
 }  // namespace pseudorigid::io

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto look_interval = 20ms, draw_interval = 200ms;
-constexpr std::int64_t max_stride = 1024;  // small enough to notice soon that the loop slows down
+constexpr std::int64_t max_stride = 1024;  // small enough that a slower loop is noticed soon
 
 std::string duration_text(double seconds) {
   if (seconds < 100) return fmt::format("{:.0f} s", seconds);

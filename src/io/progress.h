@@ -1,6 +1,6 @@
 #pragma once
-/// The progress line of a time loop, with the completed fraction, steps per second and remaining time. It appears on
-/// stderr if stderr is a terminal.
+/// The progress line of a loop in time: the completed fraction, the steps per second and the remaining time. The line
+/// appears on stderr if stderr is a terminal.
 
 #include <chrono>
 #include <cstdint>
@@ -16,8 +16,8 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Call this after every step. It reads the clock only once in a number of calls, which adapts to the speed of the
-  /// loop. A short step therefore costs only one more comparison.
+  /// Call this function after every step. It reads the clock only once in several calls, whose number is adapted to the
+  /// speed of the loop. Most calls therefore cost only one comparison.
   void step(double fraction) {
     if (++n_steps_ >= next_look_) look(fraction);
   }
@@ -37,7 +37,7 @@ class Progress {
   bool drawn_ = false;
 };
 
-/// The text of the line, " 42 %  1.3e+05 steps/s  3 min left", as a function for tests.
+/// The text of the line, for example " 42 %  1.3e+05 steps/s  3 min left". It is a separate function for tests.
 std::string progress_text(double fraction, double steps_per_second, double seconds_left,
                           std::string_view unit = "steps");
 

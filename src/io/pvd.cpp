@@ -17,7 +17,7 @@ namespace pseudorigid::io {
 
 namespace {
 
-/// The number in a text; empty if the text is not a number.
+/// The number that is the whole text. The result is empty if the text is not a number.
 template <class Number>
 std::optional<Number> number_in(std::string_view text) {
   Number value;
@@ -30,7 +30,7 @@ std::optional<long> number_of(const std::filesystem::path& file) {
   return number_in<long>(std::string_view(name).substr(name.rfind('-') + 1));
 }
 
-/// The picture in a line that `add` wrote; empty for other lines.
+/// The picture in a line that `add` wrote. The result is empty for other lines.
 std::optional<PvdCollection::Frame> frame_of(const std::string& line, const std::filesystem::path& folder) {
   static const std::regex frame(R"re(\s*<DataSet timestep="([^"]*)" part="0" file="([^"]*)"/>\s*)re");
   std::smatch match;

@@ -1,6 +1,6 @@
 #pragma once
-/// ParaView's list of the pictures of a run, with the time and file of each. Each new picture replaces the list
-/// atomically.
+/// ParaView's list of the pictures of a run, with the time and the file of each picture. When a picture is added, a new
+/// file replaces the list atomically.
 
 #include <filesystem>
 #include <string>
@@ -17,11 +17,12 @@ class PvdCollection {
     long number() const;  ///< number at the end of the name: 12 for "reduced-000012.vtu"
   };
   explicit PvdCollection(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Reads the list of an earlier run, if one exists, and removes the pictures from the time `until` on. UserError
-  /// "path:line: …" for a line that `add` does not write.
+  /// Reads the list of an earlier run, and keeps the pictures before the time `until`. Without such a list, the result
+  /// is empty. Throws UserError "path:line: …" if an entry of the list does not have the form that `add` writes.
   static PvdCollection resume(std::filesystem::path path, double until);
 
-  /// Adds a picture. The list has paths relative to its folder, so that the run directory can be moved.
+  /// Adds a picture and writes the list. The paths in the list are relative to its folder, and therefore the run
+  /// directory can be moved.
   void add(double time, const std::filesystem::path& file);
   const std::vector<Frame>& frames() const { return frames_; }
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view before_name = "data-file=\"", after_name = "\">";
 
-/// The text with & and < escaped. A parser of HTML then cannot find the end of the element in the text.
+/// The text with & and < escaped. Otherwise a parser of HTML could find the end of the element in the text.
 std::string escaped(const std::string& text) {
   std::string result;
   result.reserve(text.size());
@@ -28,7 +28,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// The page in which each line with a placeholder {mover} is repeated for every trajectory.
+/// The page. Each line with a placeholder {mover} is repeated for every name in `movers`.
 std::string page_of(std::string_view page, std::span<const std::string> movers) {
   constexpr std::string_view name = "data-file=\"", of_mover = "{mover}";
   std::string text;
@@ -51,7 +51,8 @@ std::string page_of(std::string_view page, std::span<const std::string> movers) 
   return text;
 }
 
-/// The text of an element: a file of the run, or a table from its pictures.
+/// The text of an element: a file of the run, or a table computed from its pictures. The text is empty if there is no
+/// such file.
 std::string text_of(const RunDirectory& directory, std::string_view name, std::span<const std::string> affine) {
   constexpr std::string_view frames = "frames-", csv = ".csv";
   if (name.starts_with(frames)) {

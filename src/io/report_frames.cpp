@@ -29,7 +29,8 @@ const std::vector<double>* field(const UnstructuredGrid& grid, std::string_view 
   return found == grid.fields.end() ? nullptr : &found->values;
 }
 
-/// Indices of the points of a face in the lattice of n³ points of a block, row by row.
+/// The points of a face of a block, row by row. The face is normal to `direction`. A point is given by its index in the
+/// lattice of n³ points of the block.
 std::vector<std::size_t> lattice_of_face(std::size_t n, int direction, bool is_far) {
   const std::array<std::size_t, 3> stride{1, n, n * n};
   const std::size_t a = stride[(direction + 1) % 3], b = stride[(direction + 2) % 3];
@@ -50,7 +51,7 @@ double largest(const std::vector<double>& values) {
   return size;
 }
 
-/// Number of the coordinate plane that contains all points of a face, or 0.
+/// The number 1, 2 or 3 of the coordinate plane that contains all points of a face. The result is 0 if there is none.
 int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   for (int d = 0; d < 3; ++d)
     if (std::ranges::all_of(face.points, [&](const auto& point) {
@@ -60,8 +61,8 @@ int plane_of(const PictureFace& face, const std::vector<UnstructuredGrid>& piece
   return 0;
 }
 
-/// A key of a face: the rounded mean of its points in the undeformed body. Two elements share a face if the keys are
-/// equal.
+/// The key of a face, which is the rounded mean of its points in the undeformed body. If two elements have a face with
+/// the same key, they share this face.
 std::array<long, 3> key_of(const PictureFace& face, const std::vector<UnstructuredGrid>& pieces, double tolerance) {
   std::array<double, 3> sum{};
   for (const auto& [piece, point] : face.points)
@@ -71,7 +72,8 @@ std::array<long, 3> key_of(const PictureFace& face, const std::vector<Unstructur
   return key;
 }
 
-/// The files of a picture. A file of a parallel run (.pvtu) lists several files; any other file is the only one.
+/// The files with the grids of a picture. The file of a parallel run (.pvtu) lists them. Any other picture has one
+/// file.
 std::vector<std::filesystem::path> pieces_of(const std::filesystem::path& path) {
   if (path.extension() != ".pvtu") return {path};
   std::vector<std::filesystem::path> files;
@@ -113,7 +115,8 @@ void add_row(std::string& text, double time, std::size_t number, int plane, cons
   fmt::format_to(row, ",{:.5g}\n", (*field(grid, stress))[point]);
 }
 
-/// n frames at equal distances in the list, with the first and the last frame.
+/// Returns n frames at equal distances in the list, including the first and the last one. If the list has at most n
+/// frames, returns all.
 std::vector<PvdCollection::Frame> some_of(const std::vector<PvdCollection::Frame>& frames, std::size_t n) {
   if (frames.size() <= n) return frames;
   std::vector<PvdCollection::Frame> chosen;
@@ -185,7 +188,7 @@ std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine) tr
   if (rows.empty()) return {};
   return fmt::format("time,{},von_mises\n{}", fmt::join(mechanics::shape_columns, ","), rows);
 } catch (const UserError&) {
-  return {};  // a killed run or removed files: the report omits the picture
+  return {};  // if files are missing after a killed run, the report omits the faces
 }
 
 }  // namespace pseudorigid::io

@@ -1,6 +1,6 @@
 #pragma once
-/// Faces of a body for a report, from the pictures of a run (`<model>.pvd`). The faces are on the surface and on the
-/// coordinate planes of the undeformed body. A face is a lattice of (p + 1)² material points of an element of degree p.
+/// Faces of a body for a report, read from the pictures of a run (`<model>.pvd`). The faces are on the surface and on
+/// the coordinate planes of the undeformed body. A face consists of (p + 1)² material points of an element of degree p.
 
 #include <filesystem>
 #include <string>
@@ -12,18 +12,19 @@
 namespace pseudorigid::io {
 
 struct PictureFace {
-  int plane;                                        ///< 0: surface; 1, 2 or 3: coordinate plane with this normal
-  std::vector<std::pair<int, std::size_t>> points;  ///< index in `pieces` and number of each point, row by row
+  int plane;                                        ///< 0: surface; 1, 2, 3: coordinate plane with normal x, y, z
+  std::vector<std::pair<int, std::size_t>> points;  ///< index of the grid and number of its point, row by row
 };
 
-/// Finds the faces of a body. `pieces` are grids that together make the body. If two elements share a face on a plane,
-/// the face has the values of the first element. The result is empty if a grid does not consist of hexahedra or lacks
-/// the field reference_coordinates.
+/// Finds the faces of a body. The body consists of the grids `pieces`. If two elements share a face on a plane, the
+/// result contains it once, with the points of the first element. The result is empty if a grid does not consist of
+/// hexahedra or lacks the field reference_coordinates.
 std::vector<PictureFace> faces_of(const std::vector<UnstructuredGrid>& pieces);
 
-/// A table with the columns of shapes.csv and the additional last column `von_mises`, at up to eight times of pictures.
-/// A body with the motion x = QX, Q a matrix, is one point at all times of pictures. The table is empty if the pictures
-/// do not show reference coordinates and stress.
+/// A table with the columns of shapes.csv and the additional column `von_mises`. The table contains the faces at up to
+/// eight times of pictures. For a body with the motion x = QX, Q a matrix, it contains one point at the times of all
+/// pictures. The table is empty if the pictures cannot be read, lack reference coordinates or stress, or have too many
+/// points.
 std::string table_of_frames(const std::filesystem::path& pvd, bool is_affine);
 
 }  // namespace pseudorigid::io

@@ -17,14 +17,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of results that do not depend on models or systems. The names of models and systems are arguments of
-/// prepare_fresh; `owns` also has the names of checkpoints.
+/// Names of results that do not depend on models or systems. The function `owns` adds the names for each model or
+/// system, and the names of checkpoints.
 constexpr std::array<std::string_view, 15> owned_names{
     "used.prm",      "manifest.json",   "log.txt",        "comparison.csv", "comparison.json",
     "modes.csv",     "modes.pvd",       "equilibria.csv", "shapes.csv",     "sweep.csv",
     "manifolds.csv", "connections.csv", "section.csv",    "report.html",    "trajectories.csv"};
 
-/// Prefix of a temporary file of RunLock, which remains if the run is killed.
+/// Prefix of the temporary file of RunLock. A killed run may leave this file.
 constexpr std::string_view abandoned_lock = "run.lock-";
 
 bool matches(std::string_view name, std::string_view prefix, std::string_view suffix) {
@@ -40,8 +40,8 @@ UserError cannot(const char* what, const fs::path& path, const std::string& reas
   return UserError(fmt::format("cannot {} the output directory '{}': {}", what, path.native(), reason));
 }
 
-/// Throws if a pipe or a device has the name of a result. A run would wait for the other end of a pipe, and must not
-/// remove a device.
+/// Throws UserError if a pipe or a device has the name of a result. The run would wait for the other end of the pipe,
+/// and must not remove a device.
 void require_no_pipes(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory)) {
     const std::string kind = kind_unless_file(entry.path());
@@ -51,13 +51,13 @@ void require_no_pipes(const fs::path& directory, const auto& owned) {
   }
 }
 
-/// Removes the files and links of `directory` whose names satisfy `owned`, but never a folder.
+/// Removes the files and links of `directory` whose names satisfy `owned`. Folders are not removed.
 void remove_files(const fs::path& directory, const auto& owned) {
   for (const auto& entry : fs::directory_iterator(directory))
     if (!fs::is_directory(entry.symlink_status()) && owned(entry.path().filename().native())) fs::remove(entry.path());
 }
 
-/// Whether a fresh run may remove a file of this name from the run directory.
+/// Whether a new run may remove a file of this name from the run directory.
 bool owns(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_of = [&](const std::string& mover) {
@@ -70,7 +70,7 @@ bool owns(std::string_view name, std::span<const std::string> movers) {
          matches(name, "checkpoint-", ".bin") || matches(name, abandoned_lock, "");
 }
 
-/// Whether a fresh run may remove a file of this name from the folder graphics.
+/// Whether a new run may remove a file of this name from the folder graphics.
 bool owns_graphics(std::string_view name, std::span<const std::string> movers) {
   name = without_partial_suffix(name);
   const auto is_frame_of = [&](const std::string& mover) {

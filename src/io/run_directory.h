@@ -2,8 +2,8 @@
 /// The folder with the results of one run, and the names of its files. The folder is `<Output/Directory>/<scene name>/`
 /// or the argument of --output.
 ///
-/// The constructor does not access the disk; ranks other than 0 need only the names. When the input is known to be
-/// valid, call prepare_fresh or prepare_resume.
+/// The constructor does not access the disk, because ranks other than 0 need only the names. When the input has been
+/// checked, call prepare_fresh or prepare_resume.
 
 #include <filesystem>
 #include <optional>
@@ -15,7 +15,7 @@
 
 namespace pseudorigid::io {
 
-/// The name of the scene: the name of its file without `.prm`.
+/// The name of a scene: the name of its file without `.prm`.
 std::string scene_name(const std::filesystem::path& scene_file);
 
 class RunDirectory {
@@ -24,14 +24,14 @@ class RunDirectory {
   RunDirectory(const std::filesystem::path& output_directory, const std::filesystem::path& scene_file,
                const std::optional<std::filesystem::path>& output_option);
 
-  /// Creates and locks the folder, and removes the results of an earlier run. These are the files with names of
-  /// results, such as `<name>.csv`, pictures and `modes-<name>.csv` for each name of a model or system in `movers`.
-  /// Other files remain. UserError, with path and reason, if the folder cannot be created or written, or if a pipe or a
-  /// device has the name of a result. UserError also if another run uses the folder. The folder belongs to the caller
-  /// until the lock is destroyed.
+  /// Creates and locks the folder, and removes the results of an earlier run. A file is a result if its name is
+  /// `<name>.csv`, `modes-<name>.csv` or another name of a result. Here <name> is a model or system in `movers`.
+  /// Pictures are results as well, and other files remain. Throws UserError, with path and reason, if the folder cannot
+  /// be created or written. Also throws it if a pipe or a device has the name of a result, or if another run uses the
+  /// folder. The caller may use the folder until the returned lock is destroyed.
   RunLock prepare_fresh(std::span<const std::string> movers = {}) const;
-  /// Locks the folder for a resumed run and keeps its results. The UserErrors are those of prepare_fresh, and one for a
-  /// folder without a checkpoint.
+  /// Locks the folder for a resumed run, and keeps its results. Throws UserError if the folder does not contain a
+  /// checkpoint, and in the cases of prepare_fresh.
   RunLock prepare_resume(std::span<const std::string> movers = {}) const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -40,11 +40,12 @@ class RunDirectory {
   std::filesystem::path log() const { return path_ / "log.txt"; }
   std::filesystem::path report() const { return path_ / "report.html"; }
   std::filesystem::path comparison_json() const { return path_ / "comparison.json"; }
-  /// `name` is a model, a system, "comparison", "modes" or another result.
+  /// The file `<name>.csv`. `name` is a model, a system, "comparison", "modes" or another result.
   std::filesystem::path csv(std::string_view name) const;
   std::filesystem::path pvd(std::string_view model) const;
   std::filesystem::path checkpoint(std::string_view model) const;
-  /// `graphics/<model>-000012.vtu`. Only a run with pictures calls prepare_graphics, which creates the folder graphics.
+  /// The file `graphics/<model>-000012.vtu` for the index 12. A run with pictures first calls prepare_graphics, which
+  /// creates the folder graphics.
   std::filesystem::path frame(std::string_view model, int index) const;
   void prepare_graphics() const;
 

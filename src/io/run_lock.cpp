@@ -26,8 +26,8 @@ namespace fs = std::filesystem;
 
 using Identity = std::map<std::string, std::string>;
 
-/// Data that identify a process. The number of the process is not sufficient: it is used again, also in other
-/// containers and after a restart of the machine.
+/// Names of the data that identify a process. The number of a process is not sufficient, because another process may
+/// have the same number later, in another container, or after a restart of the machine.
 constexpr const char *host = "host", *machine = "machine", *boot = "boot", *numbering = "numbering",
                      *process = "process", *process_start = "process start", *since = "since";
 
@@ -44,13 +44,13 @@ std::string first_line(const fs::path& path) {
 }
 
 struct ProcessState {
-  char state = 0;  ///< 0: unknown
+  char state = 0;  ///< 0 if it is not known
   std::string start;
 };
 
-/// State and start of a process from /proc/<process>/stat. The name of the program is in parentheses and may contain
-/// any character. The state is the third field. The start is the 22nd field, in clock ticks since the start of the
-/// machine.
+/// State and start of a process, from /proc/<process>/stat. The second field of this file is the name of the program in
+/// parentheses, which may contain any character. The state is the third field. The start is the 22nd field, in clock
+/// ticks since the start of the machine.
 ProcessState state_of(const std::string& process) {
   const std::string line = first_line("/proc/" + process + "/stat");
   const std::size_t name_end = line.rfind(')');
@@ -96,8 +96,8 @@ Judgement judge(Identity holder) {
   if (holder[host].empty() || holder[host] != own[host]) return Judgement::unknown;
   if (holder[numbering] != own[numbering]) return Judgement::unknown;
   if (holder[boot] != own[boot]) {
-    // The boot identifiers differ if this machine was restarted. They also differ for another machine with the same
-    // name, such as a container or a copy of a virtual machine.
+    // If this machine was restarted, its boot identifier has changed. The identifier is also different on another
+    // machine with the same name, such as a container or a copy of a virtual machine.
     const bool is_this_machine = !own[machine].empty() && holder[machine] == own[machine];
     return is_this_machine ? Judgement::ended : Judgement::unknown;
   }
@@ -130,8 +130,8 @@ bool same_file(const struct stat& a, const struct stat& b) { return a.st_dev == 
 }  // namespace
 
 RunLock::RunLock(const fs::path& directory) : path_(directory / file_name), identity_(to_text(own_identity())) {
-  // Another run may remove its lock after `create` has found it, and a third run may create a new one. Therefore the
-  // constructor tries again.
+  // After `create` has found the lock of another run, this run may end, and a third run may create a new lock.
+  // Therefore the constructor tries again.
   constexpr int n_attempts = 100;
   for (int i = 0; i < n_attempts; ++i) {
     if (create()) return;
@@ -146,7 +146,7 @@ RunLock::RunLock(RunLock&& other) noexcept
 RunLock::~RunLock() {
   if (identity_.empty()) return;
   try {
-    // The user may have removed the file, and another run may have created a new one.
+    // The user may have removed the file, and another run may then have created a new file.
     if (read_file(path_) == identity_) ::unlink(path_.c_str());
   } catch (const std::exception&) {
   }
@@ -154,8 +154,8 @@ RunLock::~RunLock() {
 
 void RunLock::remove(const fs::path& directory) noexcept { ::unlink((directory / file_name).c_str()); }
 
-/// Returns false if a lock already exists. The file is first written under another name and then linked. It is
-/// therefore complete when it appears, and only one process can succeed, also on a network disk.
+/// Creates the lock. Returns false if a lock already exists. The lock is first written under another name and then
+/// linked. It is therefore complete when it appears, and only one process can create it, also on a network disk.
 bool RunLock::create() const {
   const fs::path own = path_.native() + fmt::format("-{}-{}", host_name(), ::getpid()) + std::string(partial_suffix);
   struct Removal {
@@ -170,7 +170,7 @@ bool RunLock::create() const {
   if (::link(own.c_str(), path_.c_str()) == 0) return true;
   const int reason = errno;
   struct stat status;
-  // A network disk may have made the link although it reported an error.
+  // A network disk may have created the link although it reported an error.
   if (::stat(own.c_str(), &status) == 0 && status.st_nlink == 2) return true;
   if (reason == EEXIST || reason == ENOENT) return false;
   // The disk does not support links.
@@ -186,8 +186,9 @@ bool RunLock::create() const {
   return true;
 }
 
-/// Removes the lock of an ended run, and throws UserError for any other lock. If several processes find the same stale
-/// lock, flock admits one at a time. Each process then checks that its open file still has the name of the lock.
+/// Removes the lock of a run that has ended, and throws UserError for any other lock. If several processes find the
+/// same lock, flock admits one at a time. Each process then checks that the file it opened still has the name of the
+/// lock.
 void RunLock::remove_if_stale() const {
   if (!kind_unless_file(path_).empty()) throw in_use(path_, {}, Judgement::unknown);
   const Descriptor file(path_, O_RDWR);  // on network disks, flock requires a file that is open for writing

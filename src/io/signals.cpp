@@ -8,7 +8,7 @@ namespace pseudorigid::io {
 namespace {
 
 std::atomic<bool> requested = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may only set such a flag
+static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler may only use lock-free atomics
 
 extern "C" void request_interrupt(int) { requested.store(true, std::memory_order_relaxed); }
 
@@ -23,7 +23,7 @@ void listen_to(int signal, unsigned int flags) {
 }  // namespace
 
 void install_signal_handlers() {
-  // A second Ctrl-C terminates the process at once, by the default action.
+  // After the first Ctrl-C, the default action is restored. A second Ctrl-C therefore ends the process at once.
   for (const int signal : {SIGINT, SIGTERM}) listen_to(signal, SA_RESETHAND);
   // A second SIGHUP or SIGXCPU must not end the run at once. The kernel and the shell may both send SIGHUP, and the
   // kernel sends SIGXCPU every second.

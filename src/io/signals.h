@@ -1,12 +1,12 @@
 #pragma once
-/// A flag for requests to stop a run, which the time loop reads after each step. The signals of Ctrl-C (SIGINT) and
-/// SIGTERM set it; a second one ends the program at once. A lost terminal or connection (SIGHUP) and a limit of
-/// processor time (SIGXCPU) also set it.
+/// A flag for requests to stop a run. The loop in time reads the flag after each step. The signals SIGINT (Ctrl-C) and
+/// SIGTERM set the flag; a second such signal ends the program at once. SIGHUP (lost terminal or connection) and
+/// SIGXCPU (limit of processor time) also set the flag.
 
 namespace pseudorigid::io {
 
-/// Installs the handlers. SIGHUP remains ignored if the program was started by nohup. SIGXFSZ is ignored, so that a
-/// limit on the size of a file becomes a WriteError. SIGPIPE is ignored, so that the run continues if the reader of its
+/// Installs the signal handlers. SIGHUP remains ignored if nohup started the program. SIGXFSZ is ignored. A limit on
+/// the size of a file then causes a WriteError. SIGPIPE is ignored. The run then continues if the reader of its
 /// terminal output ends.
 void install_signal_handlers();
 

@@ -1,16 +1,17 @@
 #pragma once
-/// Standard input, output and error, which a shell may close, direct to a full disk or connect to a pipe without a
-/// reader.
+/// Standard input, output and error of the process. A shell may close them, direct them to a full disk, or connect them
+/// to a pipe without a reader.
 
 #include <string_view>
 
 namespace pseudorigid::io {
 
-/// Opens /dev/null for each closed standard descriptor. Otherwise a file that is opened later would get the number of
-/// standard output, and terminal output would be written into it. Call this function before any file is opened.
+/// Opens /dev/null for each closed standard descriptor. Otherwise a file that is opened later could get the number of
+/// standard output, and terminal output would be written into this file. Call this function before any file is opened.
 void open_standard_descriptors();
 
-/// Writes to standard output without a buffer. WriteError if this fails, except for a pipe that its reader has closed.
+/// Writes the text to standard output without a buffer. Throws WriteError if this fails. A pipe without a reader is not
+/// an error.
 void print(std::string_view text);
 
 }  // namespace pseudorigid::io

@@ -1,5 +1,5 @@
 #pragma once
-/// Headers, rows, units and documentation of the CSV files of the models. The columns are declared in
+/// Header, rows, units and documentation of the CSV files of the models of the ball. The columns are declared in
 /// observables/body_observables.h.
 
 #include <string>
@@ -13,12 +13,12 @@
 
 namespace pseudorigid::io {
 
-/// All columns of a model except `time`, for the documentation: `Q11 ... Q33` is one line. Observables is
-/// mechanics::ReducedObservables or mechanics::ContinuumObservables.
+/// All columns of a model except `time`, for the documentation. All entries of a vector or matrix are in one line, for
+/// example `Q11 ... Q33`. The type Observables is mechanics::ReducedObservables or mechanics::ContinuumObservables.
 template <class Observables>
 std::vector<scene::Column> documented_columns();
 
-/// The columns that `quantities` selects, and rows of these columns.
+/// The columns that `quantities` selects, and the rows of these columns.
 template <class Observables>
 class Trajectory {
  public:
@@ -26,10 +26,10 @@ class Trajectory {
 
   /// Names of the columns. The first is `time`.
   const std::vector<std::string>& names() const { return names_; }
-  /// The observables that the columns need.
+  /// The request for the observables that the columns need.
   const mechanics::ObservableRequest& request() const { return request_; }
-  /// Writes the row of a sample into `row`, whose memory is reused. The observables are in internal units. The time is
-  /// in the units of the user, in which it is exact.
+  /// Replaces `row` by the values of the columns for a sample, and reuses the memory of `row`. The observables are in
+  /// internal units. The time is in the units of the user, in which it is exact.
   void row(double physical_time, const Observables& internal, std::vector<double>& row) const;
 
  private:

@@ -36,12 +36,12 @@ std::string bytes_of(std::span<const std::uint64_t> numbers) {
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
 }
 
-/// A compressed array in VTK's format. The header has the number of blocks, the size of a block, the size of a shorter
-/// last block or 0, and the compressed size of each block. The blocks follow.
+/// A compressed array in VTK's format. The header contains the number of blocks, the size of a block, the size of a
+/// shorter last block or 0, and the compressed size of each block. The compressed blocks follow.
 std::string compressed(std::string_view bytes) {
   constexpr std::size_t block_size =
-      std::size_t{1} << 18;  // much more than the 32 KiB window of zlib, so that blocks lose little compression
-  // Numbers of a motion compress badly. Higher levels need twice the time and reduce the size by only 1 %.
+      std::size_t{1} << 18;  // a block is much larger than the window of zlib (32 KiB), and compresses almost as well
+  // Numbers of a motion compress badly. A higher level needs twice the time and reduces the size by only 1 %.
   constexpr int level = 1;
   std::vector<std::uint64_t> header{(bytes.size() + block_size - 1) / block_size, block_size,
                                     bytes.size() % block_size};
@@ -58,7 +58,7 @@ std::string compressed(std::string_view bytes) {
   return bytes_of(header) + blocks;
 }
 
-/// The XML of a file and its arrays. The XML refers to the arrays by offsets.
+/// The XML of a file, and the arrays to which the XML refers by offsets.
 class Document {
  public:
   void add(std::string_view xml) { parts_.push_back({.xml = std::string(xml)}); }
@@ -68,7 +68,7 @@ class Document {
                                          name, components(n_components)),
                       .array = std::as_bytes(values)});
   }
-  /// Adds a constant of the whole grid as text.
+  /// Adds a constant of the whole grid, written as text in the XML.
   void add_constant(const UnstructuredGrid::Field& constant) {
     add(fmt::format(R"(<DataArray type="Float64" Name="{}"{} NumberOfTuples="1" format="ascii">{:.17g}</DataArray>)"
                     "\n",
@@ -93,7 +93,7 @@ class Document {
     std::string compressed{};
   };
 
-  /// Compresses the arrays with several threads, because compression takes most of the time of a picture.
+  /// Compresses the arrays in several threads, because the compression takes most of the time of a picture.
   void compress() {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
@@ -112,7 +112,8 @@ class Document {
     for (auto& helper : helpers) helper.get();
   }
 
-  /// The attribute is omitted for scalars, whose default is 1. If 1 is written, meshio reads a matrix with one column.
+  /// The attribute for the number of components. It is omitted for scalars, because its default is 1. If 1 is written,
+  /// meshio reads a matrix with one column.
   static std::string components(int n) { return n == 1 ? "" : fmt::format(R"( NumberOfComponents="{}")", n); }
 
   std::vector<Part> parts_;

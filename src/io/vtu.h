@@ -1,6 +1,7 @@
 #pragma once
 /// Unstructured grids in VTK's format for ParaView: file version 1.0, one piece, Float64, appended arrays compressed by
-/// zlib. Equal grids give equal files. VTK and meshio read the same data from a file (tests/support/check_vtu.py).
+/// zlib. Equal grids give equal files. A test checks that VTK and meshio read the same data from a file
+/// (tests/support/check_vtu.py).
 
 #include <cstdint>
 #include <filesystem>
@@ -9,10 +10,10 @@
 
 namespace pseudorigid::io {
 
-/// Types of cells by VTK's numbers.
+/// Types of cells, with the numbers of VTK.
 enum class CellType : std::uint8_t { triangle = 5, quad = 9, hexahedron = 12, lagrange_hexahedron = 72 };
 
-/// A grid of cells of one type with values at its points.
+/// A grid of cells of one type, with fields of values at its points.
 struct UnstructuredGrid {
   struct Field {
     std::string name;
@@ -30,12 +31,12 @@ struct UnstructuredGrid {
   std::size_t n_cells() const { return connectivity.size() / nodes_per_cell; }
 };
 
-/// Replaces the file atomically. WriteError if the file cannot be written. std::logic_error if sizes of arrays do not
-/// match, a point number is out of range or a value is not finite.
+/// Writes the grid; the new file replaces an old one atomically. Throws WriteError if the file cannot be written.
+/// Throws std::logic_error if sizes of arrays do not match, a point number is out of range or a value is not finite.
 void write_vtu(const std::filesystem::path& path, const UnstructuredGrid& grid);
 
-/// Writes the file of a parallel run, which lists the files of its pieces. The pieces have the fields of `piece` and
-/// are in the same folder. Throws WriteError.
+/// Writes the .pvtu file of a parallel run, which lists the files of its pieces. All pieces must have the fields of
+/// `piece` and must be in the folder of this file. Throws WriteError.
 void write_pvtu(const std::filesystem::path& path, const UnstructuredGrid& piece,
                 const std::vector<std::filesystem::path>& files);
 

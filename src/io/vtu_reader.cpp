@@ -18,7 +18,8 @@
 namespace pseudorigid::io {
 namespace {
 
-/// The two parts of a file: XML and appended arrays. Throws UserError if a part differs from the output of write_vtu.
+/// The two parts of a file, XML and appended arrays. Throws UserError if a part does not have the form that write_vtu
+/// writes.
 class VtuText {
  public:
   explicit VtuText(const std::filesystem::path& path) : path_(path), text_(read_file(path)) {
@@ -33,7 +34,7 @@ class VtuText {
   }
 
   std::string_view xml() const { return xml_; }
-  /// The first element that starts with `begin`, up to its first '>'. Empty if there is none.
+  /// The first element of the XML that starts with `begin`, up to its first '>'. The result is empty if there is none.
   std::string_view element(std::string_view begin) const {
     const std::size_t at = xml_.find(begin);
     return at == std::string_view::npos ? std::string_view() : xml_.substr(at, xml_.find('>', at) + 1 - at);
@@ -56,7 +57,7 @@ class VtuText {
     return value;
   }
 
-  /// The n numbers of the appended array to which `element` refers.
+  /// Reads n numbers of the appended array to which `element` refers.
   template <class T>
   std::vector<T> values(std::string_view element, std::size_t n) const {
     constexpr std::size_t largest_ratio_of_zlib = 1100;
@@ -71,7 +72,7 @@ class VtuText {
   }
 
  private:
-  /// Decompresses the blocks that `compressed` in vtu.cpp made.
+  /// Decompresses the blocks that the function `compressed` in vtu.cpp wrote.
   void decompress(std::size_t offset, std::span<std::byte> target) const {
     std::array<std::uint64_t, 3> head;  // number of blocks, size of a block, size of a shorter last block
     copy(offset, head.data(), sizeof head);

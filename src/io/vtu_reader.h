@@ -1,5 +1,5 @@
 #pragma once
-/// Reader for the grids that write_vtu writes, used for pictures of a completed run.
+/// Reader for the grids that write_vtu writes. It is used for pictures of a completed run.
 
 #include <filesystem>
 #include <span>
@@ -9,8 +9,8 @@
 
 namespace pseudorigid::io {
 
-/// Reads the grid, its constants, and the given fields as far as the file contains them. UserError if the file cannot
-/// be read, or if write_vtu did not write it on a machine with the same byte order.
+/// Reads the grid, its constants, and each of the given fields that the file contains. Throws UserError if the file
+/// cannot be read, or if write_vtu did not write it on a machine with the same byte order.
 UnstructuredGrid read_vtu(const std::filesystem::path& path, std::span<const std::string> fields);
 
 }  // namespace pseudorigid::io

@@ -17,7 +17,7 @@ std::string_view section_of(std::string_view path) {
   return slash == path.npos ? std::string_view() : path.substr(0, slash);
 }
 
-/// The path of an entry. The section is omitted if the refused entry is in the same section.
+/// The name of an entry in a recommendation. The section is omitted if the refused entry is in the same section.
 std::string_view name_of(std::string_view path, const Refusal& refusal) {
   const std::string_view section = section_of(path);
   return !section.empty() && section == section_of(refusal.path) ? path.substr(section.size() + 1) : path;
@@ -32,7 +32,8 @@ std::string in_words(const std::vector<Setting>& settings, const Refusal& refusa
 
 Setting models(const std::vector<std::string_view>& names) { return {models_path, joined(names)}; }
 
-/// The models among `names` with which the scene would be accepted, or all of `names` if there are none.
+/// The models among `names` such that the scene is valid if it runs this model only. If there is none, returns all of
+/// `names`.
 std::vector<std::string_view> accepted_of(const std::vector<std::string_view>& names, const Scene& scene,
                                           const Accepts& accepts) {
   std::vector<std::string_view> accepted;
@@ -59,7 +60,7 @@ std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, con
   if (!refusal.models.empty()) {
     const auto names = accepted_of(refusal.models, scene, accepts);
     text += " offered for " + the_models(names);
-    // Recommend all models if they can be combined, otherwise one.
+    // Recommend all models if the scene is valid with all of them, otherwise the first.
     const Setting all = models(names);
     const bool together = accepts(with_settings(scene, {all}));
     remedies.insert(remedies.begin(), {together ? all : models({names.front()})});

@@ -1,6 +1,6 @@
 #pragma once
-/// Recommendations in error messages. The program prints a recommendation only after a trial has shown that validate
-/// accepts the scene with it.
+/// Recommendations in error messages. The program tries each recommendation, and prints only those with which the scene
+/// is valid.
 
 #include <functional>
 #include <string>
@@ -15,11 +15,11 @@ namespace pseudorigid::scene {
 /// A function that returns whether a scene is valid.
 using Accepts = std::function<bool(Scene)>;
 
-/// The scene with the values of `settings` in their entries.
+/// Returns the scene in which the entries of `settings` have the given values.
 Scene with_settings(Scene scene, const std::vector<Setting>& settings);
 
-/// The sentence of a refusal with its recommendations: "a sweep is offered for the models a, b; set Models = a, or set
-/// Method = rattle or explicit-8".
+/// Returns the sentence of a refusal with its recommendations. An example is "a sweep is offered for the models a, b;
+/// set Models = a, or set Method = rattle or explicit-8".
 std::string sentence_with_advice(const Refusal& refusal, const Scene& scene, const Accepts& accepts);
 
 }  // namespace pseudorigid::scene

@@ -26,7 +26,7 @@ std::string first_entry(const Load& load) {
   return path;
 }
 
-/// Refuses the first load that acts and for which `is_refused` holds.
+/// Refuses the first load that acts and for which `is_refused(load)` is true.
 template <class Predicate>
 std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) {
   std::optional<Refusal> refusal;
@@ -37,7 +37,8 @@ std::optional<Refusal> refuses_load(const Scene& scene, Predicate&& is_refused) 
   return refusal;
 }
 
-/// Relative equilibria are known for the ball under potentials that depend on its shape alone.
+/// Returns the violated requirement of relative equilibria, or nothing. Relative equilibria are known for a ball under
+/// potentials that depend only on the shape of the body.
 std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   if (scene.body.inertia || scene.body.semi_axes != std::vector<double>{1, 1, 1})
     return Refusal{"Body/Semi-axes",
@@ -55,7 +56,8 @@ std::optional<Refusal> refuses_relative_equilibrium(const Scene& scene) {
   return {};
 }
 
-/// A body can be at rest under every load that has a potential; dissipation changes the rates alone.
+/// Returns the violated requirement of equilibria at rest, or nothing. A body can be at rest under every load that has
+/// a potential. Dissipation does not change the equilibria, but changes the rates.
 std::optional<Refusal> refuses_static_equilibria(const Scene& scene) {
   const auto finds = [](const ModelDescription& model) { return model.static_equilibria != nullptr; };
   if (!std::ranges::all_of(models_of(scene), [&](const auto* model) { return finds(*model); }))
@@ -79,7 +81,8 @@ std::optional<Refusal> refuses_equilibria(const Scene& scene) {
   return finds_static_equilibria(scene) ? refuses_static_equilibria(scene) : refuses_relative_equilibrium(scene);
 }
 
-/// Modes and Love numbers are about small displacements from rest, and take the symmetry of the ball themselves.
+/// Refuses initial states and loads that modes and Love numbers ignore. Both analyses compute small displacements of
+/// the undeformed ball from rest, without loads other than self-gravity.
 std::optional<Refusal> refuses_displaced_start(const Scene& scene, std::string_view what) {
   const auto& state = scene.initial_state;
   const std::string start =
@@ -149,7 +152,7 @@ std::optional<Refusal> refuses_love_numbers(const Scene& scene) {
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene) {
   if (scene.analysis == Analysis::equilibrium)
     if (auto refusal = refuses_equilibria(scene)) return refusal;
-  // Whatever is looked for, the initial state may be a member of a family.
+  // The initial state of every analysis may be a member of a family.
   if (scene.initial_state.equilibrium != Family::none)
     if (auto refusal = refuses_relative_equilibrium(scene)) return refusal;
   if (scene.analysis == Analysis::modes) return refuses_modes(scene);

@@ -7,7 +7,8 @@
 
 namespace pseudorigid::scene {
 
-/// A motion is refused only if its initial state is an equilibrium that the scene does not have.
+/// Returns the violated requirement, or nothing. A motion has only one requirement: if its initial state is a member of
+/// a family of relative equilibria, the ball must have such equilibria.
 std::optional<Refusal> refuses_analysis_of_ball(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -1,7 +1,7 @@
 #pragma once
-/// The part of parameter files that other layers define: the names of the methods, the models of the ball, and the
-/// other systems with their entries and columns. The program passes the catalogue to read_scene
-/// (app/models/catalogue.h). The scene layer itself defines only the ball.
+/// The contents of parameter files that other layers define: the names of the methods, the models of the ball, and the
+/// other systems with their entries and columns. The program passes the catalogue (app/models/catalogue.h) to
+/// read_scene. The scene layer itself defines only the ball.
 
 #include <functional>
 #include <optional>
@@ -18,8 +18,8 @@
 
 namespace pseudorigid::scene {
 
-/// A kind of values (entry_kinds.h) without the type of its values. The scene stores such a value as text in its
-/// canonical form.
+/// A kind of values (entry_kinds.h), without the C++ type of the values. The scene stores such a value as text in the
+/// canonical form of its kind.
 class AnyKind {
  public:
   /// Makes an AnyKind from a kind whose values have the type Value.
@@ -56,7 +56,7 @@ struct SystemEntry {
   std::string default_text;
 };
 
-/// A column of the CSV file of a system. The first column of every file is `time`, which is not listed.
+/// A column of a CSV file. The lists of the systems omit the first column, which is `time`.
 struct Column {
   std::string name;
   Unit unit;
@@ -65,16 +65,16 @@ struct Column {
 
 struct Scene;
 
-/// An entry and a text for its value.
+/// An entry and a text that can be read as its value.
 struct Setting {
   std::string path, value;
 };
 
-/// The reason why a scene is not valid: the entry, a sentence about it, and possible changes. The functions of
-/// scene/advice.h add the changes that make the scene valid to the sentence.
+/// The reason why a scene is not valid: the entry, a sentence about it, and possible changes of the scene. The
+/// functions of scene/advice.h try the changes, and append the successful changes to the sentence.
 struct Refusal {
   std::string path, sentence;
-  std::vector<std::vector<Setting>> remedies{};  ///< each of these changes is sufficient
+  std::vector<std::vector<Setting>> remedies{};  ///< alternatives; each sets one or several entries
   std::vector<std::string_view>
       models{};  ///< models that accept the input; the sentence then ends before "offered for"
 };
@@ -86,11 +86,11 @@ struct SystemDescription {
   std::string_view documentation;  ///< one sentence for the user
   std::vector<SystemEntry> entries;
   std::vector<Column> columns;  ///< columns of a scene with default values
-  /// The columns for a scene. Their number may depend on its values.
+  /// The columns of a scene. Their number may depend on the values of the scene.
   std::function<std::vector<Column>(const Scene&)> columns_of;
   bool has_equilibria = false;  ///< whether Analysis = equilibrium and manifolds are offered
   bool complete = false;  ///< whether every motion exists for all time, so that runs backwards in time are possible
-  /// Returns the error in a scene of this system, if any. The ranges of single entries are checked before.
+  /// Returns the error in a scene of this system, or nothing. The range of each single entry has been checked before.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -104,7 +104,7 @@ struct EquilibriaTable {
 /// One run of a model of the ball.
 struct ModelRun {
   std::string name;       ///< name of its files
-  std::string adjective;  ///< adjective of its ball in sentences, "polynomial N = 3"
+  std::string adjective;  ///< adjective of its ball in sentences, for example "polynomial N = 3"
   bool finds_degree =
       false;  ///< whether the run chooses its degree N (counter `degree`), which the adjective then contains
 };
@@ -112,7 +112,7 @@ struct ModelRun {
 /// A model of the ball. Its name is a value of the entry Models.
 struct ModelDescription {
   std::string_view name;           ///< its files are `<name>.csv`, `<name>.pvd` and `checkpoint-<name>.bin`
-  std::string_view adjective;      ///< adjective of its ball in sentences, "elastic"
+  std::string_view adjective;      ///< adjective of its ball in sentences, for example "elastic"
   std::string_view documentation;  ///< one sentence for the user
   bool by_default = false;         ///< whether a scene without the entry Models uses it
   /// Whether the model has finite elements. Such a model uses the section Continuum and meshes, and has an error of its
@@ -121,29 +121,30 @@ struct ModelDescription {
   /// Whether the model has motions other than x = QX, Q a matrix. Sectors and the columns `nonaffine` are for such
   /// models. A model without them is the pseudo-rigid body, and the exact results for this body apply.
   Required<bool> has_nonaffine;
-  /// Whether Analysis = modes, love numbers, equilibrium are offered.
+  /// Whether the model offers Analysis = modes, love numbers and equilibrium.
   bool has_modes = false, has_love_numbers = false, has_equilibria = false;
   EquilibriaTable equilibria{};  ///< used if has_equilibria
-  /// Columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with `n_modes`
-  /// degrees of freedom. Null if the model does not compute them.
+  /// Returns the columns of equilibria.csv for the equilibria at rest (Equilibrium/Family = static) of a body with
+  /// `n_modes` degrees of freedom. The pointer is null if the model does not compute these equilibria.
   std::vector<Column> (*static_equilibria)(int n_modes) = nullptr;
   std::vector<Column> columns;  ///< columns of all groups, for the documentation
   /// Names of further runs of the model that a scene may request, by increasing number of degrees of freedom. Each run
   /// has its own files.
   std::vector<std::string> rungs{};
-  /// The runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a model
-  /// with one run of its name.
+  /// Returns the runs of the model in a scene, by increasing number of degrees of freedom. The function is null for a
+  /// model with one run, which has the name of the model.
   std::function<std::vector<ModelRun>(const Scene&)> runs{};
-  /// The names of the columns of its CSV file.
+  /// Returns the names of the columns of the model's CSV file.
   std::function<std::vector<std::string>(const mechanics::Quantities&)> header;
-  /// Text about the discretisation of the companion run, which serves to estimate the error in space. The text is empty
-  /// if a search chooses the discretisation. The function is null for a model without this error.
+  /// Returns a text about the discretisation of the companion run, from which the error in space is estimated. The text
+  /// is empty if a search chooses the discretisation. The function is null for a model without an error in space.
   std::function<std::optional<std::string>(const Scene&)> companion{};
-  /// The line about the model for the user, if the scene runs it or not.
+  /// Return the line for the user about the model: `needed` if the scene runs the model, otherwise `skipped`.
   std::function<std::string(const Scene&)> needed, skipped;
-  /// Whether the model can use a method. Null if it can use every method.
+  /// Returns whether the model can use a method. The pointer is null if the model can use every method.
   bool (*takes_method)(std::string_view name) = nullptr;
-  /// Returns the error in a valid scene for this model, if any.
+  /// Returns the error of the scene for this model, or nothing. The checks in scene/validate.cpp have accepted the
+  /// scene.
   std::function<std::optional<Refusal>(const Scene&)> refuses;
 };
 
@@ -167,10 +168,11 @@ struct Catalogue {
   std::vector<SystemDescription> systems{};
   /// The columns of connections.csv.
   std::vector<Column> connections{};
-  /// The columns of equilibria.csv for a system of one degree of freedom, without the coordinates of the system.
+  /// The columns of equilibria.csv for a system with one degree of freedom. The coordinates of the system are not
+  /// included.
   std::vector<Column> equilibria{};
 
-  /// The system of this name, or null for the ball.
+  /// The system of this name. The result is null for the ball and for an unknown name.
   const SystemDescription* system(std::string_view name) const {
     for (const SystemDescription& system : systems)
       if (system.name == name) return &system;

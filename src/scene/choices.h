@@ -1,5 +1,5 @@
 #pragma once
-/// The words that entries accept as values.
+/// The words that are valid values of entries.
 
 #include <algorithm>
 #include <cstddef>
@@ -33,7 +33,7 @@ inline constexpr auto initial_family_kind = choice<Family>({
     {"riemann-planar", Family::riemann_planar},
     {"riemann-planar-dual", Family::riemann_planar_dual},
 });
-/// The families for Analysis = equilibrium: all families except `none`, and the equilibria at rest.
+/// The families for Analysis = equilibrium. They are all families except `none`, and the equilibria at rest.
 inline constexpr auto family_kind = []() consteval {
   auto table = initial_family_kind.table;
   std::ranges::rotate(table, table.begin() + 1);
@@ -71,10 +71,10 @@ inline constexpr auto fields_kind = switches<Fields>({
     {"energy", &Fields::energy},
 });
 
-/// The text of Output/Quantities, composed of the texts of the groups.
+/// The documentation of Output/Quantities, composed of the documentation of each group.
 std::string_view documentation_of_quantities();
 
-/// The text of Material/Law, composed of the texts of the laws.
+/// The documentation of Material/Law, composed of the stored energies of the laws.
 std::string_view documentation_of_laws();
 inline Word law_kind() {
   Word kind;
@@ -82,21 +82,21 @@ inline Word law_kind() {
   return kind;
 }
 
-/// The names of the systems. The ball comes first.
+/// The valid values of System. The first is the ball.
 inline Word system_kind(const Catalogue& catalogue) {
   Word kind{{ball}};
   for (const SystemDescription& system : catalogue.systems) kind.allowed.push_back(system.name);
   return kind;
 }
 
-/// The names of the models.
+/// The valid values of Models.
 inline Words models_kind(const Catalogue& catalogue) {
   Words kind;
   for (const ModelDescription& model : catalogue.models) kind.allowed.push_back(model.name);
   return kind;
 }
 
-/// The word `auto` and the names of the methods.
+/// The valid values of Time/Method: the word `auto` and the names of the methods.
 inline Word method_kind(const Catalogue& catalogue) {
   Word kind{{automatic}};
   for (const NamedMethod& method : catalogue.methods) kind.allowed.push_back(method.name);

@@ -12,12 +12,12 @@ namespace {
 
 constexpr const char *normals_path = "Loads/Plane normals", *points_path = "Loads/Plane points";
 
-/// Initial penetrations below this fraction of the size of the body are round-off.
+/// Initial penetrations below this fraction of the size of the body and the distance of the plane are round-off.
 constexpr double round_off = 1e-12;
 
 Eigen::Vector3d vector_of(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
-/// The distance by which the initial body penetrates a plane, or 0.
+/// The depth by which the initial body penetrates a plane. A depth that is only round-off counts as 0.
 double depth(const Scene& scene, const loads::Plane& plane) {
   const Eigen::Vector3d axes = scene.body.radius * vector_of(scene.body.semi_axes);
   const Eigen::Matrix3d Q = loads::to_eigen(scene.initial_state.deformation);

@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of rigid planes (loads/rigid_planes.h). Each normal is not zero and has a point, and the surface of the body
-/// is known. The initial body with centre x_c and deformation Q₀ must be in front of each plane n·x = z₀:
+/// Checks of rigid planes (loads/rigid_planes.h). Each normal must be nonzero and must have a point. The surface of the
+/// body must be known. The initial body with centre x_c and deformation Q₀ must be in front of each plane n·x = z₀:
 ///
 ///   n·x ≥ z₀ for all x of the body,   that is   n·x_c − |S Q₀ᵀn| r ≥ z₀,   S = diag(semi-axes).
 
@@ -10,7 +10,7 @@
 
 namespace pseudorigid::scene {
 
-/// Returns the violated requirement. The result is empty for a scene without planes.
+/// Returns the violated requirement, or nothing. A scene without planes does not have requirements.
 std::optional<Refusal> refuses_planes(const Scene& scene);
 
 }  // namespace pseudorigid::scene

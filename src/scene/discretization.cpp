@@ -8,8 +8,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// The least degree of a search and of companion runs. With degree 1 the surface is a polyhedron, and there is no
-/// pressure.
+/// The least degree of a search and of companion runs. With degree 1, the surface is a polyhedron, and the elements
+/// have no pressure.
 constexpr int least_degree = 2;
 constexpr double resolution_of_a_refinement = 1.6, least_gain = 1.1;
 

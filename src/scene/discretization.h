@@ -1,15 +1,16 @@
 #pragma once
-/// Discretisations of the finite-element model, with degree k on the mesh after r refinements. If the scene does not
-/// set both numbers, a search tries discretisations in a fixed order.
+/// Discretisations of the finite-element model. A discretisation has the degree k of the elements and the number r of
+/// refinements of the mesh. If the scene does not set both numbers, a search tries discretisations by increasing cost.
 ///
 /// The error of Q decreases with the resolution
 ///
-///   N = k · 1.6^r,
+///   N = k · 1.6^r.
 ///
-/// and not with k 2^r, the number of nodes along an edge. At equal k 2^r, a high degree is more accurate. Shear fronts
-/// leave the surface, so that the rate in N is algebraic, but high degrees resolve the fronts better. The base 1.6 is
-/// fitted to measured errors of releases (tests/app/auto_degree_test.py). With the largest stable step, which is
-/// proportional to 1/(k² 2^r), the cost is
+/// The error does not depend on k 2^r alone, the number of nodes along an edge. At equal k 2^r, a high degree is more
+/// accurate. The motion is not smooth at shear fronts, which start at the surface. The error therefore decreases only
+/// with a power of N, but high degrees resolve the fronts better. The base 1.6 is fitted to measured errors of releases
+/// (tests/app/auto_degree_test.py). The largest stable step is proportional to 1/(k² 2^r). With this step, the cost of
+/// a run is
 ///
 ///   c = (k 2^r)³ · k² 2^r.
 
@@ -34,25 +35,26 @@ struct Discretization {
 
 /// The resolution N.
 double resolution(const Discretization& d);
-/// The cost c, in units of one trilinear element per cell.
+/// The cost c, in units of the cost of degree 1 on the unrefined mesh.
 double cost(const Discretization& d);
-/// The discretisation in words, such as "degree 4, unrefined" or "degree 5, refined once".
+/// The discretisation in words, for example "degree 4, unrefined" or "degree 5, refined once".
 std::string describe(const Discretization& d);
 
-/// The discretisation of a scene that sets both numbers; otherwise empty.
+/// The discretisation of a scene that sets both numbers. Otherwise the result is empty.
 std::optional<Discretization> fixed_discretization(const Scene& scene);
 
-/// The discretisations that the scene admits, by increasing cost. Each has a resolution at least 10 % higher than the
-/// one before; others are omitted.
+/// The discretisations that the scene admits, by increasing cost. A discretisation is omitted if its resolution is not
+/// at least 10 % higher than the resolution of the previous one.
 std::vector<Discretization> ladder(const Scene& scene);
 
-/// The discretisation of the companion run, by which a run estimates its error. It has one degree less. At the least
-/// degree, it has one refinement less, or one degree more if the mesh is unrefined.
+/// The discretisation of the companion run, by which a run estimates its error. The companion has one degree less. If
+/// the degree is at most 2, it has one refinement less. If the mesh is then unrefined, it has one degree more.
 Discretization companion(const Discretization& d);
 
-/// The degree of the companion run of a polynomial body of degree N. The degrees differ by two, because bodies with the
-/// symmetry of an octant only use odd degrees. A higher degree gives the error itself, while a lower degree often gives
-/// many times the error. For N ≥ 9, high degrees are costly, and the companion has two degrees less.
+/// The degree of the companion run for a polynomial body of degree N. The degrees differ by two, because bodies with
+/// the symmetry of an octant use odd degrees only. A companion of higher degree gives the error of the run. A companion
+/// of lower degree often gives many times this error. For N ≥ 9 the companion nevertheless has the degree N − 2,
+/// because higher degrees are too costly.
 int companion_degree(int N);
 
 }  // namespace pseudorigid::scene

@@ -1,8 +1,8 @@
 #pragma once
 /// Every entry of a parameter file: name, member of Scene, kind with range, unit and documentation. The default is the
-/// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. Reading, range
-/// checks, used.prm, suggestions for misspelt names and all formats of `pseudorigid parameters` use these functions. A
-/// new entry needs a member of Scene and a call below.
+/// initial value of the member in scene/scene.h. The entries of a load are in its header in src/loads/. The reader, the
+/// checks of ranges, used.prm, the suggestions for misspelt names and all formats of `pseudorigid parameters` use these
+/// functions. A new entry needs a member of Scene and a call below.
 
 #include <concepts>
 #include <type_traits>
@@ -377,7 +377,7 @@ void visit_sweep(S& scene, Visit& visit) {
               "row is that of a single run, bit by bit."});
 }
 
-/// Visits the entries of the systems of the catalogue.
+/// Visits the entries of all systems of the catalogue.
 template <SceneOrConst S, class Visit>
 void visit_systems(S& scene, Visit& visit) {
   for (const SystemDescription& system : catalogue_of(scene).systems)

@@ -18,7 +18,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// A suggestion "; did you mean …" with the list of the parameters, or a note that there are no parameters.
+/// End of the message for an unknown name: the nearest parameter, if there is one, and the list of all parameters. If
+/// the sweep does not declare parameters, the text states this instead.
 std::string what_is_known(std::string_view name, const ParameterValues& parameters) {
   std::vector<std::string_view> names;
   for (const auto& [parameter, value] : parameters) names.push_back(parameter);
@@ -26,7 +27,8 @@ std::string what_is_known(std::string_view name, const ParameterValues& paramete
   return did_you_mean(name, names) + fmt::format("; the parameters of the sweep are {}", fmt::join(names, ", "));
 }
 
-/// A parser that has only the constants. It is made once, because its construction takes longer than an expression.
+/// Returns a parser without variables, whose only constant is pi. Each thread constructs it once, because the
+/// construction takes longer than the evaluation of an expression.
 mu::Parser& cleared_parser() {
   thread_local mu::Parser parser;
   parser.ClearVar();
@@ -62,7 +64,7 @@ double value_of(const std::string& expression, const ParameterValues& parameters
   return value;
 }
 
-/// The text of a value. With Rounding::to_whole, an integer with round-off is printed as this integer.
+/// The text of a value. With Rounding::to_whole, a value that is an integer up to round-off is printed as this integer.
 std::string printed(double value, Rounding rounding) {
   const double whole = std::round(value);
   const bool is_whole = std::abs(value - whole) <= 8 * std::numeric_limits<double>::epsilon() * std::abs(whole);
@@ -70,7 +72,8 @@ std::string printed(double value, Rounding rounding) {
                                                                               : print_number(value);
 }
 
-/// The position of the parenthesis that closes one opened before `from`, or the end of the text if there is none.
+/// The position of the parenthesis that closes a parenthesis opened before `from`. If there is none, the result is the
+/// length of the text.
 std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   int depth = 1;
   for (; from < text.size(); ++from) {
@@ -80,7 +83,7 @@ std::size_t closing_parenthesis(std::string_view text, std::size_t from) {
   return from;
 }
 
-/// Calls use(expression) for each `$(…)` of the text and keep(text) for the text between.
+/// Calls use(expression) for each `$(…)` of the text, and keep(text) for each piece between them.
 template <class Keep, class Use>
 void visit_expressions(std::string_view text, const Keep& keep, const Use& use) {
   for (std::size_t at = 0; at < text.size();) {

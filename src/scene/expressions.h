@@ -22,15 +22,17 @@ enum class Rounding {
   to_whole,  ///< prints an integer if the value is an integer up to round-off
 };
 
-/// The text with every `$(…)` replaced by its number. The printed number reads back to the same double. Throws
-/// UserError without the origin of the text if an expression cannot be evaluated, is a list or is not finite.
+/// The text, in which every `$(…)` is replaced by its value. The printed value can be read back to the same double,
+/// except for the rounding. Throws UserError if an expression cannot be evaluated, is a list or is not finite. The
+/// message does not contain the origin of the text.
 std::string evaluated(std::string_view text, const ParameterValues& parameters, Rounding rounding = Rounding::none);
 
-/// The names among `parameters` that the expressions of the text use. Throws as `evaluated` does.
+/// The names of the parameters in the expressions of a text that `evaluated` accepts. Throws UserError for an error of
+/// syntax.
 std::set<std::string> names_used(std::string_view text, const Sweep& parameters);
 
-/// Returns "a function" or "a constant" if the name has this meaning in every expression. A parameter cannot have such
-/// a name. Otherwise the result is empty.
+/// Returns "a function" or "a constant" if the name already has this meaning in expressions. A parameter cannot have
+/// such a name. Otherwise the result is empty.
 std::string_view meaning_in_expressions(const std::string& name);
 
 }  // namespace pseudorigid::scene

@@ -1,5 +1,5 @@
 #pragma once
-/// Functions that select the models of a scene by their properties in the catalogue.
+/// Functions that select models of the ball by their properties in the catalogue.
 
 #include <fmt/format.h>
 
@@ -37,7 +37,7 @@ inline bool offers(const ModelDescription& model, Analysis analysis) {
   return false;
 }
 
-/// The models of the scene, by increasing number of degrees of freedom.
+/// The models that the scene names, by increasing number of degrees of freedom.
 inline std::vector<const ModelDescription*> models_of(const Scene& scene) {
   std::vector<const ModelDescription*> models;
   for (const ModelDescription& model : catalogue_of(scene).models)
@@ -50,12 +50,13 @@ inline bool is_discretized(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::discretized);
 }
 
-/// The highest degree of a tide that the finite elements of the scene resolve, k 2^r.
+/// The highest degree of a tide that the finite elements of the scene resolve. It is k 2^r for degree k and r
+/// refinements, with k = 1 and r = 0 if the scene does not set them.
 inline int resolved_degree(const Scene& scene) {
   return scene.continuum.degree.value_or(1) << scene.continuum.refinements.value_or(0);
 }
 
-/// The degrees of the Love numbers that Analysis = love numbers writes.
+/// The degrees of the tides for which Analysis = love numbers writes Love numbers.
 inline std::vector<int> love_degrees(const Scene& scene) {
   if (!scene.love.degrees.empty()) return scene.love.degrees;
   constexpr int last = 8;
@@ -70,7 +71,7 @@ inline bool has_nonaffine(const Scene& scene) {
   return std::ranges::any_of(models_of(scene), &ModelDescription::has_nonaffine);
 }
 
-/// The names of the models of the catalogue for which `holds` is true.
+/// The names of the models of the catalogue for which `holds(model)` is true.
 template <class Predicate>
 std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds) {
   std::vector<std::string_view> found;
@@ -79,7 +80,7 @@ std::vector<std::string_view> names_where(const Scene& scene, Predicate&& holds)
   return found;
 }
 
-/// "the reduced model" or "the models a, b".
+/// Returns "the reduced model" or "the models a, b".
 inline std::string the_models(const std::vector<std::string_view>& names) {
   return names.size() == 1 ? "the " + std::string(names.front()) + " model" : "the models " + joined(names);
 }

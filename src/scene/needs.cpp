@@ -15,7 +15,8 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Adds the line `needed` if the part is wanted, otherwise the line `skipped`.
+/// Adds the line `needed` to the needed parts if `wanted` is true. Otherwise adds the line `skipped` to the skipped
+/// parts.
 void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped) {
   if (wanted)
     needs.needed.push_back(std::move(needed));
@@ -23,8 +24,8 @@ void sort_out(Needs& needs, bool wanted, std::string needed, std::string skipped
     needs.skipped.push_back(std::move(skipped));
 }
 
-/// Describes the discretisation error of the reference model. A search estimates it, or a companion run if there is a
-/// comparison.
+/// Adds a line about the estimate of the discretisation error of the reference model, and sets `needs.companion`.
+/// Either a search estimates this error, or a companion run does if there is a comparison.
 void describe_error_estimate(const Scene& scene, Needs& needs) {
   const ModelDescription& richest = *needs.models.back();
   if (!richest.companion || scene.analysis != Analysis::motion) return;
@@ -49,7 +50,7 @@ void describe_stabilization(const Scene& scene, Needs& needs) {
                : "volumetric stabilisation: neither self-gravity nor a confining tidal matrix");
 }
 
-/// The number of runs of all models.
+/// The number of runs, summed over all models.
 std::size_t n_runs_of_models(const Scene& scene, const Needs& needs) {
   std::size_t n = 0;
   for (const ModelDescription* model : needs.models) n += runs_of(*model, scene).size();
@@ -125,7 +126,7 @@ void describe_output(const Scene& scene, Needs& needs) {
            "graphics: Output/Graphics is none; no folder is made");
 }
 
-/// The warning of the law, if any.
+/// The warning about the law, or nothing if the law has none for this body.
 std::optional<std::string> warning_of_law(const Scene& scene) {
   const materials::NamedLaw& law = materials::find_law(scene.material.law);
   const std::string_view warning = scene.body.incompressible ? law.warning_incompressible : law.warning_compressible;

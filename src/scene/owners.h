@@ -9,7 +9,7 @@
 
 namespace pseudorigid::scene {
 
-/// Returns "ball" or the name of another system, or "" for an entry of every scene.
+/// Returns "ball" or the name of another system. Returns "" for an entry that every system uses.
 inline std::string_view owner_of(const Catalogue& catalogue, std::string_view path) {
   const std::string_view section = path.substr(0, path.find('/'));
   for (const SystemDescription& system : catalogue.systems)

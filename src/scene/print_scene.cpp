@@ -23,8 +23,8 @@ Name split(std::string_view path) {
   return {path.substr(0, slash), path.substr(slash + 1)};
 }
 
-/// Writes `set` lines, and opens and closes subsections if the section of the entries changes. Muted entries are
-/// written as comments.
+/// Writes `set` lines. Closes and opens subsections if the section of an entry differs from the section before. Muted
+/// entries are written as comments.
 class PrmWriter {
  public:
   void comment(std::string_view text) { text_ += fmt::format("{}# {}\n", indent(), text); }
@@ -64,7 +64,7 @@ class PrmWriter {
   bool muted_ = false;
 };
 
-/// Breaks a text at blanks into lines of at most `comment_width` characters.
+/// Breaks a text at blanks into lines of at most `comment_width` characters. A longer word has its own line.
 std::vector<std::string> wrapped(std::string_view text) {
   std::vector<std::string> lines;
   while (text.size() > comment_width) {

@@ -23,8 +23,8 @@ bool is_binary(char c) {
   return std::iscntrl(byte) && !std::isspace(byte);
 }
 
-/// Returns `; did you mean "…"?` with the .prm file in the folder whose name is most similar to the missing file, or an
-/// empty text.
+/// Returns `; did you mean "…"?` with a similar name among the .prm files in the folder of the missing file. If the
+/// file exists or no name is similar, the result is empty.
 std::string scene_meant(const fs::path& file) {
   std::error_code ignored;
   const fs::path folder = file.parent_path();
@@ -35,7 +35,7 @@ std::string scene_meant(const fs::path& file) {
   return fs::exists(file, ignored) ? "" : did_you_mean(file.string(), {found.begin(), found.end()});
 }
 
-/// The text of a file. Error messages begin with `blame`.
+/// Reads a text file. Error messages begin with `blame`.
 std::string text_of(const fs::path& file, const std::string& blame) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
@@ -61,7 +61,7 @@ bool take_keyword(std::string_view& line, std::string_view small, std::string_vi
   return true;
 }
 
-/// Whether a line alone would be a statement.
+/// Whether the line is a statement if it is not joined to another line.
 bool is_statement(std::string_view line) {
   std::string text(trimmed(line.substr(0, line.find('#'))));
   std::replace(text.begin(), text.end(), '\t', ' ');
@@ -75,7 +75,7 @@ class PrmReader {
  public:
   explicit PrmReader(const StatementHandler& handle) : handle_(handle) {}
 
-  /// Joins continued lines and scans each line. The same subsections must be open at the end and at the beginning.
+  /// Joins continued lines and reads each line. A text must close the subsections that it opens, and no others.
   void read_text(std::string_view text, const fs::path& file) {
     std::error_code ignored;
     files_.push_back({file, fs::weakly_canonical(file, ignored), 0});

@@ -9,14 +9,14 @@
 /// White space around names and values is removed, and tabs count as blanks. A test compares the reader with the
 /// installed ParameterHandler. There are deliberate differences:
 ///
-/// Several blanks inside a name count as one, as documented for deal.II, whose parser does not do it. The file of
-/// `include` is searched in the folder of the including file, not in the working directory.
+/// Several blanks inside a name count as one. The documentation of deal.II states the same, but its parser keeps them.
+/// The file of `include` is searched in the folder of the including file, not in the working directory.
 ///
-/// These inputs are errors: a file that includes itself, a name that contains `/`, control characters (binary data), a
-/// file above 1 MiB, and more than 100 included files. The character `/` joins subsection and entry in messages and in
-/// `--set`. A statement on a line that a backslash joins to the line before is an error, because it would not have an
-/// effect. `include` accepts regular files only, because a pipe cannot be read twice. A UTF-8 byte order mark at the
-/// start of a file is skipped.
+/// The following inputs are errors: a file that includes itself, a name that contains `/`, control characters (binary
+/// data), a file above 1 MiB, and more than 100 included files. The character `/` joins subsection and entry in
+/// messages and in `--set`. Another error is a statement on a line that a backslash joins to the line before, because
+/// the statement would have no effect. `include` accepts regular files only, because a pipe cannot be read twice. A
+/// UTF-8 byte order mark at the start of a file is skipped.
 
 #include <filesystem>
 #include <functional>
@@ -26,14 +26,14 @@
 
 namespace pseudorigid::scene {
 
-/// A `set` or `subsection` line.
+/// A `set` line or a `subsection` line.
 struct Statement {
   std::string path;                  ///< "Section/Entry", or "Section" if a subsection begins
   std::optional<std::string> value;  ///< empty if a subsection begins
   std::string file;
-  int line = 0;  ///< 0 if the statement is not from a file; `file` is then its origin
+  int line = 0;  ///< 0 if the statement is not from a file; `file` is then the origin, for example "--set"
 
-  /// The origin of the statement, "scene.prm:12".
+  /// The origin of the statement, for example "scene.prm:12".
   std::string where() const;
 };
 
@@ -43,11 +43,11 @@ using StatementHandler = std::function<void(const Statement&)>;
 std::string text_of_prm(const std::filesystem::path& file);
 
 /// Calls `handle` for each statement of the text and of the included files, in order. An exception of `handle` ends the
-/// reading. Messages use `name` as the name of the text, and `include` uses the folder of `name`. Throws UserError
-/// "file:line: …" for a file that cannot be read and for errors of syntax.
+/// reading. Messages use `name` as the name of the text. Paths of included files are relative to the folder of `name`.
+/// Throws UserError "file:line: …" if an included file cannot be read and for errors of syntax.
 void read_prm_text(std::string_view text, const std::filesystem::path& name, const StatementHandler& handle);
 
-/// A name in the form for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.
+/// The form of a name that is used for comparisons: trimmed, and with one blank for each sequence of blanks and tabs.
 std::string normalised_name(std::string_view name);
 
 }  // namespace pseudorigid::scene

@@ -37,8 +37,8 @@ void check_subsection(const Statement& statement, const Scene& scene) {
                                 did_you_mean(statement.path, sections)));
 }
 
-/// The path of a mesh file. A name in a parameter file is relative to the folder of this file, a name in an override to
-/// the working directory.
+/// The path of a mesh file. A name in a parameter file is relative to the folder of this file. A name in an override is
+/// relative to the working directory.
 std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, const std::string& name) {
   const bool in_file = statement.line > 0;
   std::string path =
@@ -49,8 +49,8 @@ std::string located(const Statement& statement, const BuiltinOrMeshFile& kind, c
   return path;
 }
 
-/// Warns if an entry is set twice in one file, which is probably a mistake. A file may override the entries of an
-/// included file.
+/// Adds a warning if an entry has two values in one file, which is probably a mistake. A value in the including file
+/// may override a value in an included file without a warning.
 void warn_of_repetition(const Statement& statement, ReadScene& read) {
   const auto found = read.origins.all().find(statement.path);
   if (statement.line == 0 || found == read.origins.all().end()) return;
@@ -69,7 +69,7 @@ void set_entry(const Statement& statement, ReadScene& read) {
     const bool may_have_expression =
         kind.type != Text::type && kind.type != BuiltinOrMeshFile::type && about.path != "Sweep/Parameters";
     if (may_have_expression &&
-        has_expression(*statement.value)) {  // evaluated when the parameters of the sweep are known
+        has_expression(*statement.value)) {  // evaluated after the parameters of the sweep are read
       read.scene.expressions[statement.path] = *statement.value;
       read.origins.record(statement.path, statement.where());
       return;
@@ -85,7 +85,8 @@ void set_entry(const Statement& statement, ReadScene& read) {
                                 did_you_mean(statement.path, known_paths(std::as_const(read.scene), false))));
 }
 
-/// Throws unless the value fits on one line of a parameter file, because used.prm contains it.
+/// Throws UserError unless the value fits on one line of a parameter file. This is necessary because used.prm contains
+/// the value.
 void check_fits_file(const Statement& statement) {
   const bool control = std::any_of(statement.value->begin(), statement.value->end(),
                                    [](unsigned char c) { return std::iscntrl(c) != 0; });

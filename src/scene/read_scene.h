@@ -1,6 +1,6 @@
 #pragma once
-/// Reader of a scene from a parameter file and from `--set` overrides. It checks each value by itself. The functions of
-/// scene/validate.h check combinations of entries.
+/// Reader of a scene from a parameter file and from `--set` overrides. It checks the value of each single entry. The
+/// functions of scene/validate.h check combinations of entries.
 
 #include <filesystem>
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace pseudorigid::scene {
 
-/// The origin of the value of each entry, used in messages.
+/// The origin of the value of each entry. Messages begin with this origin.
 class Origins {
  public:
   Origins() = default;
@@ -21,10 +21,10 @@ class Origins {
 
   void record(const std::string& path, std::string where) { where_[path] = std::move(where); }
 
-  /// "scene.prm:12", "--set", or the name of the file for an entry with its default value.
+  /// Returns "scene.prm:12" or "--set". For an entry with its default value, returns the name of the file.
   std::string of(const std::string& path) const;
   bool is_override(const std::string& path) const;
-  /// The origins of the entries with a value, by path.
+  /// The origins of all entries that the file or an override sets, path → origin.
   const std::map<std::string, std::string>& all() const { return where_; }
 
  private:
@@ -39,13 +39,13 @@ struct ReadScene {
   std::vector<std::string> warnings{};  ///< one sentence each
 };
 
-/// Reads the file and then the overrides ("Section/Entry=value"). The last value of an entry is used. Throws UserError
-/// if a file cannot be read, a name is unknown or a value is out of range. The message is one sentence that begins with
-/// file:line or --set. The catalogue must outlive the scene.
+/// Reads the file and then the overrides ("Section/Entry=value"). If an entry has several values, the last one is used.
+/// Throws UserError if a file cannot be read, a name is unknown or a value is out of range. The message is one sentence
+/// that begins with file:line or --set. The catalogue must outlive the scene.
 ReadScene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                      const Catalogue& catalogue);
 
-/// The scene with its expressions evaluated for the given parameters. Throws UserError as read_scene does.
+/// The scene with the values of its expressions for the given parameters. Throws UserError as read_scene does.
 Scene with_parameters(Scene scene, const ParameterValues& parameters, const Origins& origins = {});
 
 }  // namespace pseudorigid::scene

@@ -15,11 +15,11 @@ namespace {
 
 struct ScaleNumbers {
   bool is_fluid = false, moves = false;
-  double c = 1, time = 1;  ///< √(μ/ρ), and r/c; for a fluid r/t and t with its unit of time t
+  double c = 1, time = 1;  ///< √(μ/ρ) and r/c; for a fluid with the unit of time t: r/t and t
   double duration = 0, gamma = 0, spin = 0, speed = 0;  ///< Time/End, γ, ω²r²/c², v/c
 };
 
-/// The numbers of a scene. For a fluid γ is infinite and stays 0 here.
+/// The dimensionless numbers of a scene. For a fluid, γ is infinite, and the member `gamma` is 0.
 ScaleNumbers scale_numbers(const Scene& scene) {
   const auto& [radius, density, incompressible, semi_axes, inertia] = scene.body;
   ScaleNumbers n{.is_fluid = is_fluid(scene), .moves = scene.analysis == Analysis::motion};

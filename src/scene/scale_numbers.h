@@ -3,8 +3,8 @@
 ///
 ///   c = √(μ/ρ),   Time/End in r/c,   γ = ρgr/μ with g = (4/3)πGρr,   ω²r²/c²,   v/c
 ///
-/// with the spin ω, which is the axial vector of Q̇₀Q₀⁻¹, and the largest initial speed v relative to the centre of
-/// mass. For a fluid, μ = 0, the unit of time of scene/scales.h replaces r/c.
+/// with the spin ω, which is the axial vector of Q̇₀Q₀⁻¹, and the largest initial speed v of the ball relative to the
+/// centre of mass. For a fluid, μ = 0, the unit of time t of scene/scales.h replaces r/c, and γ is omitted.
 
 #include <string>
 #include <vector>
@@ -13,10 +13,12 @@
 
 namespace pseudorigid::scene {
 
-/// One line of text for each dimensionless number of the scene.
+/// Lines of text about the scales and numbers. The first line contains c and r/c, or the unit of time of a fluid. A
+/// line follows for each number that applies to the scene and is not zero.
 std::vector<std::string> scale_lines(const Scene& scene);
 
-/// One sentence for each number that is so far from 1 that a unit is probably wrong.
+/// One sentence for each number that is so large or so small that a unit is probably wrong. A fluid has no such
+/// warnings.
 std::vector<std::string> unit_warnings(const Scene& scene);
 
 }  // namespace pseudorigid::scene

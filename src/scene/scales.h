@@ -1,11 +1,12 @@
 #pragma once
-/// The unit of time t for a scene of the ball, with which internal numbers are of order 1:
+/// The unit of time t of a scene of the ball. In this unit, the numbers of the computation are of order 1:
 ///
 ///   1/t² = μ/(ρr²) + πGρ
 ///
-/// This is r/c with c = √(μ/ρ) if there is no self-gravity, and the free-fall time for a fluid. If a fluid or a body
-/// with self-gravity has loads with a larger rate than 1/t, the rate of the loads determines the unit. A fluid without
-/// gravity and loads has the unit of its velocity, or else the length of the run.
+/// with the shear modulus μ, the density ρ, the radius r and the constant of gravity G. Without self-gravity, t = r/c
+/// with c = √(μ/ρ). For a fluid, μ = 0, and t is the free-fall time. If a fluid or a body with self-gravity has loads
+/// whose rate exceeds 1/t, the unit is the reciprocal of this rate. For a fluid without gravity and loads, the unit is
+/// the reciprocal of the largest entry of the initial velocity Q̇₀. If Q̇₀ is also zero, the unit is Time/End.
 
 #include <fmt/format.h>
 
@@ -30,7 +31,7 @@ inline bool is_fluid(const Scene& scene) { return materials::is_fluid(law_of(sce
 /// Whether the ball has no loads, so that elasticity and pressure are the only forces.
 inline bool is_free(const Scene& scene) { return !loads::any_present(scene.loads); }
 
-/// The largest rate of motion that a load other than self-gravity causes by itself.
+/// The largest rate that a load other than self-gravity would cause in a body without other forces.
 inline double rate_of_loads(const Scene& scene) {
   const double inertia = scene.body.density * scene.body.radius * scene.body.radius;
   double rate = 0;
@@ -56,7 +57,7 @@ inline double time_scale(const Scene& scene) {
   return motion > 0 ? 1 / motion : scene.time.end;
 }
 
-/// Refuses a motion that is so long that the round-off of the time exceeds a unit of time.
+/// Refuses a motion until `end` if it is so long that the round-off of the time is comparable with a unit of time.
 inline std::optional<Refusal> refuses_duration(double end, double time_unit) {
   const double longest = 1e15 * time_unit;
   if (end <= longest) return {};

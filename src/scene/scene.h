@@ -1,6 +1,6 @@
 #pragma once
-/// The content of a parameter file, as values with their defaults. Names, ranges, units and documentation of the
-/// entries are defined in scene/entries.h.
+/// The content of a parameter file: a member with its default for each entry. Names, ranges, units and documentation of
+/// the entries are defined in scene/entries.h.
 
 #include <map>
 #include <optional>
@@ -17,10 +17,10 @@
 namespace pseudorigid::scene {
 
 enum class Analysis { motion, modes, love_numbers, equilibrium, manifolds, section };
-/// The direction of the crossings of a section that count: the column increases, decreases, or both.
+/// The direction of the crossings that a section records: the column increases, decreases, or both.
 enum class Crossings { up, down, both };
-/// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` means the equilibria at rest,
-/// which do not belong to a family.
+/// Families of relative equilibria (reduced/equilibrium_families.h). The value `at_rest` selects the equilibria at
+/// rest, which do not form a family.
 enum class Family {
   none,
   maclaurin,
@@ -37,14 +37,15 @@ enum class Family {
 enum class Graphics { none, vtu };
 /// The cells of a picture (io/block_cells.h).
 enum class Cells { linear, lagrange };
-/// The way in which the discretisation error of the finite-element model is estimated.
+/// The way in which the discretisation error of the finite-element model is estimated. With `none`, it is not
+/// estimated.
 enum class ErrorEstimate { none, automatic };
 
-/// The symmetry planes of the computed sector. The value `automatic` derives them from the scene. The letters x, y, z
-/// are the normals of the planes; `octant` has all three planes, and `none` is the full ball.
+/// The symmetry planes that bound the computed sector. With `automatic`, the program derives them from the scene. The
+/// letters x, y, z are the normals of the planes. The value `octant` has all three planes, and `none` is the full ball.
 enum class Symmetry { automatic, none, x, y, z, xy, xz, yz, octant };
 
-/// Groups of columns of the CSV files. The column `time` is always written.
+/// Groups of columns of the CSV files. Every file of a motion also has the column `time`.
 using mechanics::Quantities;
 
 /// Groups of fields of a picture (io/body_picture.h).
@@ -60,7 +61,7 @@ struct Catalogue;
 
 inline constexpr int largest_number_of_samples = 10'000'000;
 
-/// The values of the entries System and Time/Method that are not names in the catalogue.
+/// Values of the entries System and Time/Method that are not names in the catalogue.
 inline constexpr std::string_view ball = "ball", automatic = "auto";
 
 struct Scene {
@@ -97,7 +98,7 @@ struct Scene {
     int number = 8;
   } modes;
   struct Love {
-    std::vector<int> degrees;  ///< rising; empty: auto (love_degrees)
+    std::vector<int> degrees;  ///< increasing; empty: auto (love_degrees)
   } love;
   struct Manifolds {
     int starts = 24;
@@ -148,9 +149,9 @@ struct Scene {
   std::optional<int> sweep_threads;  ///< empty: number of cores
   bool sweep_lanes = true;           ///< whether similar runs are integrated together in SIMD lanes
   bool sweep_trajectories = false;   ///< whether the samples of all runs are kept (app/commands/kept_trajectories.h)
-  /// Values written with expressions, path → text. The members contain the values of the first run.
+  /// Values that contain expressions, path → text. The members of these entries contain the values of the first run.
   std::map<std::string, std::string, std::less<>> expressions;
-  /// Entries of the systems of the catalogue, path → canonical text. Other entries have their defaults.
+  /// Values of the entries of systems, path → canonical text. An entry without a value here has its default.
   std::map<std::string, std::string, std::less<>> system_values;
 };
 
@@ -162,7 +163,7 @@ inline bool finds_static_equilibria(const Scene& scene) {
 /// Largest degree of Love numbers.
 inline constexpr int largest_love_degree = 24;
 
-/// Whether small displacements about rest are looked for.
+/// Whether the analysis computes small displacements about rest.
 inline bool is_linear(Analysis analysis) { return analysis == Analysis::modes || analysis == Analysis::love_numbers; }
 
 inline bool has_mesh_file(const Scene& scene) { return scene.continuum.mesh != builtin_mesh; }

@@ -21,13 +21,13 @@ std::string planes_in_words(const std::array<bool, 3>& reflect) {
   return names;
 }
 
-/// Whether a load has a function `breaks_plane`, which replaces the check of its entries.
+/// Whether a load has a function `breaks_plane`, which replaces the check of the entries of the load.
 template <class Load>
 inline constexpr bool judges_planes = requires(const Load& load) {
   load.breaks_plane(0);
 };
 
-/// The paths and values of the entries of type Value of all loads without a function `breaks_plane`.
+/// The paths and values of all entries of type Value in the loads without a function `breaks_plane`.
 template <class Value>
 std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& scene) {
   std::vector<std::pair<std::string_view, const Value*>> found;
@@ -40,7 +40,8 @@ std::vector<std::pair<std::string_view, const Value*>> of_loads(const Scene& sce
   return found;
 }
 
-/// The same as breaks_plane for the inputs that affect Q. The centre of mass is checked separately.
+/// Describes the first matrix that breaks the symmetry about the plane with normal e_i. The matrices determine Q;
+/// vectors are checked separately.
 std::optional<std::string> matrix_breaks_plane(const Scene& scene, int i) {
   std::vector<std::pair<std::string_view, const Matrix3*>> matrices{
       {"Initial state/Deformation", &scene.initial_state.deformation},

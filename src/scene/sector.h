@@ -1,9 +1,10 @@
 #pragma once
 /// The sector of the ball that has to be computed. A motion x = x_c + Q(t) X + … can have the coordinate plane with
-/// normal e_i as a symmetry plane. The condition is that the reflection S_i = Id - 2 e_i e_i^T does not change the
-/// initial state and the loads. The matrices A among them (Q0, Qdot0, E0 and matrices of loads) must satisfy S_i A S_i
-/// = A, so their entries (i,j) and (j,i), j != i, are zero. The vectors a (centre of mass, its velocity and vectors of
-/// loads) must satisfy S_i a = a, so a_i = 0.
+/// normal e_i as a symmetry plane. The condition is that the initial state and the loads are invariant under the
+/// reflection S_i = Id − 2 e_i e_iᵀ. A matrix A (Q₀, Q̇₀, E₀ or a matrix of a load) must satisfy S_i A S_i = A. Its
+/// entries (i,j) and (j,i) with j ≠ i are therefore zero. A vector a (centre of mass, its velocity or a vector of a
+/// load) must satisfy S_i a = a, that is a_i = 0. A load can replace these conditions on its entries by a function
+/// `breaks_plane`.
 
 #include <array>
 #include <optional>
@@ -20,24 +21,27 @@ struct Sector {
   int n_planes() const { return reflect[0] + reflect[1] + reflect[2]; }
   /// The number of copies of the sector that fill the ball.
   int n_images() const { return 1 << n_planes(); }
-  /// "octant", "quarter (planes x, y)", "half (plane z)" or "full ball".
+  /// Returns "octant", "quarter (planes x, y)", "half (plane z)" or "full ball".
   std::string name() const;
 };
 
 inline constexpr std::array<const char*, 3> axis_names{"x", "y", "z"};
 
-/// The planes that a value of Continuum/Symmetry names. Symmetry::automatic does not name planes.
+/// The planes that a value of Continuum/Symmetry names, by their normals x, y, z. Symmetry::automatic does not name
+/// planes.
 std::array<bool, 3> planes_of(Symmetry symmetry);
 
 /// Describes the first entry of the initial state or of the loads that breaks the symmetry about the plane with normal
-/// e_i ("entry (1,2) of Initial state/Velocity is 0.5 and not 0"). Empty if the motion has this symmetry.
+/// e_i. An example is "entry (1,2) of Initial state/Velocity is 0.5 and not 0". The result is empty if the motion has
+/// this symmetry.
 std::optional<std::string> breaks_plane(const Scene& scene, int i);
 
-/// Whether Q preserves all three symmetry planes and is therefore diagonal for all times. The centre of mass does not
-/// matter, because it does not affect Q.
+/// Whether all matrices of the scene are invariant under the three reflections S_i. Without contact, Q is then diagonal
+/// at all times. Vectors are not checked, because they affect the centre of mass but not Q.
 bool keeps_diagonal(const Scene& scene);
 
-/// The sector of the scene: the given sector, or the smallest sector that the initial state and the loads admit.
+/// The sector of the scene. It is the sector that the scene sets, or the smallest one that the initial state and the
+/// loads admit. With a mesh from a file it is the full ball.
 Sector sector(const Scene& scene);
 
 }  // namespace pseudorigid::scene

@@ -61,7 +61,7 @@ Problem read_values(std::string_view text, SweepParameter& parameter) {
   return std::nullopt;
 }
 
-/// A hash of x with 64 bits, the same on every machine (G. Steele, D. Lea, C. Flood, OOPSLA 2014: SplitMix64).
+/// A hash of x with 64 bits, which is the same on every machine (G. Steele, D. Lea, C. Flood, OOPSLA 2014: SplitMix64).
 std::uint64_t mixed(std::uint64_t x) {
   std::uint64_t z = x + 0x9e3779b97f4a7c15;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9;
@@ -69,11 +69,11 @@ std::uint64_t mixed(std::uint64_t x) {
   return z ^ (z >> 31);
 }
 
-/// A number in [0, 1) from 64 random bits.
+/// Converts 64 random bits to a number in [0, 1).
 double uniform(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-/// The image of j under a permutation of 0 … n − 1, which the key determines. A Feistel network permutes the numbers
-/// below 4ᵐ ≥ n. It is applied until the result is below n.
+/// The image of j under a permutation of 0 … n − 1 that depends on the key. A Feistel network permutes the numbers
+/// below 4ᵐ ≥ n. It is applied repeatedly until the result is below n.
 int permuted(int j, int n, std::uint64_t key) {
   int m = 1;
   while ((1L << (2 * m)) < n) ++m;
@@ -93,8 +93,8 @@ double at(const SweepParameter& p, double part) {
   return p.logarithmic ? first * std::pow(last / first, part) : first + (last - first) * part;
 }
 
-/// The value of a parameter of a Latin hypercube in run j. The index `number` of the parameter distinguishes parameters
-/// with the same seed.
+/// The value of parameter `number` of the sweep in run j of the Latin hypercube. The key contains `number`, so that
+/// parameters with the same seed have different values.
 double latin_value(const SweepParameter& p, std::size_t number, int j) {
   const std::uint64_t key = mixed(*p.seed + (std::uint64_t{number} << 32));
   const double within = uniform(mixed(key + static_cast<std::uint64_t>(j)));

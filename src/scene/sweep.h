@@ -1,15 +1,16 @@
 #pragma once
-/// A sweep, which runs the scene once for every combination of values of its parameters. Other entries use the
-/// parameters in expressions (scene/expressions.h).
+/// A sweep runs the scene once for every combination of values of its parameters. Other entries use the parameters in
+/// expressions (scene/expressions.h).
 ///
 ///     set Parameters = l: 1.1 .. 2 in 100; w: 0, 0.5, 1; g: 0.1 .. 100 in 4 logarithmic
 ///
-/// The text `first .. last in n` means n values at equal distances from `first` to `last`. With `logarithmic`, their
-/// logarithms have equal distances. The last parameter varies fastest.
+/// The text `first .. last in n` means n equally spaced values from `first` to `last`. With `logarithmic`, the
+/// logarithms of the values are equally spaced. In successive runs, the last parameter varies fastest.
 ///
-/// With `latin S` the n values belong to n runs of a Latin hypercube. All parameters with `latin` vary together. Each
-/// parameter has one value in each of n equal parts of its range. The seed S determines the order of the parts and the
-/// positions within them. Each combination of the other parameters is run with each of these n runs.
+/// With `latin S`, the n values belong to n runs of a Latin hypercube, and all parameters with `latin` vary together.
+/// The range of each parameter is divided into n equal parts. Each part contains the value of one run. The seed S
+/// determines the run of each part, and the position of the value in the part. These n runs are repeated for each
+/// combination of the other parameters, and vary faster than the other parameters.
 
 #include <cstdint>
 #include <map>
@@ -37,21 +38,22 @@ using ParameterValues = std::map<std::string, double>;
 
 inline constexpr int largest_number_of_runs = 10'000'000;
 
-/// One of several parts of the runs of a sweep. Parts may run at the same time in directories of their own.
+/// One of `n_parts` parts of the runs of a sweep, with the number `part` from 1. The parts may run at the same time,
+/// each in its own directory.
 struct SweepPart {
   int part = 1, n_parts = 1;
 };
-/// The first run of a part, and the run after its last.
+/// Returns the first run of the part and the run after its last run.
 std::pair<int, int> runs_of_part(const SweepPart& part, int n_runs);
 
-/// The number of runs of the Latin hypercube, or 1 without a Latin hypercube.
+/// The number of values of each parameter with `latin`, or 1 if there is none.
 int n_latin(const Sweep& sweep);
-/// The number of runs, or 0 without parameters.
+/// The number of runs of the sweep, or 0 without parameters.
 int n_runs(const Sweep& sweep);
 /// The values of the parameters in run k = 0 … n_runs − 1.
 ParameterValues values_of_run(const Sweep& sweep, int k);
 
-/// The kind of the entry Sweep/Parameters (entry_kinds.h).
+/// The kind of the entry Sweep/Parameters. Kinds are described in entry_kinds.h.
 struct SweepParameters {
   static constexpr std::string_view type = "parameters";
   std::optional<std::string> read(std::string_view text, Sweep& value) const;

@@ -26,17 +26,20 @@
 namespace pseudorigid::scene {
 namespace {
 
-/// Limit of a semi-axis in radii. The inertia E₀ is proportional to the squares of the semi-axes.
+/// Largest semi-axis in radii. The least semi-axis is its reciprocal. The entries of E₀ contain the squares, at most
+/// 10¹².
 constexpr double largest_axis = 1e6;
 
-/// Limit of inertia, stiffness and time scale. Products of three such numbers are still finite.
+/// Largest inertia, stiffness and unit of time. The least values are the reciprocal. Products of three such numbers are
+/// finite.
 constexpr double largest_unit = 1e100;
 
-/// Largest number of steps. The fastest systems need 0.1 µs per step, so that these steps take a day. A double can
-/// distinguish the times of up to 2⁵² steps.
+/// Largest number of steps. The fastest systems need 0.1 µs per step, and therefore about a day for this number. It is
+/// far below 2⁵², the number of steps whose times a double can distinguish.
 constexpr double most_steps = 1e12;
 
-/// The purpose of a check. During a trial of a recommendation, the check must not make further recommendations.
+/// The purpose of a check: to judge the scene, or to try a recommendation. A trial does not compute recommendations of
+/// its own, because each of them would need further trials.
 enum class Purpose { judge, try_advice };
 
 class Validator {
@@ -81,7 +84,8 @@ class Validator {
     refuse(refusal.path, purpose_ == Purpose::judge ? sentence_with_advice(refusal, scene_, accepts) : "");
   }
 
-  /// The systems that offer an analysis. Manifolds need systems with critical points.
+  /// The systems that offer `analysis`, which is manifolds or section. All systems offer sections. Manifolds need
+  /// critical points.
   std::vector<std::string_view> systems_for(Analysis analysis) const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -89,7 +93,7 @@ class Validator {
     return names;
   }
 
-  /// Refuses entries of other systems. They would not have an effect, and are probably a mistake.
+  /// Refuses entries that belong to another system. They would have no effect, and are probably a mistake.
   void check_ownership() const {
     for (const auto& [path, where] : origins_.all())
       if (!concerns(scene_, path))
@@ -132,7 +136,7 @@ class Validator {
                                            joined(names), scene_.section.column));
   }
 
-  /// The error message for an end before time 0.
+  /// The error message if Time/End is negative and the system does not permit it.
   std::string needs_complete_system() const {
     std::vector<std::string_view> names;
     for (const SystemDescription& system : catalogue_of(scene_).systems)
@@ -167,8 +171,8 @@ class Validator {
             names_where(scene_, [&](const auto& model) { return takes_method(model, method); })});
   }
 
-  /// Checks the units by the numbers to which energies of the body are proportional. Its moment of inertia contains
-  /// r^5.
+  /// Checks that the units give moderate numbers. The kinetic energy of the body is proportional to ρr⁵, and the
+  /// elastic energy to μr³. The unit of time is also checked.
   void check_units() const {
     const double radius = scene_.body.radius, density = scene_.body.density, modulus = scene_.material.shear_modulus;
     const double inertia = density * std::pow(radius, 5), stiffness = modulus * std::pow(radius, 3);
@@ -186,7 +190,7 @@ class Validator {
                print_number(radius), print_number(density), print_number(modulus), 1 / largest_unit, largest_unit));
   }
 
-  /// Checks the parameters of the law.
+  /// Checks that the parameters of the law are in the range of double precision.
   void check_law() const {
     const materials::AnyLaw law = law_of(scene_);
     const double mu = scene_.material.shear_modulus, lambda = scene_.material.lame_lambda;
@@ -204,7 +208,7 @@ class Validator {
                          print_number(1 / largest_condition), print_number(gent_limit)));
   }
 
-  /// Reports errors that the models find in a valid scene.
+  /// Reports errors that single models find in the scene. The other checks have accepted it.
   void check_models() const {
     for (const ModelDescription* model : models_of(scene_))
       if (const auto refusal = model->refuses ? model->refuses(scene_) : std::nullopt) refuse(*refusal);
@@ -259,7 +263,7 @@ class Validator {
                            print_upper_bound(units.to_physical(largest_stretch, unit)), print_number(value)));
     };
     scene_.loads.for_each([&]<class Load>(const Load& load) {
-      const bool acts = loads::present(load);  // an absent tide may have any default frequency
+      const bool acts = loads::present(load);  // the frequency of an absent tide is not checked
       const auto check = [&]<class Kind>(const auto& member, const Kind& kind, const About& about) {
         if constexpr (requires { kind.symmetric; })
           if (kind.symmetric) require_symmetric(std::string(about.path).c_str(), member);

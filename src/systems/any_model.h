@@ -1,6 +1,7 @@
 #pragma once
-/// The model of any system (system_scene.h) as one type. It contains the equations of motion in one of three forms, the
-/// initial state, and the properties of the states.
+/// The model of any system (system_scene.h) as one type. It contains the initial state, and the equations of motion as
+/// an unconstrained system, a constrained system or a second-order field. Its functions compute the columns, the rate
+/// of change and the coordinates of states.
 
 #include <memory>
 #include <stdexcept>
@@ -40,15 +41,15 @@ class AnyModel {
     return held_->row(state, workspace, row);
   }
   double rate(const State& state) const { return held_->rate(state); }
-  /// The landscape of a system with equilibria. It keeps a reference to this model.
+  /// The potential landscape. The system must have equilibria. The landscape keeps a reference to this model.
   mechanics::AnyLandscape landscape() const { return held_->landscape(); }
   std::vector<scene::Column> coordinates() const { return held_->coordinates(); }
-  /// The same system at rest at the point q of the landscape. `start().q` is this point in the coordinates of the
-  /// motion.
+  /// Returns the model of the same system at rest at the point q of the landscape. Its `start().q` is this point in the
+  /// coordinates of the motion.
   AnyModel resting_at(const Eigen::VectorXd& q) const { return held_->resting_at(q); }
 
-  /// Reverses the direction of time. The form of the model must be a field. Its states are then (−t, q, −q̇), and rows
-  /// do not change.
+  /// Reverses the direction of time. The equations of motion must be a second-order field. A state (t, q, q̇) of the
+  /// motion is then represented by (−t, q, −q̇), and `row` appends the same columns as before.
   void reverse() {
     form_ = mechanics::AnyField(mechanics::ReversedField(std::get<mechanics::AnyField>(form_)));
     start_.v *= -1;

@@ -1,6 +1,5 @@
 #pragma once
-/// The scene of any system (system_scene.h) as one type. Other parts of the program access systems only through this
-/// type.
+/// The scene of any system (system_scene.h) as one type. The parts of the program outside systems/ use only this type.
 
 #include <optional>
 #include <utility>
@@ -12,9 +11,10 @@
 namespace pseudorigid::systems {
 
 struct AnySystemScene {
-  /// The description of the system for parameter files. Its member `refuses` finds the errors of a scene.
+  /// The description of the system for parameter files. Its function `refuses` returns the error of a scene, if there
+  /// is one.
   scene::SystemDescription description;
-  /// Functions that return the units of a scene, and the model of the scene in these units.
+  /// The first function returns the units of a scene, and the second returns the model of the scene in these units.
   Scales (*scales)(const scene::Scene& scene);
   AnyModel (*model)(const scene::Scene& scene);
 };

@@ -1,11 +1,12 @@
 #pragma once
 /// External forces on a rigid body as a vector measure df on its points (Oliva 5.89, 5.92). The weight mg acts at the
 /// centre of mass G. Springs with stiffness k and rest length l connect body points ξ with fixed points c of space. The
-/// potential of these forces is
+/// forces have the potential
 ///
 ///   V = −m⟨g, x(G)⟩ + Σ ½k(|x(ξ) − c| − l)²,   x(ξ) the position of the body point ξ.
 ///
-/// The constrained body uses these loads as ∫df ξᵀ, and Euler's equation as the torque ∫ξ × R⁻¹df with the rotation R.
+/// The equations in matrices (rigid_body.h) contain the loads as ∫df ξᵀ. Euler's equation (euler_top.h) contains them
+/// as the torque ∫ξ × R⁻¹df with the rotation R.
 
 #include <Eigen/Core>
 #include <vector>
@@ -26,7 +27,8 @@ struct BodyLoads {
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();  // g
   std::vector<BodySpring> springs{};
 
-  /// Calls act(ξ, f) for every force f. The function place(ξ) returns x(ξ).
+  /// Calls act(ξ, f) for every force f on a body point ξ. The function place(ξ) returns x(ξ). Fails if a spring with a
+  /// rest length has the length 0.
   template <class Place, class Act>
   mechanics::Status apply(const Place& place, const Act& act) const {
     if (!gravity.isZero(0)) act(center, Eigen::Vector3d(mass * gravity));

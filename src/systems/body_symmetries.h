@@ -1,11 +1,12 @@
 #pragma once
-/// One-parameter groups that do not change the energies of a loaded rigid body (Noether's theorem):
+/// One-parameter groups of symmetries of a rigid body under loads, which do not change the energies (Noether's
+/// theorem):
 ///
 ///   translations of space    perpendicular to the weight, if there are no springs
 ///   rotations of space       about an axis that is parallel to the weight and to every anchor of a spring
 ///
-/// Rotations of the body, R ↦ RO with a rotation O, are not included. They map the constraint set g = 0 to itself, but
-/// change the values of the constraints g elsewhere.
+/// Rotations of the body, R ↦ RO with a rotation O, are not included. They map the set g = 0 of the constraints g to
+/// itself, but change the values of g outside this set.
 
 #include "systems/body_loads.h"
 #include "systems/invariant_axes.h"

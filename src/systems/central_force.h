@@ -33,7 +33,8 @@ struct AttractionLaw {
 };
 
 /// Adds −(V′(r)/r) d to f, for any scalar type. Returns 1 if the force has a direction and a finite size, otherwise
-/// NaN. A product of such values preserves a NaN, but std::min may lose it.
+/// NaN. The caller multiplies the results of several calls, because a product preserves a NaN, while std::min may lose
+/// it.
 template <class Law, class T>
 T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matrix<T, 3, 1>& f) {
   using std::sqrt;
@@ -42,13 +43,13 @@ T add_central_force(const Law& law, const Eigen::Matrix<T, 3, 1>& d, Eigen::Matr
   return T(1.0) + T(0.0) * slope_over_distance;
 }
 
-/// The status for a value that add_central_force returned.
+/// Returns success if add_central_force returned 1, and a failure if it returned NaN.
 inline mechanics::Status status_of_force(double reserve) {
   if (reserve > 0) return {};
   return mechanics::Status::failure("two points that act on each other coincide, or their distance is not finite");
 }
 
-/// Computes f = −(V′(r)/r) d. Fails if the force does not have a direction or a finite size.
+/// Computes f = −(V′(r)/r) d. Fails if this force does not have a direction or a finite size.
 template <class Law>
 mechanics::Status central_force(const Law& law, const Eigen::Vector3d& d, Eigen::Vector3d& f) {
   f.setZero();

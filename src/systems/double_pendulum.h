@@ -7,8 +7,8 @@
 ///   R₂ = λ₂(q₂ − q₁)/l₂²,   R₁ + R₂ = λ₁q₁/l₁²
 ///   U = −m₁g y₁ − m₂g y₂
 ///
-/// with masses m_k, rods of length l_k, gravity g, constraints g_k, multipliers λ_k and the potential U. The angles are
-/// those of the Lagrange form, q₁ = l₁(sin θ, cos θ), q₂ − q₁ = l₂(sin φ, cos φ).
+/// with masses m_k, rods of length l_k, the acceleration of gravity g, constraints g_k, multipliers λ_k and the
+/// potential U. The angles θ, φ of the Lagrange form are defined by q₁ = l₁(sin θ, cos θ), q₂ − q₁ = l₂(sin φ, cos φ).
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -56,7 +56,7 @@ class DoublePendulum {
     f.head<2>() += lambda(0) / square(p_.l1) * q.head<2>() - along_second;
     f.tail<2>() += along_second;
   }
-  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ, which this function adds to f.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
@@ -80,7 +80,7 @@ class DoublePendulum {
   }
   double potential_energy(const Vector& q) const { return -p_.g * (p_.m1 * q(1) + p_.m2 * q(3)); }
 
-  /// Without gravity, rotations of the plane about the suspension point are symmetries.
+  /// The number of symmetries. Rotations of the plane about the suspension point are symmetries if there is no gravity.
   int n_symmetries() const { return p_.g == 0 ? 1 : 0; }
   void symmetry(int, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     dq << -q(1), q(0), -q(3), q(2);
@@ -95,7 +95,7 @@ class DoublePendulum {
     q.tail<2>() += q.head<2>();
     v.tail<2>() += v.head<2>();
   }
-  /// Computes the angles in (−π, π] and their rates.
+  /// Computes the angles, from −π to π, and their rates.
   void to_angles(const Vector& q, const Vector& v, Eigen::Vector2d& angles, Eigen::Vector2d& rates) const {
     const Eigen::Vector2d d = rod(q), d_rate = rod(v);
     angles << std::atan2(q(0), q(1)), std::atan2(d(0), d(1));

@@ -1,8 +1,8 @@
 #pragma once
 /// The planar double pendulum in parameter files. The multiplier form (double_pendulum.h) and the Lagrange form
-/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions of the rods T_k = −λ_k / l_k, with
-/// the multipliers λ_k. They also contain R₁ and R₂ of (5.43), computed from the second fundamental form without
-/// multipliers.
+/// (double_pendulum_chart.h) give the same motion. The columns contain the tensions T_k = −λ_k / l_k of the rods, with
+/// the multipliers λ_k. They also contain the reactions R₁ and R₂ of (5.43). These are computed from the second
+/// fundamental form, without multipliers.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -50,7 +50,8 @@ struct DoublePendulumScene {
     visit(s.rates, scene::Numbers{2}, About{"Double pendulum/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is the smaller of the time of gravity on the shorter rod and the time of the initial motion.
+  /// The unit of time is the smaller of √(l/g) for the shorter rod and the reciprocal of the largest initial rate.
+  /// Without gravity and at rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / std::min(l1, l2)), std::abs(rates[0]), std::abs(rates[1])});
     return {l1, m1, rate > 0 ? 1 / rate : 1};
@@ -81,7 +82,7 @@ struct DoublePendulumScene {
 
   DoublePendulum::Parameters parameters() const { return {m1, m2, l1, l2, gravity}; }
 
-  /// Computes the values of the columns from positions in multiplier form.
+  /// Computes the values of the columns from a state in multiplier form.
   struct Observer {
     DoublePendulum pendulum;
 

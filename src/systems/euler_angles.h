@@ -1,6 +1,6 @@
 #pragma once
-/// Euler angles (Oliva 5.6.20, with θ̇ instead of the printed ψ̇ in the first component). The rotation is R = R_z(φ)
-/// R_x(θ) R_z(ψ), with the angular velocities Ω in the body and ω in space:
+/// Euler angles (Oliva 5.6.20; the first component of Ω contains θ̇ instead of the printed ψ̇). The rotation is R =
+/// R_z(φ) R_x(θ) R_z(ψ). The angular velocities Ω in the body and ω in space are
 ///
 ///   Ω = (φ̇ sinθ sinψ + θ̇ cosψ,  φ̇ sinθ cosψ − θ̇ sinψ,  φ̇ cosθ + ψ̇)
 ///   ω = (θ̇ cosφ + ψ̇ sinφ sinθ,  θ̇ sinφ − ψ̇ cosφ sinθ,  φ̇ + ψ̇ cosθ)
@@ -35,8 +35,8 @@ inline EulerAngles rates_of(const EulerAngles& a, const Eigen::Vector3d& Omega) 
           Omega.z() - phi_rate * std::cos(a.theta)};
 }
 
-/// The angles of R with θ ∈ [0, π] and φ, ψ ∈ (−π, π]. At sin θ = 0 only φ + ψ or φ − ψ is defined. In this case ψ = 0,
-/// and φ is the whole angle.
+/// The angles of R with θ ∈ [0, π] and φ, ψ from −π to π. At sin θ = 0 only φ + ψ or φ − ψ is defined. In this case, ψ
+/// = 0, and φ is this sum or difference.
 inline EulerAngles euler_angles_of(const Eigen::Matrix3d& R) {
   const double sin_theta = std::hypot(R(2, 0), R(2, 1));
   // φ and ψ have the round-off ε/sin θ. Below this bound they have less than three correct digits.

@@ -1,12 +1,12 @@
 #pragma once
-/// Rigid body with a fixed point (or its rotation about the centre of mass) by Euler's equation (Oliva 5.6.16–5.6.17).
-/// The configuration is a unit quaternion q with the rotation R(q)ξ = q ξ q̄. The angular velocity in the body Ω, the
-/// inertia operator A and the torque N satisfy
+/// Rigid body with a fixed point, or the rotation of a free body about its centre of mass, by Euler's equation (Oliva
+/// 5.6.16–5.6.17). The configuration is a unit quaternion q with the rotation R(q)ξ = q ξ q̄. The angular velocity Ω in
+/// the body, the inertia operator A and the torque N satisfy
 ///
 ///   q̇ = ½qΩ,   AΩ̇ = AΩ × Ω + N,   N = ∫ξ × R⁻¹df,
 ///   q̈ = ½(q̇Ω + qΩ̇)
 ///
-/// This is a second-order field on R⁴ with the invariant manifold |q| = 1, ⟨q, q̇⟩ = 0. Flat and linear bodies are
+/// This is a second-order field on R⁴. The manifold |q| = 1, ⟨q, q̇⟩ = 0 is invariant. Flat and linear bodies are
 /// permitted if A is invertible. The order of the entries of q is (x, y, z, w), as in Eigen.
 
 #include <Eigen/Geometry>
@@ -22,7 +22,7 @@
 
 namespace pseudorigid::systems {
 
-/// A function that computes the torque N in the body from time, rotation and Ω.
+/// A function that computes the torque N in the axes of the body from the time, the rotation R and Ω.
 template <class T>
 concept BodyTorque = requires(const T torque, double t, const Eigen::Matrix3d R, const Eigen::Vector3d Omega,
                               Eigen::Vector3d N) {
@@ -36,7 +36,7 @@ struct NoTorque {
   }
 };
 
-/// Torque of weight and springs.
+/// Torque N of weight and springs.
 struct LoadTorque {
   BodyLoads loads;
   mechanics::Status operator()(double, const Eigen::Matrix3d& R, const Eigen::Vector3d&, Eigen::Vector3d& N) const {
@@ -68,7 +68,7 @@ class EulerTop {
     a = 0.5 * (product(v, Omega) + product(q, Omega_rate));
     return {};
   }
-  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
+  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
   bool has_stages_in_lanes() const { return std::is_same_v<Torque, LoadTorque> || std::is_same_v<Torque, NoTorque>; }
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const {
     if (!has_stages_in_lanes()) return false;
@@ -98,7 +98,7 @@ class EulerTop {
     const Eigen::Vector3d a = q.head<3>(), b = v.head<3>();
     return 2 / q.squaredNorm() * (q(3) * b - v(3) * a - a.cross(b));
   }
-  /// The state with the rotation R and the angular velocity Ω.
+  /// The state at time 0 with the rotation R and the angular velocity Ω in the body.
   static mechanics::State<EulerTop> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
     const Vector q = Eigen::Quaterniond(R).normalized().coeffs();
     return {0, q, 0.5 * product(q, Omega)};
@@ -114,7 +114,7 @@ class EulerTop {
   const Parameters& parameters() const { return p_; }
 
  private:
-  /// The product of the quaternion q and the pure quaternion (w, 0).
+  /// The product of the quaternion q and the pure quaternion with the vector part w.
   static Vector product(const Vector& q, const Eigen::Vector3d& w) {
     Vector r;
     r << q(3) * w + Eigen::Vector3d(q.head<3>()).cross(w), -q.head<3>().dot(w);

@@ -1,22 +1,22 @@
 #pragma once
 /// A rigid body that rotates about a fixed axis (Oliva, Geometric Mechanics, 5.6.10). The axis has the unit vector e
-/// and passes through the origin of the body. The weight and the friction torque −cθ̇ act on the body, which has mass
-/// m, centre of mass G and inertia operator A:
+/// and passes through the origin of the body. The body has the mass m, the centre of mass G and the inertia operator A.
+/// Under gravity g and the friction torque −cθ̇, the angle θ satisfies
 ///
 ///   I_e θ̈ = m⟨e, G × R⁻¹g⟩ − cθ̇,   R = exp(θê),   I_e = ⟨Ae, e⟩,   V = −m⟨g, RG⟩.
 ///
-/// Bearings at a e and b e hold the axis. In the axes of the body, with ω = θ̇e, ω̇ = θ̈e, their total force and torque
-/// are
+/// Bearings at the points a e and b e support the axis. In the axes of the body, with ω = θ̇e and ω̇ = θ̈e, the total
+/// force F of the bearings and their total torque N are
 ///
-///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g,
+///   F = m[ω̇ × G + ω × (ω × G) − R⁻¹g],   N = Aω̇ + ω × Aω − G × mR⁻¹g.
 ///
-/// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. Their components
-/// perpendicular to the axis (⊥) are
+/// The forces f_a and f_b of the bearings satisfy f_a + f_b = F, ae × f_a + be × f_b = N − ⟨N, e⟩e. The components of
+/// these forces perpendicular to the axis (⊥) are
 ///
 ///   f_b^⊥ = −(e × N + aF^⊥)/(b − a),   f_a^⊥ = F^⊥ − f_b^⊥.
 ///
-/// Only the sum of the components along the axis is determined, and the first bearing carries this sum. If e is a
-/// principal axis through the centre of mass, the bearings carry only the weight at any speed.
+/// Only the sum of the components along the axis is determined. The program assigns this sum to the first bearing. If e
+/// is a principal axis through the centre of mass, the bearings carry only the weight at any speed.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -28,7 +28,7 @@
 
 namespace pseudorigid::systems {
 
-/// The chart of the system on the circle of angles.
+/// The chart whose coordinate is the angle θ.
 struct FixedAxis {
   static constexpr int dimension = 1;
   MassDistribution body;

@@ -1,7 +1,7 @@
 #pragma once
-/// The body with a fixed axis (fixed_axis.h) in parameter files. It may have weights, which are mass points fixed to
-/// the body. The columns contain the forces of the two bearings. The scales are the mass m, the length √(tr E₀/m) and
-/// the time 1/ω with
+/// The body with a fixed axis (fixed_axis.h, mass_distribution.h) in parameter files. The entry Weights adds mass
+/// points that are fixed to the body. The columns contain the forces of the two bearings. The scales are the mass m,
+/// the length √(tr E₀/m) and the time 1/ω with
 ///
 ///   ω² = the largest of θ̇² and m|g||G|/I_e, or 1 if both are zero.
 
@@ -145,7 +145,7 @@ struct FixedAxisScene {
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
   }
-  /// The body together with its weights.
+  /// The system of the body and of the mass points in `weights`, with the axis as a unit vector.
   FixedAxis system() const {
     MassDistribution body{mass, mass * vector(center), second_moment(matrix(inertia))};
     for (std::size_t k = 0; k < weights.size(); k += n_weight_columns) {

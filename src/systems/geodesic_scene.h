@@ -1,11 +1,12 @@
 #pragma once
-/// Geodesics of surfaces (surfaces.h; Oliva, Geometric Mechanics, 5.3 with F = 0) in parameter files. With the velocity
-/// q̇,
+/// Geodesics of surfaces (surfaces.h; Oliva, Geometric Mechanics, 5.3 with F = 0) in parameter files. The velocity q̇
+/// of a geodesic satisfies
 ///
-///   Dq̇/dt = 0,   |q̇| = const,   ⟨q̇, X⟩ = const for each field X of symmetries of the metric
+///   Dq̇/dt = 0,   |q̇| = const,   ⟨q̇, X⟩ = const for each vector field X whose flow preserves the metric
 ///
 /// For example, X = ∂/∂φ on a surface of revolution gives Clairaut's constant ρ² φ̇ with the distance ρ from the axis.
-/// X is the rotation about the axis of the surface, or the translation ∂/∂x on the hyperbolic half-plane.
+/// The columns contain ⟨q̇, X⟩ for the rotation X about the axis of the surface, or for the translation X = ∂/∂x of the
+/// hyperbolic half-plane. On an ellipsoid with a ≠ b, the rotation is not a symmetry, and this number is not constant.
 ///
 /// The coordinates of sphere and ellipsoid are angles, in which the metric is singular at the poles. The half-plane
 /// ends at y = 0. A geodesic that reaches such a point ends with a message.
@@ -65,13 +66,14 @@ struct GeodesicScene {
           About{"Geodesic/Velocity", "1/time", "Initial rates of the coordinates, on the paraboloid length/time."});
   }
 
-  /// The unit of time is the time in which a coordinate changes by 1. If the point is at rest, the unit is 1.
+  /// The unit of time is the time in which the initial velocity changes a coordinate by one unit. If the point is at
+  /// rest, the unit of time is 1.
   Scales scales() const {
     const double rate = std::max(std::abs(velocity[0]), std::abs(velocity[1])) / coordinate_unit(size());
     return {size(), 1, rate > 0 ? 1 / rate : 1};
   }
 
-  /// Scales coordinates that are lengths. The entry `velocity` has already been divided by the unit 1/time.
+  /// Scales coordinates that are lengths. The function in_scales has divided `velocity` by the unit 1/time before.
   void rescale(const Scales& scales) {
     for (auto* coordinates : {&point, &velocity})
       for (double& x : *coordinates) x /= coordinate_unit(scales.length);
@@ -108,7 +110,7 @@ struct GeodesicScene {
     return columns;
   }
 
-  /// The geodesic flow. It fails outside the chart.
+  /// The geodesic flow in a chart. The acceleration fails with a message outside the chart.
   template <class Chart>
   class Field : public mechanics::ChartField<Chart> {
    public:
@@ -127,7 +129,7 @@ struct GeodesicScene {
     using System = Field<Chart>;
     System system;
     mechanics::State<System> initial;
-    double origin = 0;  ///< value w₀ that is added to the first coordinate of the chart
+    double origin = 0;  ///< the angle w₀ of a torus; the output adds it to the first coordinate of the chart
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
@@ -196,7 +198,7 @@ struct GeodesicScene {
     return {};
   }
 
-  /// The symmetry field X at the point q.
+  /// The vector field X of the column `clairaut` at the point q.
   template <class Chart>
   static Eigen::Vector2d symmetry(const Chart&, const Eigen::Vector2d& q) {
     if constexpr (std::is_same_v<Chart, Paraboloid>) return {-q[1], q[0]};

@@ -14,8 +14,8 @@ inline Directions all_directions() {
   return {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
 }
 
-/// Axes whose rotations do not change the vectors: three if every vector is zero, one if all are parallel, otherwise
-/// none.
+/// Returns axes whose rotations do not change the vectors. There are three axes if every vector is zero, and one if all
+/// nonzero vectors are parallel. Otherwise there is none.
 inline Directions turns_that_fix(const Directions& vectors) {
   constexpr double round_off = 16 * std::numeric_limits<double>::epsilon();
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
@@ -27,7 +27,7 @@ inline Directions turns_that_fix(const Directions& vectors) {
   return {axis};
 }
 
-/// Directions perpendicular to u: three if u = 0, otherwise two.
+/// Returns an orthonormal basis of the directions perpendicular to u. It has three vectors if u = 0, otherwise two.
 inline Directions translations_across(const Eigen::Vector3d& u) {
   if (u.isZero(0)) return all_directions();
   const Eigen::Vector3d e = u.unitOrthogonal();

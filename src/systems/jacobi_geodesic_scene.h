@@ -2,15 +2,16 @@
 /// Geodesics of the Jacobi metric (mechanics/core/jacobi_metric.h; Oliva, Geometric Mechanics, 5.2) in parameter files.
 /// For the energy h, the potential U and the metric g of the kinetic energy, the Jacobi metric is
 ///
-///   g_h = 2(h − U) g,
+///   g_h = 2(h − U) g.
 ///
 /// There are four systems. Two are a particle of unit mass in the plane with U = ½k|q|² or −μ/|q|. The others are a
-/// heavy particle of unit mass on an upright torus and a double pendulum whose first mass is 1. The arc length s̃ of
-/// the geodesic replaces the time of the scene. Time/End and the column `time` are therefore arc lengths with the unit
+/// heavy particle of unit mass on an upright torus, and a double pendulum whose first mass is 1. The arc length s̃ of
+/// the geodesic replaces the time of the scene. Time/End and the column `time` are therefore arc lengths, with the unit
 /// length²/time.
 ///
-/// By 5.2.1 the geodesics are the motions of energy h with ds̃ = 2(h − U)dt. As a check, the motion from the same
-/// initial data is also computed, and with it the integral ∫2(h − U)dt, which must equal s̃.
+/// By 5.2.1, the geodesics are the motions of energy h, and the arc length satisfies ds̃ = 2(h − U)dt. As a check, the
+/// program also computes the motion from the same initial data. The integral ∫2(h − U)dt along this motion must equal
+/// s̃.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -57,9 +58,10 @@ struct PlaneKepler : EuclideanPlane {
   }
 };
 
-/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times, so
-/// that a resumed run repeats the same motion. The last steps are stored, because a section requests earlier times for
-/// its crossings. Steps before them are computed again.
+/// Computes the motion from given initial data at any later time. The steps do not depend on the requested times. A
+/// resumed run therefore repeats the same motion. The last steps are stored, because a section requests times before
+/// the present one for its crossings. If a time is before the stored steps, the motion is computed again from its
+/// start.
 template <class Field>
 class MotionFollower {
  public:
@@ -81,7 +83,7 @@ class MotionFollower {
   }
 
  private:
-  /// Tolerance of local errors. Their sum over some orbits is less than the tolerance of any scene.
+  /// Tolerance of local errors. It is a tenth of the least Time/Tolerance.
   static constexpr double tolerance = 1e-14, longest_step = 10;
   static constexpr std::size_t n_kept = 64;
 
@@ -163,13 +165,13 @@ struct JacobiGeodesicScene {
         About{"Jacobi geodesic/Direction", "", "Initial direction; the speed of the motion follows from the energy."});
   }
 
-  /// Undoes the scaling of angles, because angles are not lengths.
+  /// If the position consists of angles, undoes its division by the unit of length.
   void rescale(const Scales& scales) {
     if (!in_plane())
       for (double& x : position) x *= scales.length;
   }
 
-  /// The time of the scene is an arc length. The unit of time is therefore length²/time.
+  /// The arc length s̃ of the Jacobi metric replaces the time of the scene. The unit of time is therefore length²/time.
   Scales scales() const { return {length(), 1, length() * speed()}; }
 
   std::optional<Refusal> refuses() const {
@@ -240,7 +242,8 @@ struct JacobiGeodesicScene {
     }
   };
 
-  /// Calls run(model). The model has its own unit of time, in which the motion is of order 1.
+  /// Calls run(model) and returns the result. The model has its own unit of time, in which the initial speed is of
+  /// order 1.
   template <class Run>
   auto with_model(Run&& run) const {
     const Scales own{1, 1, length() / speed()};
@@ -299,10 +302,10 @@ struct JacobiGeodesicScene {
     if (potential == Potential::kepler) return -attraction / radius();
     return with_chart([&](const auto& chart) -> double { return chart.potential(Eigen::Vector2d(position.data())); });
   }
-  /// The number √(2(h − U)), which is the speed of a particle of unit mass.
+  /// The number √(2(h − U)) at the start. In the plane, it is the speed of the particle of unit mass.
   double speed() const { return std::sqrt(2 * (energy - potential_energy())); }
-  /// The unit of length: the initial distance from the centre, or the amplitude for a start at the centre. For angles
-  /// it is the length of the tube radius or of the first rod.
+  /// The unit of length. In the plane, it is the initial distance from the centre, or the amplitude if the start is the
+  /// centre. Otherwise, it is the tube radius of the torus or the length of the first rod.
   double length() const {
     if (!in_plane()) return potential == Potential::torus ? r : R;
     return radius() > 0 ? radius() : std::sqrt(2 * energy / stiffness);

@@ -1,13 +1,13 @@
 #pragma once
-/// Rigid body with a fixed point (or its rotation about the centre of mass) by Lagrange's equations (Oliva, Geometric
-/// Mechanics, 5.110–5.115). The coordinates are the Euler angles h = (φ, θ, ψ) with R = R_z(φ) R_x(θ) R_z(ψ). They are
-/// a chart of SO(3) with the metric of the kinetic energy K and the potential U of the loads. With the angular velocity
-/// Ω in the body, the inertia operator A and the forces df,
+/// Rigid body with a fixed point, or the rotation of a free body about its centre of mass, by Lagrange's equations
+/// (Oliva, Geometric Mechanics, 5.110–5.115). The coordinates are the Euler angles h = (φ, θ, ψ) with R = R_z(φ) R_x(θ)
+/// R_z(ψ). They are a chart of SO(3) with the metric g of the kinetic energy K and the potential U of the loads. With
+/// the angular velocity Ω in the body, the inertia operator A and the forces df,
 ///
 ///   Ω = B(h) ḣ,   g = BᵀAB,   U = V(R(h)),   d/dt ∂K/∂ḣ_i − ∂K/∂h_i = −∂U/∂h_i = (ω_i, ∫Rξ × df)
 ///
-/// with the axes ω_i of ∂R/∂h_i R⁻¹ = ω_i×, which are e_z, the nodal line, and the third axis e₃ of the body. The chart
-/// is singular at sin θ = 0, where e_z and e₃ are parallel.
+/// with the axes ω_i, which satisfy ∂R/∂h_i R⁻¹ = ω_i×. They are e_z, the nodal line, and the third axis e₃ of the
+/// body. The chart is singular at sin θ = 0, where e_z and e₃ are parallel.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -21,7 +21,7 @@
 
 namespace pseudorigid::systems {
 
-/// The matrix B(h).
+/// The matrix B(h), which maps the rates ḣ to the angular velocity Ω.
 template <class T>
 Eigen::Matrix<T, 3, 3> angular_velocity_of_rates(const mechanics::Coordinates<T, 3>& h) {
   using std::cos, std::sin;
@@ -81,7 +81,8 @@ struct EulerAngleChart {
     }
     return U;
   }
-  /// Positive inside the chart. The rates of φ and ψ, and with them the errors, increase as 1/sin θ.
+  /// Returns a positive number inside the chart. Near its boundary, the rates of φ and ψ increase as 1/sin θ, and so do
+  /// their errors.
   template <class T>
   T reserve(const mechanics::Coordinates<T, 3>& h) const {
     using std::sin;
@@ -91,7 +92,7 @@ struct EulerAngleChart {
   static constexpr double smallest_sine = 1e-4;
 };
 
-/// The field of the chart, which fails with a message outside the chart.
+/// The second-order field of the chart. The acceleration fails with a message outside the chart.
 class LagrangeTop {
  public:
   using Vector = Eigen::Vector3d;
@@ -103,7 +104,7 @@ class LagrangeTop {
     if (!(field_.chart().reserve(h) > 0)) return singular();
     return field_.acceleration(t, h, rates, w, a);
   }
-  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
+  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return field_.solve_stages_in_lanes(stages); }
   double cost_of_iteration() const { return field_.cost_of_iteration(); }
   Vector make_vector() const { return Vector::Zero(); }
@@ -116,7 +117,7 @@ class LagrangeTop {
   }
   /// Whether the chart contains this rotation.
   static bool has(const Eigen::Matrix3d& R) { return std::hypot(R(2, 0), R(2, 1)) > EulerAngleChart::smallest_sine; }
-  /// The state with the rotation R, which the chart must contain, and the angular velocity Ω in the body.
+  /// The state at time 0 with the rotation R and the angular velocity Ω in the body. The chart must contain R.
   static mechanics::VectorState<Vector> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
     const EulerAngles h = euler_angles_of(R), rates = rates_of(h, Omega);
     return {0, {h.phi, h.theta, h.psi}, {rates.phi, rates.theta, rates.psi}};

@@ -1,6 +1,6 @@
 #pragma once
-/// Mass, centre of mass and second moment of a body (Oliva 5.6). The body is a set S in its space K, with points ξ and
-/// the mass measure m:
+/// Mass, centre of mass and second moment of a body (Oliva 5.6). The body is a set S of points ξ in its own space K,
+/// with the mass measure m:
 ///
 ///   m(S),   G = ∫ξ dm/m(S)   (5.72),   E₀ = ∫ξξᵀ dm,
 ///   A = ∫ξ × (· × ξ) dm = tr(E₀)Id − E₀   (5.80),   E₀ = ½tr(A)Id − A.
@@ -33,7 +33,7 @@ struct MassDistribution {
     d.center /= d.mass;
     return d;
   }
-  /// The same body if the point c is the origin of K.
+  /// Mass, centre of mass and second moment of the body if the point c is the origin of K.
   MassDistribution about(const Eigen::Vector3d& c) const {
     const Eigen::Matrix3d mixed = mass * center * c.transpose();
     return {mass, center - c, E0 - mixed - mixed.transpose() + mass * c * c.transpose()};

@@ -1,6 +1,6 @@
 #pragma once
-/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). It satisfies m_i q̈_i =
-/// f_i^ext + Σ_j f_ij with f_ij = −f_ji along q_i − q_j. The internal and external forces, or their potentials V, are
+/// System of n mass points with masses m_i, positions q_i and velocities v_i (Oliva 5.5.1). The points satisfy m_i q̈_i
+/// = f_i^ext + Σ_j f_ij, with internal forces f_ij = −f_ji along q_i − q_j. The forces, or their potentials V, are
 ///
 /// Internal:  gravity   V = −Σ_{i<j} G m_i m_j/|q_i − q_j|
 ///            springs   V = Σ ½k(|q_i − q_j| − l)²
@@ -8,7 +8,8 @@
 /// External:  uniform field V = −Σ m_i⟨g, q_i⟩,  confinement ½k Σ|q_i − c|²,  fixed centre −Σ μ m_i/|q_i − c|,
 ///            linear drag f_i = −γ v_i
 ///
-/// Dashpots and drag dissipate the power P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|², so dE/dt = −P with the energy E.
+/// Dashpots and drag dissipate the power P = Σ d⟨v_i − v_j, n⟩² + γ Σ|v_i|². The energy E therefore satisfies dE/dt =
+/// −P.
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -61,8 +62,8 @@ class MassPoints : public mechanics::Unconstrained {
                                        [&](Eigen::Index i) -> Eigen::Vector3d { return v.col(i); },
                                        [&](Eigen::Index i, const Eigen::Vector3d& f_i) { f.col(i) += f_i; }));
   }
-  /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return the state of point i, and
-  /// add(i, f) adds a force on it. Returns 1 if all forces are finite, otherwise NaN.
+  /// Computes the forces for any scalar type T. The functions place(i) and velocity(i) return position and velocity of
+  /// point i, and add(i, f) adds the force f on it. Returns 1 if all forces are finite, otherwise NaN.
   template <class T, class Place, class Velocity, class Add>
   T act(const Place& place, const Velocity& velocity, const Add& add) const {
     using Space = Eigen::Matrix<T, 3, 1>;
@@ -94,7 +95,7 @@ class MassPoints : public mechanics::Unconstrained {
     }
     return reserve;
   }
-  /// Functions for the stages of a Gauss step in SIMD lanes (mechanics/core/stage_by_stage.h).
+  /// Members for the stages of a Gauss step in SIMD lanes, which mechanics/core/stage_by_stage.h calls.
   bool solve_stages_in_lanes(mechanics::GaussStages& stages) const { return solve_stages_in_lanes_of(*this, stages); }
   double cost_of_iteration() const { return cost_of_iteration_in_lanes<MassPoints>; }
   void apply_inverse_mass(In f, Out a) const { a = f * p_.masses.cwiseInverse().asDiagonal(); }
@@ -137,8 +138,9 @@ class MassPoints : public mechanics::Unconstrained {
     return L;
   }
 
-  /// Symmetries are translations and then rotations about the centre c, as far as the external conservative forces
-  /// permit. Internal forces permit all of them. Drag is not included in V and does not conserve momentum.
+  /// The number of symmetries of the conservative forces. The first symmetries are translations, and the others are
+  /// rotations about axes through c. Internal forces have all these symmetries, and external forces can exclude some.
+  /// Drag does not count, because it has no potential; it does not conserve momentum.
   int n_symmetries() const { return static_cast<int>(translations_.size() + axes_.size()); }
   void symmetry(int i, In q, In v, Out dq, Out dv) const {
     const auto k = static_cast<std::size_t>(i);

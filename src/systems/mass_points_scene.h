@@ -1,14 +1,14 @@
 #pragma once
 /// Mass points in parameter files (mass_points.h, which defines the symbols). There are n points with mutual
-/// attraction, springs, dashpots and external fields. The first point has the number 1. With the mean position q̄ and
-/// the centre c, motions of any size are of order 1 in the scales
+/// attraction, springs, dashpots and external fields. The first point has the number 1. With the centre of mass q̄ of
+/// the initial positions and the centre c of forces, motions of any size are of order 1 in the scales
 ///
 ///   mass     M = Σ m_i
-///   length   L = the largest of |q_i − q̄|, of |q_i − c| if forces come from c, and of the rest lengths of springs
+///   length   L = the largest of |q_i − q̄|, of |q_i − c| if c exerts forces, and of the rest lengths of springs
 ///   time     1/ω,  ω² = the largest of GM/L³, μ/L³, |g|/L, k(1/m_i + 1/m_j), k/m_i;  without forces ω = |v|/L
 ///
-/// If L = 0, for example for one point, the speed |v| determines L. It is |v|/ω with ω of springs and confinement, or
-/// otherwise |v|²/|g|. If these are also 0, L is 1.
+/// If this L is 0, for example for one point, it is |v|/ω with ω of springs and confinement, or |v|²/|g| without such
+/// forces. If this is also 0, L is 1. Here |v| is the largest initial speed. If ω = 0, the unit of time is 1.
 
 #include <fmt/format.h>
 
@@ -104,7 +104,8 @@ struct MassPointsScene {
     return refuses_places();
   }
 
-  /// The columns. Without values of a scene they are the columns of two points, as an example for n points.
+  /// The columns for the points of the scene. For the default values, they are the columns of two points, which the
+  /// documentation uses as an example.
   std::vector<Column> columns() const {
     std::vector<Column> columns;
     add_point_columns(columns, "", "length", "position of point 1; every point i has its xi, yi, zi");
@@ -139,7 +140,8 @@ struct MassPointsScene {
       for (const Eigen::Vector3d& a : {P, L, mean}) row.insert(row.end(), a.begin(), a.end());
       return {};
     }
-    /// The rate of change of a state. The common motion of the points does not count, unless forces come from a centre.
+    /// The rate of change of a state. The motion of the centre of mass does not count, unless the centre c exerts
+    /// forces.
     double rate(const mechanics::State<System>& state) const {
       const auto& p = system.parameters();
       const bool has_center = p.confinement > 0 || p.central_attraction > 0;
@@ -182,7 +184,7 @@ struct MassPointsScene {
   static int index(double number) { return static_cast<int>(number) - 1; }
   double mass(double number) const { return masses[static_cast<std::size_t>(index(number))]; }
   bool has_center() const { return confinement > 0 || central_attraction > 0; }
-  /// The largest distance of a point from the point c.
+  /// The largest initial distance of a mass point from the point c.
   double spread(const Eigen::Vector3d& c) const {
     return (points(positions).colwise() - c).colwise().norm().maxCoeff();
   }
@@ -199,7 +201,8 @@ struct MassPointsScene {
     for (int k = 1; k <= 3; ++k) columns.push_back({fmt::format("{}{}", prefix, k), unit, documentation});
   }
 
-  /// Checks rows (i, j, numbers): i and j are different points, and the numbers are not negative.
+  /// Checks the rows (i, j, numbers): i and j must be the numbers of two different points, and the other numbers must
+  /// not be negative.
   std::optional<Refusal> refuses_pairs(const char* path, const char* kind, const std::vector<double>& rows,
                                        std::size_t n_columns) const {
     for (std::size_t k = 0; k < rows.size(); k += n_columns) {
@@ -219,7 +222,8 @@ struct MassPointsScene {
     return {};
   }
 
-  /// Refuses points at one position if a force between them then has no direction or no finite size.
+  /// Refuses two points at one position if they attract each other or a spring with a rest length connects them. It
+  /// also refuses a point at an attracting centre. The force would have no direction or no finite size.
   std::optional<Refusal> refuses_places() const {
     const char* path = "Mass points/Positions";
     const auto coincide = [&](int i, int j, const char* act) {

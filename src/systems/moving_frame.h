@@ -1,21 +1,21 @@
 #pragma once
-/// Motion of a point of unit mass in a moving frame K. A position Q in K is the position q = M_t Q + r(t) in space,
-/// with M_t ∈ SO(3) (Oliva 5.6.7). The force f gives
+/// Motion of a point of unit mass in a moving frame K. A point with the position Q in K has the position q = M_t Q +
+/// r(t) in space, with M_t ∈ SO(3) (Oliva 5.6.7). Under a force f, its motion satisfies
 ///
 ///   Q̈ = M_t⁻¹f − M_t⁻¹r̈ − Ω̇ × Q − 2Ω × Q̇ − Ω × (Ω × Q)
 ///       force  translation  rotation  Coriolis  centrifugal
 ///
-/// Frame: M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². The frame rotates about its axis n, which precesses in
-/// space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
+/// The frame has the rotation M_t = exp(t p×) M₀ exp(α(t) n×) with α = ν t + ½ν̇t². It rotates about its axis n, which
+/// precesses in space with the angular velocity p. In the axes of K, its angular velocity and angular acceleration are
 ///
 ///   Ω = α̇n + u,   Ω̇ = α̈n − α̇ n × u,   u = exp(−α n×)M₀⁻¹p.
 ///
-/// Origin: r = r₀ + ṙ₀t + ½at² + b sin(wt).
+/// The origin of the frame has the position r = r₀ + ṙ₀t + ½at² + b sin(wt).
 ///
-/// Forces: in space, uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. In the frame there are
-/// uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
+/// The forces at rest in space are uniform gravity g, a spring −k(q − c) and an attraction −μ(q − c)/|q − c|³. The
+/// forces at rest in the frame are uniform gravity G and springs −diag(K₁, K₂, K₃)(Q − C).
 ///
-/// In the inertial frame the same motion satisfies q̈ = f.
+/// In the inertial frame, the same motion satisfies q̈ = f.
 
 #include <Eigen/Geometry>
 #include <array>
@@ -31,14 +31,15 @@ namespace pseudorigid::systems {
 template <class T>
 using Space = Eigen::Matrix<T, 3, 1>;
 
-/// M_t and r(t) with their derivatives at one time. The scalar type T is double or a vector of SIMD lanes.
+/// The pose M_t, r(t) of the frame and its derivatives at one time. The scalar type T is double or a vector of SIMD
+/// lanes.
 template <class T>
 struct FramePoseOver {
   Eigen::Matrix<T, 3, 3> M;
   Space<T> Omega, Omega_rate;  // in the axes of K
   Space<T> r, r_rate, r_acceleration;
 
-  /// Visits the entries in the order of the members.
+  /// Visits all entries, in the order of the members.
   template <class Visit>
   void visit(Visit&& visit) {
     for (T& x : M.reshaped()) visit(x);
@@ -89,8 +90,8 @@ struct FrameForces {
   Eigen::Vector3d frame_center = Eigen::Vector3d::Zero();     // C
   Eigen::Vector3d frame_stiffness = Eigen::Vector3d::Zero();  // K₁, K₂, K₃
 
-  /// Computes the force f in space on the point q, whose position in the frame is Q. The result is positive if all
-  /// forces are finite.
+  /// Computes the force f in space on the point q, whose position in the frame is Q. Returns 1 if the attraction is
+  /// finite, otherwise NaN.
   template <class T>
   T in_space(const Space<T>& q, const Space<T>& Q, const Eigen::Matrix<T, 3, 3>& M, Space<T>& f) const {
     const Space<T> in_frame =
@@ -107,7 +108,7 @@ struct FrameParameters {
   FrameForces forces;
 };
 
-/// The forces, and the frame at the stages of a Gauss step.
+/// The forces, and the pose of the frame at each stage of a Gauss step.
 struct FrameOfStages {
   const FrameForces& forces;
   bool moving;  ///< whether q is the position in the frame
@@ -123,7 +124,8 @@ inline FrameOfStages stages_in_frame(const FrameParameters& p, const mechanics::
   return frame;
 }
 
-/// The terms of the equation of motion (5.6.7), in the moving frame and per unit mass.
+/// The terms on the right-hand side of the equation of motion (5.6.7), in the axes of the moving frame and per unit
+/// mass.
 template <class T>
 struct RelativeTermsOver {
   Space<T> force, translation, rotation, coriolis, centrifugal;
@@ -143,7 +145,7 @@ class MovingFrame {
   mechanics::Status terms(double t, const Vector& Q, const Vector& V, RelativeTerms& terms) const {
     return status_of_force(terms_over(p_.forces, p_.frame.at(t), Q, V, terms));
   }
-  /// Computes the terms for any scalar type. The result is positive if all forces are finite.
+  /// Computes the terms for any scalar type. Returns 1 if the attraction is finite, otherwise NaN.
   template <class T>
   static T terms_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& Q, const Space<T>& V,
                       RelativeTermsOver<T>& terms) {
@@ -189,7 +191,7 @@ class InertialFrame {
   mechanics::Status acceleration(double t, const Vector& q, const Vector&, Workspace&, Vector& a) const {
     return status_of_force(acceleration_over(p_.forces, p_.frame.at(t), q, a));
   }
-  /// Computes the acceleration for any scalar type. The result is positive if all forces are finite.
+  /// Computes the acceleration for any scalar type. Returns 1 if the attraction is finite, otherwise NaN.
   template <class T>
   static T acceleration_over(const FrameForces& forces, const FramePoseOver<T>& pose, const Space<T>& q, Space<T>& a) {
     return forces.in_space<T>(q, pose.M.transpose() * (q - pose.r), pose.M, a);
@@ -208,7 +210,7 @@ class InertialFrame {
   Parameters p_;
 };
 
-/// Converts a state by q = MQ + r, q̇ = M(Q̇ + Ω × Q) + ṙ (5.49, 5.50).
+/// Conversion of states by q = MQ + r, q̇ = M(Q̇ + Ω × Q) + ṙ (5.49, 5.50), and the inverse conversion.
 inline mechanics::State<InertialFrame> to_inertial(const FrameMotion& frame, const mechanics::State<MovingFrame>& s) {
   const FramePose pose = frame.at(s.t);
   return {s.t, pose.M * s.q + pose.r, pose.M * (s.v + pose.Omega.cross(s.q)) + pose.r_rate};

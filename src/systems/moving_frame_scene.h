@@ -1,10 +1,10 @@
 #pragma once
 /// A point in a moving frame (moving_frame.h; Oliva, Geometric Mechanics, 5.6.7) in parameter files. The program
-/// integrates either the equation for (Q, Q̇) with inertial forces, or the equation for (q, q̇) in space. Both write
-/// the same columns. Let U be the potential of all forces, including those that are at rest in the frame. The two
-/// energies are
+/// integrates either the equation for (Q, Q̇) with inertial forces, or the equation for (q, q̇) in space. Both forms
+/// write the same columns. Let U be the potential of all forces, including the forces at rest in the frame. With the
+/// angular velocity Ω and the origin r of the frame, the two energies are
 ///
-///   E = ½|q̇|² + U                      constant if no force is at rest in a frame that moves,
+///   E = ½|q̇|² + U                      constant if all forces are at rest in space,
 ///   J = ½|Q̇|² + U − ½|Ω × Q|²          (Jacobi) constant if Ω is constant, r̈ = 0, and all forces rest in the frame.
 
 #include <Eigen/Geometry>
@@ -108,7 +108,7 @@ struct MovingFrameScene {
     return columns;
   }
 
-  /// Appends the values of the columns to the row.
+  /// Appends the values of all columns for a state, which is given in the frame and in space.
   static mechanics::Status append(const FrameParameters& p, const mechanics::State<MovingFrame>& relative,
                                   const mechanics::State<InertialFrame>& inertial, std::vector<double>& row) {
     RelativeTerms terms;
@@ -149,10 +149,11 @@ struct MovingFrameScene {
   }
 
  private:
-  /// The scale of length. It is the first positive number in a list that begins with the initial distance from the
-  /// origin and the amplitude of shaking. The list continues with the centre of the springs in the frame, paths by
-  /// velocity and acceleration, the distance from the centre of force, and the path of the origin. If all are zero, the
-  /// scale is 1.
+  /// The scale of length. Let |v| be the initial speed and |a| the largest given acceleration. Let T be the reciprocal
+  /// of the largest given rate, or |v|/|a| without such a rate, or 1. The scale is the first positive number of a list.
+  /// The list begins with the initial distance from the origin, the amplitude of shaking, and |C| if the frame has
+  /// springs to the point C. It continues with T|v|, T²|a|, the distance from a centre of force, and T|ṙ₀| with the
+  /// velocity ṙ₀ of the origin. It ends with 1.
   double typical_length(double given_rate, double speed, double acceleration) const {
     const double time = given_rate > 0 ? 1 / given_rate : speed > 0 && acceleration > 0 ? speed / acceleration : 1;
     return first_positive({norm(position), norm(shaking), norm(frame_stiffness) > 0 ? norm(frame_center) : 0,

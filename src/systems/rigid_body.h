@@ -1,15 +1,16 @@
 #pragma once
-/// Rigid body on k × SO(3) (Oliva 5.6.19), with k the Euclidean space. The body is constrained in the vector space of
-/// the matrices q = [R | x], and the body point ξ has the position x(ξ) = Rξ + x. The origin of the body is the fixed
-/// point, and the column x is then absent. Without a fixed point the origin is the centre of mass (5.101). For the mass
-/// m, the inertia operator A and external forces df, the kinetic energy K and the equations of motion are
+/// Rigid body on k × SO(3) (Oliva 5.6.19), with the Euclidean space k. Constraints keep the body on this manifold in
+/// the vector space of the matrices q = [R | x]. The body point ξ has the position x(ξ) = Rξ + x. A fixed point is the
+/// origin of the body and of space, and the column x is then absent. Without a fixed point, the origin of the body is
+/// the centre of mass (5.101). For the mass m, the inertia operator A and external forces df, the kinetic energy K and
+/// the equations of motion are
 ///
 ///   K = ½tr(ṘE₀Ṙᵀ) + ½m|ẋ|²   (5.98),   E₀ = ∫ξξᵀdm,   A = tr(E₀)Id − E₀
 ///   [R̈E₀ | mẍ] = ∫df ξ̃ᵀ + [RΛ | 0],   RᵀR = Id,   ξ̃ = (ξ, 1) or ξ
 ///
 /// The six constraints are g_ii = ½(|c_i|² − 1), g_jk = ⟨c_j, c_k⟩ with the columns c_i of R, in the order 11 22 33 23
-/// 13 12. Their six multipliers are therefore the entries of the symmetric matrix Λ. With the mass operator M and the
-/// derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
+/// 13 12. Their six multipliers are the entries of the symmetric matrix Λ in the same order. With the mass operator M
+/// and the derivative G of the constraints, the matrix S = G(q₁)M⁻¹G(q₀)ᵀ is the map
 ///
 ///   Λ ↦ sym₂(R₁ᵀR₀ΛE₀⁻¹)   with sym₂(Y)_ii = Y_ii,  sym₂(Y)_jk = Y_jk + Y_kj.
 
@@ -41,7 +42,8 @@ class RigidBody {
     BodyLoads loads{};
   };
 
-  /// Returns the reason if GL⁺(3) does not admit this body. Its mass operator must be invertible there.
+  /// Returns the reason if this body cannot have the form of matrices of GL⁺(3). Its mass operator must be invertible.
+  /// Without a fixed point, its centre of mass must be the origin.
   static mechanics::Status accepts(const Parameters& p) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(p.E0, Eigen::EigenvaluesOnly);
     const Eigen::Vector3d& e = solver.eigenvalues();
@@ -56,7 +58,7 @@ class RigidBody {
     return {};
   }
 
-  /// Makes a body from parameters that `accepts` has accepted.
+  /// Constructs a body from parameters that `accepts` has accepted.
   explicit RigidBody(Parameters parameters)
       : p_(std::move(parameters)),
         E0_inverse_(p_.E0.inverse()),
@@ -97,7 +99,7 @@ class RigidBody {
   void add_reaction(const Vector& q, const Multiplier& lambda, Vector& f) const {
     f.template leftCols<3>() += rotation(q) * symmetric(lambda);
   }
-  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraints are quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ, which this function adds to f.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
@@ -122,7 +124,8 @@ class RigidBody {
     return p_.loads.potential_energy([&](const Eigen::Vector3d& xi) { return place(q, xi); });
   }
 
-  /// Symmetries are translations and then rotations of space about axes through its origin.
+  /// The number of symmetries. The first symmetries are translations. The others are rotations of space about axes
+  /// through its origin.
   int n_symmetries() const {
     return static_cast<int>(symmetries_.translations.size() + symmetries_.turns_of_space.size());
   }
@@ -146,7 +149,7 @@ class RigidBody {
     if constexpr (!has_fixed_point) x += q.col(3);
     return x;
   }
-  /// The angular velocity Ω in the body, from RᵀṘ = Ω×.
+  /// The angular velocity Ω in the body. It satisfies RᵀṘ = Ω×.
   static Eigen::Vector3d body_angular_velocity(const Vector& q, const Vector& v) {
     return -0.5 * mechanics::axial_vector(rotation(q).transpose() * rotation(v));
   }
@@ -163,8 +166,8 @@ class RigidBody {
   using Gram = Eigen::Matrix<double, 6, 6>;
   static constexpr int pair[6][2] = {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}};
 
-  /// The matrix S. A column is sym₂ of B(e_i e_jᵀ + e_j e_iᵀ)E₀⁻¹, whose terms are products of columns of B and rows of
-  /// E₀⁻¹.
+  /// The matrix S for B = R₁ᵀR₀. The column of the pair ij is sym₂(B E E₀⁻¹) with E = e_i e_iᵀ if i = j, otherwise E =
+  /// e_i e_jᵀ + e_j e_iᵀ.
   Gram gram(const Eigen::Matrix3d& B) const {
     Gram S;
 #pragma GCC unroll 8
@@ -197,7 +200,7 @@ class RigidBody {
 using FixedPointBody = RigidBody<true>;
 using FreeBody = RigidBody<false>;
 
-/// The state with the rotation R and the angular velocity Ω in the body.
+/// The state at time 0 with the rotation R and the angular velocity Ω in the body.
 inline mechanics::State<FixedPointBody> turning(const Eigen::Matrix3d& R, const Eigen::Vector3d& Omega) {
   return {0, R, R * mechanics::cross_matrix(Omega)};
 }

@@ -16,7 +16,7 @@
 
 namespace pseudorigid::systems {
 
-/// Data from which the columns of a rigid body are computed.
+/// The rotation of a rigid body, and the motion of its centre of mass, at one time.
 struct BodyMotion {
   Eigen::Matrix3d R;
   Eigen::Vector3d Omega, x, velocity;  ///< Ω in the body; position and velocity of the centre of mass
@@ -24,7 +24,7 @@ struct BodyMotion {
 
 class BodyObserver {
  public:
-  /// With a fixed point, A is the inertia about this point. The energy of the centre of mass is then included in ½Ω·AΩ.
+  /// If the body has a fixed point, A is the inertia operator about this point, and ½Ω·AΩ is the whole kinetic energy.
   BodyObserver(const Eigen::Matrix3d& A, const BodyLoads& loads, bool fixed_point)
       : A_(A), loads_(loads), fixed_point_(fixed_point) {}
 

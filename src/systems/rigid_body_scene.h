@@ -2,15 +2,16 @@
 /// The rigid body in parameter files. Three forms give the same motion: matrices of GL⁺(3) with six constraints
 /// (rigid_body.h), Euler's equation on quaternions (euler_top.h), and Lagrange's equations in Euler angles
 /// (lagrange_top.h). A fixed point is the origin of the body and of space. Without a fixed point, the origin of the
-/// body is the centre of mass. The forms of Euler and Lagrange then use the exact solution x = x₀ + v₀t + ½gt² for the
-/// centre of mass.
+/// body is the centre of mass. In the forms of Euler and Lagrange, the centre of mass then has the exact motion x = x₀
+/// + v₀t + ½gt².
 ///
-/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω, with the springs' stiffness k:
+/// The scales are the mass m, the length L = √(tr E₀/m) and the time 1/ω. With the stiffness k of the springs and the
+/// centre of mass G,
 ///
-///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the largest of |g|/L and |v|²/L².
+///   ω² = the largest of |Ω|², |g||G|/L², k/m.  If all are zero, it is the largest of |g|/L and |v|²/L², or 1.
 ///
-/// Mass points may replace mass, centre of mass and inertia (mass_distribution.h). For a free body, Steiner's theorem
-/// (5.6.11) then moves the origin to the centre of mass.
+/// Mass points may replace mass, centre of mass and inertia (mass_distribution.h). For a body without a fixed point,
+/// Steiner's theorem (5.6.11) then moves the origin to the centre of mass.
 
 #include <fmt/format.h>
 
@@ -28,8 +29,9 @@
 
 namespace pseudorigid::systems {
 
-/// The landscape of a body on SO(3). The term GᵀG, with G the derivative of the constraints, is zero along SO(3). It
-/// makes the mass matrix regular for a flat body.
+/// The potential landscape of a body on SO(3). The mass matrix of a flat body is singular in the space of the matrices
+/// q. The term GᵀG, with the derivative G of the constraints, makes the mass matrix regular. This term does not change
+/// the kinetic energy of motions on SO(3), because these motions satisfy G q̇ = 0.
 struct RotationLandscape : mechanics::ConstrainedLandscape<FixedPointBody> {
   using mechanics::ConstrainedLandscape<FixedPointBody>::ConstrainedLandscape;
   void mass(const Eigen::VectorXd& q, Eigen::MatrixXd& M) const {
@@ -154,7 +156,7 @@ struct RigidBodyScene {
                       row);
       return {};
     }
-    /// The rate of rotation. The velocity of the centre of mass does not count.
+    /// The rate of change of the rotation. The motion of the centre of mass does not count.
     double rate(const mechanics::State<System>& state) const {
       return mechanics::max_norm(System::rotation(state.v)) / (1 + mechanics::max_norm(System::rotation(state.q)));
     }
@@ -162,7 +164,7 @@ struct RigidBodyScene {
     std::vector<Column> coordinates() const { return body_coordinates(has_fixed_point); }
   };
 
-  /// The model for the forms that have only rotations as configurations. `Turns` is EulerTop or LagrangeTop.
+  /// The model for the forms whose configurations are rotations only. The system `Turns` is EulerTop or LagrangeTop.
   template <class Turns>
   struct TurnsModel {
     using System = Turns;
@@ -170,9 +172,9 @@ struct RigidBodyScene {
     mechanics::State<System> initial;
     BodyObserver observer;
     FixedPointBody
-        body;  ///< for its loads, and for the landscape of rotations (about the centre of mass if the body is free)
+        body;  ///< the form with constraints, for the loads and the landscape of rotations about the origin of the body
     bool fixed_point;
-    Eigen::Vector3d x, velocity;  ///< position and velocity of a free body at t = 0
+    Eigen::Vector3d x, velocity;  ///< initial position and velocity of the centre of mass of a free body
 
     mechanics::Status row(const mechanics::State<System>& state, typename System::Workspace&,
                           std::vector<double>& row) const {
@@ -214,7 +216,7 @@ struct RigidBodyScene {
   static Eigen::Matrix3d matrix(const scene::Matrix3& rows) {
     return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rows[0].data());
   }
-  /// Makes one step of Newton's iteration for RᵀR = Id, which reduces an error of 1e-8 to round-off.
+  /// The given matrix after one step of Newton's iteration for RᵀR = Id, which reduces an error of 1e-8 to round-off.
   Eigen::Matrix3d nearest_rotation() const {
     const Eigen::Matrix3d R = matrix(rotation);
     return R + 0.5 * R * (Eigen::Matrix3d::Identity() - R.transpose() * R);
@@ -225,7 +227,7 @@ struct RigidBodyScene {
       list.push_back({{points[k], points[k + 1], points[k + 2]}, points[k + 3]});
     return MassDistribution::of_points(list);
   }
-  /// The mass distribution about the origin of the body.
+  /// Mass, centre of mass and second moment about the origin of the body.
   MassDistribution distribution() const {
     if (points.empty()) return {mass, vector(center), second_moment(matrix(inertia))};
     const MassDistribution given = distribution_of_points();
@@ -246,7 +248,7 @@ struct RigidBodyScene {
     }
     return loads;
   }
-  /// The entries of q in the order of memory, column by column.
+  /// The coordinates of the landscape, which are the entries of q in the order of memory, column by column.
   static std::vector<Column> body_coordinates(bool has_fixed_point) {
     std::vector<Column> columns;
     for (int j = 1; j <= 3; ++j)
@@ -255,7 +257,8 @@ struct RigidBodyScene {
     return columns;
   }
 
-  /// The polar factor of a matrix close to a rotation, computed by Newton's iteration.
+  /// The text of the rotation that is nearest to R, the polar factor of R. Newton's iteration computes it from a matrix
+  /// close to a rotation.
   static std::string nearest_rotation_to(Eigen::Matrix3d R) {
     for (int i = 0; i < 10; ++i) R = (0.5 * (R + R.inverse().transpose())).eval();
     scene::Matrix3 rows;
@@ -281,7 +284,7 @@ struct RigidBodyScene {
     return {};
   }
 
-  /// Refuses an inertia that no body has, or that does not fit the form.
+  /// Refuses an inertia that no body has, or for which the form of the equations is singular.
   std::optional<Refusal> refuses_inertia() const {
     constexpr double round_off = 1e-12;
     const char* const inertia_path = points.empty() ? "Rigid body/Inertia" : "Rigid body/Points";
@@ -329,7 +332,7 @@ struct RigidBodyScene {
                      {{{"Rigid body/Form", "constrained"}}}};
     return refuses_springs(vector(position));
   }
-  /// Checks the springs if the origin of the body is at x.
+  /// Checks the springs for the initial position x of the origin of the body.
   std::optional<Refusal> refuses_springs(const Eigen::Vector3d& x) const {
     std::size_t row = 0;
     for (const BodySpring& spring : loads().springs) {

@@ -1,7 +1,7 @@
 #pragma once
-/// The sizes that numbers of a scene can have. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ do not overflow or
-/// underflow. The scales of a valid scene are in this range, and the units of its columns are finite. In these scales,
-/// the entries and the initial state are in this range or zero.
+/// Checks of the sizes of numbers in a scene. Products of four numbers between 10⁻⁷⁰ and 10⁷⁰ do not overflow or
+/// underflow. In a valid scene, the scales are in this range, and the units of the columns are finite and not zero. In
+/// these scales, the entries are in this range or zero, and the initial state is finite.
 
 #include <fmt/format.h>
 
@@ -40,8 +40,8 @@ bool has_sound_units(const SystemScene& system, const Scales& scales) {
                              [&](const Column& column) { return std::isnormal(scales(column.unit)); });
 }
 
-/// The entry with the number farthest from 1. Entries with a number outside the range have precedence. The path is
-/// empty if all numbers are zero.
+/// The entry with the number whose logarithm is largest in size. If there are numbers outside the range, only these
+/// count. The path is empty if all numbers are zero.
 struct Farthest {
   std::string path;
   double number = 1;
@@ -62,9 +62,9 @@ Farthest farthest_number(SystemScene system) {
 
 }  // namespace detail
 
-/// Refuses a scene with numbers outside the range. The refused entry is the one with the number farthest from 1, in the
-/// scales of the scene if these are in the range. The function `starts_finite` returns whether the initial state of the
-/// system in these scales is finite.
+/// Refuses a scene with numbers outside the range. The refusal names the entry with the number farthest from 1, in the
+/// scales of the scene if these are in the range. The function `starts_finite` receives the system in these scales, and
+/// returns whether its initial state is finite.
 template <class SystemScene, class StartsFinite>
 std::optional<Refusal> refuses_sizes(SystemScene system, const StartsFinite& starts_finite) {
   const Scales scales = system.scales();

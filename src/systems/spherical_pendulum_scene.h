@@ -1,6 +1,6 @@
 #pragma once
 /// A heavy point on a massless rod that can rotate about its upper end. The z axis points upwards. For the mass m, the
-/// length l of the rod, gravity g and the drag coefficient c, the motion satisfies
+/// length l of the rod, the acceleration of gravity g and the drag coefficient c, the motion satisfies
 ///
 ///   m q̈ = −m g e_z − c q̇ + λ q/l²,   ½(|q|²/l² − 1) = 0,   V = m g z,
 ///
@@ -38,7 +38,7 @@ class SphericalPendulum {
   }
   void apply_inverse_mass(const Vector& f, Vector& a) const { a = f / p_.m; }
 
-  /// Functions of mechanics/core/explicit_multiplier.h and stage_by_stage.h.
+  /// Members that explicit_multiplier.h and stage_by_stage.h in mechanics/core call.
   mechanics::Status acceleration(double, const Vector& q, const Vector& v, Workspace&, Vector& a) const {
     if (of_stages()(0, q.data(), v.data(), a.data()) > 0) return {};
     return mechanics::Status::failure("the point is at the end of the rod that is held, or nowhere");
@@ -73,11 +73,12 @@ class SphericalPendulum {
   double kinetic_energy(const Vector& v) const { return 0.5 * p_.m * v.squaredNorm(); }
   double potential_energy(const Vector& q) const { return p_.m * p_.g * q.z(); }
   void apply_mass(const Vector& v, Vector& f) const { f = p_.m * v; }
-  /// The constraint is quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ.
+  /// The constraint is quadratic. Therefore the rate of G(q)ᵀλ along v is G(v)ᵀλ, which this function adds to f.
   void add_reaction_rate(const Vector&, const Vector& v, const Multiplier& lambda, Vector& f) const {
     add_reaction(v, lambda, f);
   }
-  /// Rotations about the vertical are symmetries. Without gravity, rotations about every axis are symmetries.
+  /// The number of symmetries. Rotations about the vertical are symmetries. Without gravity, rotations about every axis
+  /// are symmetries.
   int n_symmetries() const { return p_.g == 0 ? 3 : 1; }
   void symmetry(int i, const Vector& q, const Vector& v, Vector& dq, Vector& dv) const {
     const Vector axis = Vector::Unit(2 - i);
@@ -125,7 +126,7 @@ struct SphericalPendulumScene {
     return Refusal{"Spherical pendulum/Rates", "expected no rate of phi where the rod is vertical and has no phi"};
   }
 
-  /// Without gravity, the unit of time is that of the initial motion.
+  /// The unit of time is √(l/g). Without gravity, it is the reciprocal of the largest initial rate, or 1 at rest.
   Scales scales() const {
     const double rate = std::max(std::abs(rates[0]), std::abs(rates[1]));
     return {l, m, gravity > 0 ? std::sqrt(l / gravity) : rate > 0 ? 1 / rate : 1};

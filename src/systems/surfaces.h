@@ -19,7 +19,7 @@ using SurfaceMetric = Eigen::Matrix<T, 2, 2>;
 template <class T>
 using SpacePoint = Eigen::Matrix<T, 3, 1>;
 
-/// Positive for an angle θ from the axis that is farther than a margin from both poles.
+/// Returns a positive number if the angle θ from the axis is farther than a margin from both poles.
 template <class T>
 T between_poles(const T& theta) {
   using std::min;
@@ -46,7 +46,8 @@ struct Sphere {
     using std::cos, std::sin;
     return {R * sin(q[0]) * cos(q[1]), R * sin(q[0]) * sin(q[1]), R * cos(q[0])};
   }
-  /// Positive between the poles. At a distance below √ε from a pole, sin²θ is below round-off.
+  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
+  /// precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -57,10 +58,10 @@ struct Sphere {
 /// The torus of revolution about the x axis (5.8.8), x = (r sin w, ρ sin u, ρ cos u) with ρ = R + r cos w and ds² = r²
 /// dw² + ρ² du².
 ///
-/// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that remains on such a
-/// circle by symmetry also remains there in floating-point arithmetic if its coordinate is 0. It does not remain there
-/// with the coordinate π, because double precision does not contain π and the sine of the nearest number is not 0.
-/// Therefore the first coordinate is w − w₀ with w₀ = 0 or π (TorusCircle).
+/// The circles w = 0 (outside) and w = π (inside) are invariant under a reflection. A motion that starts along such a
+/// circle remains on the circle by symmetry. In floating-point arithmetic, it remains there if its coordinate is 0. If
+/// its coordinate is π, it does not, because the nearest double is not π and its sine is not 0. Therefore the first
+/// coordinate is w − w₀ with w₀ = kπ, k an integer (TorusCircle).
 struct TorusSurface {
   static constexpr int dimension = 2;
   double R = 3, r = 1;
@@ -115,7 +116,8 @@ struct Ellipsoid {
     using std::cos, std::sin;
     return {a * sin(q[0]) * cos(q[1]), b * sin(q[0]) * sin(q[1]), c * cos(q[0])};
   }
-  /// Positive between the poles. At a distance below √ε from a pole, sin²θ is below round-off.
+  /// Returns a positive number inside the chart. The chart ends at the distance √ε from a pole, with the machine
+  /// precision ε. Closer to a pole, sin²θ is less than ε.
   template <class T>
   T reserve(const SurfacePoint<T>& q) const {
     return between_poles(q[0]);
@@ -141,8 +143,8 @@ struct Paraboloid {
   }
 };
 
-/// The hyperbolic half-plane y > 0 with ds² = (dx² + dy²)/y² and the curvature −1. It does not have an embedding in ℝ³
-/// (Hilbert 1901).
+/// The hyperbolic half-plane y > 0 with ds² = (dx² + dy²)/y², whose curvature is −1. It does not have an isometric
+/// embedding in ℝ³ (Hilbert 1901).
 struct HyperbolicHalfPlane {
   static constexpr int dimension = 2;
 

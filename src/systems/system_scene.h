@@ -1,28 +1,29 @@
 #pragma once
 /// The part of a parameter file that a system defines: its subsection with entries, the columns of its CSV file, its
-/// units, and its model. A new system needs one header with such a struct, and one line in systems/table.cpp.
+/// units, and its model. A new system needs one header with a struct such as PendulumScene, and one line in
+/// systems/table.cpp.
 ///
 ///     struct PendulumScene {
 ///       static constexpr std::string_view name, file, section, documentation;
 ///       static constexpr bool has_equilibria;
 ///       double length = 1; …                                              // entries with their defaults
-///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // one call an entry
-///       Scales scales() const;                                            // units in which everything is of order 1
-///       std::optional<Refusal> refuses() const;                           // in the user's units
+///       template <class Self, class Visit> static void visit(Self& self, Visit&& visit);   // calls visit per entry
+///       Scales scales() const;                                            // units in which the motion is of order 1
+///       std::optional<Refusal> refuses() const;                           // the error, in the units of the user
 ///       static constexpr bool complete;                                   // optional: motions exist for all time
-///       std::vector<Column> columns() const;                              // after `time`
-///       template <class Run> auto with_model(Run&& run) const;            // run(model), in the scene's scales
+///       std::vector<Column> columns() const;                              // columns of its file after `time`
+///       template <class Run> auto with_model(Run&& run) const;            // calls run(model), in the scene's scales
 ///     };
 ///
-/// Units are texts such as "mass*length^2/time" (scene/unit.h). Before a model is made, entries are divided by their
-/// units. Before columns are written to the file, they are multiplied by their units. A system therefore never uses the
-/// units of the user.
+/// Units are texts such as "mass*length^2/time" (scene/unit.h). Before the model is constructed, the entries are
+/// divided by their units. Before the columns are written to the file, they are multiplied by their units. The model
+/// therefore never contains the units of the user.
 ///
 ///   struct Model {
 ///     System system;  State<System> initial;
 ///     Status row(state, workspace, std::vector<double>& row);           // appends the values of the columns
 ///     double rate(state) const;                                         // optional, default |v|/(1 + |q|)
-///     auto landscape() const;                                           // landscape of V, for Analysis = equilibrium
+///     auto landscape() const;                                           // potential, for Analysis = equilibrium
 ///     std::vector<Column> coordinates() const;                          // names of the coordinates of the landscape
 ///     Model resting_at(q) const;                                        // optional, if the landscape has another q
 ///   };
@@ -45,11 +46,11 @@ using scene::Column;
 using scene::Refusal;
 using scene::Unit;
 
-/// Units of length, mass and time, expressed in the units of the user.
+/// Units of length, mass and time of a scene, expressed in the units of the user.
 struct Scales {
   double length = 1, mass = 1, time = 1;
 
-  /// The factor by which a quantity with this unit is divided for conversion to the scales.
+  /// The size of `unit` in the units of the user. A quantity is divided by this number for conversion to the scales.
   double operator()(scene::Unit unit) const {
     double product = 1;
     unit.visit([&](std::string_view word, int power) {
@@ -85,7 +86,7 @@ requires(std::is_enum_v<Word> || std::is_integral_v<Word> ||
 
 }  // namespace detail
 
-/// The scene of a system, from a scene that read_scene returned.
+/// The entries of a system in a scene that read_scene returned.
 template <class SystemScene>
 SystemScene system_scene(const scene::Scene& scene) {
   SystemScene system;
@@ -96,8 +97,8 @@ SystemScene system_scene(const scene::Scene& scene) {
   return system;
 }
 
-/// The system in its own scales. An entry whose columns have several units (Rows) has the unit "". The member function
-/// `rescale(scales)` of the system scales such entries.
+/// The system with its entries divided by their units in the scales. An entry whose columns have several units (Rows)
+/// has the unit "". The member function `rescale(scales)` of the system scales such entries.
 template <class SystemScene>
 SystemScene in_scales(SystemScene system, const Scales& scales) {
   SystemScene::visit(

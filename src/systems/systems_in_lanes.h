@@ -1,11 +1,11 @@
 #pragma once
-/// Systems whose fields are compiled for the eight stages of a Gauss step at once (gauss_system_kernels.cpp). To add
-/// one:
-///   - a chart whose functions take any scalar: a type in `SystemKernels` and a line in the table of the kernels;
-///   - another system: a struct of plain numbers as well, and its field over any scalar.
+/// Systems whose fields are compiled for the eight stages of a Gauss step at once (gauss_system_kernels.cpp). To add a
+/// chart, write its functions over any scalar type, add the type to `SystemKernels`, and include its header in
+/// gauss_system_kernels.cpp. For any other system, also write a struct of its numbers and, in that file, its field over
+/// any scalar and an overload of `solve`.
 ///
-/// A type that crosses to the kernels has the same layout for all instructions. Eigen's types that are
-/// aligned as double have it. Matrices in arrays are in the order of Eigen's: column by column.
+/// The types passed to the kernels must have the same memory layout for every instruction set. Eigen's types with the
+/// alignment of double meet this condition. Matrices in arrays are stored by columns, as in Eigen.
 
 #include <Eigen/Core>
 #include <concepts>
@@ -30,13 +30,13 @@ struct BodyLoads;
 struct FrameOfStages;  // moving_frame.h
 class MassPoints;
 
-/// Euler's equation on quaternions (euler_top.h), under these loads if there are any.
+/// The data of Euler's equation on quaternions (euler_top.h). If `loads` is null, the torque N is zero.
 struct TopOfStages {
   Eigen::Matrix3d A, A_inverse;
   const BodyLoads* loads = nullptr;
 };
 
-/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier, z pointing up:
+/// The spherical pendulum (spherical_pendulum_scene.h) with its explicit multiplier. The z axis points upwards:
 ///   q̈ = b + λq,  b = −g e_z − c q̇/m,  λ|q|² = −|q̇|² − ⟨q, b⟩.
 struct SphericalPendulumOfStages {
   static constexpr int n = 3;
@@ -53,12 +53,13 @@ struct SphericalPendulumOfStages {
   }
 };
 
-/// The double pendulum in multiplier form (double_pendulum.h).
+/// The parameters of the double pendulum in multiplier form (double_pendulum.h).
 struct PendulumOfStages {
   double m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 1;
 };
 
-/// Solves the stages, or returns false before it begins if it cannot.
+/// A function that solves for the stages of a Gauss step. If it returns false, the stages have to be evaluated one by
+/// one.
 template <class S>
 using StageSolver = bool (*)(const S& system, mechanics::GaussStages& stages);
 
@@ -73,24 +74,27 @@ using SystemKernels = StageSolvers<TopOfStages, PendulumOfStages, DoublePendulum
                                    Torus, Sphere, TorusSurface, Ellipsoid, Paraboloid, HyperbolicHalfPlane,
                                    SphericalPendulumOfStages, FrameOfStages, MassPoints>;
 
-/// Defined by the build, the best first.
+/// Returns the builds of the kernels for several instruction sets, the fastest first. The build system generates this
+/// function.
 std::span<const mechanics::KernelBuild<SystemKernels>> builds_of_system_kernels();
 
-/// Those that this process uses.
+/// The kernels that this process uses.
 inline const SystemKernels& system_kernels() {
   static const SystemKernels& kernels = *mechanics::choose_build(builds_of_system_kernels()).table;
   return kernels;
 }
 
-/// For exactly these types: one that is derived from them may have another field.
+/// Solves for the stages, as StageSolver describes. S must be one of the types of SystemKernels. A derived type is not
+/// accepted, because its field may differ.
 template <class S>
 requires(SystemKernels::has<S>) bool solve_stages_in_lanes_of(const S& system, mechanics::GaussStages& stages) {
   return std::get<StageSolver<S>>(system_kernels().of)(system, stages);
 }
 
-/// Cost of an iteration (mechanics/core/stage_by_stage.h), measured in nanoseconds. For points and the spherical
-/// pendulum it is over those of a stage of rattle-8 or symmetric-8 (110/349, 388/125, 61/158). For the others it is
-/// over those of a force of explicit-8, which counts twice (charts: 72/99 to 590/480).
+/// Cost of an iteration (mechanics/core/stage_by_stage.h), from measured times in nanoseconds. For three systems it is
+/// the time of an iteration divided by the time of a stage of rattle-8 or symmetric-8. The quotients are 110/349 for
+/// the double pendulum, 388/125 for mass points, and 61/158 for the spherical pendulum. For the other systems it is
+/// twice the time of an iteration divided by the time of a force of explicit-8 (charts: 72/99 to 590/480).
 template <class S>
 inline constexpr double cost_of_iteration_in_lanes = 2;
 template <>

@@ -1,5 +1,5 @@
 #pragma once
-/// The systems of the program other than the ball. A new system needs its header and one line in table.cpp.
+/// The systems other than the ball. A new system needs its header and one line in table.cpp.
 
 #include <vector>
 

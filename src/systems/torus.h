@@ -1,6 +1,6 @@
 #pragma once
-/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. The
-/// equations are printed for R = 3, r = 1:
+/// A heavy particle of unit mass on a rough torus (Oliva, Geometric Mechanics, 5.8.8), with strong dissipation. For R =
+/// 3 and r = 1, the equations are
 ///
 ///   q = (sin w, (3 + cos w) sin u, (3 + cos w) cos u),   metric dw² + (3 + cos w)² du²,
 ///   D(v) = −c(q) (v + β ⟨v, e⟩ e),   c(q) = c (1 + a cos w + b cos u),   e = cos γ e_w + sin γ e_u,
@@ -10,9 +10,10 @@
 /// (5.8.9) and is greater along the grain direction e. For a = b = β = 0 it is the friction of 5.8.8.
 ///
 /// For α = 0, the potential V = g (3 + cos w) cos u is even in x = sin w. The circle w = π is therefore invariant. It
-/// connects the two saddles, whose invariant manifolds are not transversal. A tilt α ≠ 0 removes the symmetry and
-/// breaks the connection with the same D. A grain oblique to the circle breaks it with the same V (the two halves of
-/// 5.8.6). A variable c(q) alone does not break it, because −c(q) v is parallel to v and thus to the circle.
+/// connects the two saddles, whose stable and unstable manifolds are not transversal there. A tilt α ≠ 0 removes the
+/// symmetry, and breaks the connection without a change of D. A grain oblique to the circle breaks the connection
+/// without a change of V (the two halves of 5.8.6). A variable c(q) alone does not break it, because the force −c(q) v
+/// on a motion along the circle is tangent to the circle.
 
 #include <Eigen/Core>
 #include <cmath>
@@ -32,7 +33,7 @@ struct Torus : TorusSurface {
     const SpacePoint<T> x = embedding(q);
     return gravity * (std::sin(tilt) * x[0] + std::cos(tilt) * x[2]);
   }
-  /// The factor c(q), with q as in TorusSurface.
+  /// The factor c(q). The first coordinate is w − w₀ as in TorusSurface.
   template <class T>
   T damping(const SurfacePoint<T>& q) const {
     using std::cos;

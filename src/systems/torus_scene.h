@@ -1,14 +1,15 @@
 #pragma once
 /// The heavy particle of unit mass on a rough torus (torus.h; Oliva, Geometric Mechanics, 5.8.8) in parameter files.
-/// The metric is r² dw² + (R + r cos w)² du², the potential V = g ⟨q, up⟩, and the damping D(v), so that
+/// The metric is r² dw² + (R + r cos w)² du². The potential is V = g ⟨q, up⟩ with the upward unit vector `up`. The
+/// damping D(v) and the energy E satisfy
 ///
 ///   dE/dt = ⟨D(v), v⟩,   E(t) + k ≥ (E(0) + k) e^{−2μt} for t > 0, ≤ for t < 0                               (5.8.9)
 ///
-/// with the greatest damping μ and k = −min V. Therefore every motion exists for all time. For every tilt, the four
-/// critical points have the Morse indices 0, 1, 1, 2.
+/// with the greatest damping μ and k = −min V. Every motion therefore has bounded energy in finite time, and exists for
+/// all time. For every tilt, the four critical points of V have the Morse indices 0, 1, 1, 2.
 ///
-/// The coordinate of the motion is the angle from the symmetric circle nearest to its start (surfaces.h). Entries and
-/// columns contain w, which is 0 outside.
+/// The first coordinate of the motion is w − w₀, with the symmetric circle w₀ = 0 or π (modulo 2π) that is nearest to
+/// the start (surfaces.h). Entries and columns contain w, which is 0 outside.
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,8 @@ struct TorusScene {
     visit(s.rates, scene::Numbers{2}, About{"Torus/Rates", "1/time", "Initial rates of the angles."});
   }
 
-  /// The unit of time is the smaller of the time of gravity and the time of the initial motion.
+  /// The unit of time is the smaller of √(r/g) and the reciprocal of the largest initial rate. Without gravity and at
+  /// rest, it is 1.
   Scales scales() const {
     const double rate = std::max({std::sqrt(gravity / r), std::abs(rates[0]), std::abs(rates[1])});
     return {r, 1, rate > 0 ? 1 / rate : 1};
@@ -116,7 +118,7 @@ struct TorusScene {
                                       std::numeric_limits<double>::max())});
       return {};
     }
-    /// The landscape in the coordinate w, which is measured from outside.
+    /// The potential landscape in the coordinate w. It does not depend on the circle w₀ of the motion.
     auto landscape() const {
       Torus torus = system.chart();
       torus.outward = 1;
