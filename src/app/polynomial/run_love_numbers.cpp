@@ -17,7 +17,8 @@ mechanics::Status find(const scene::Scene& scene, int degree, std::vector<LoveRo
   const std::vector<int> degrees = scene::love_degrees(scene);
   std::vector<gravity::LoveNumbers> numbers, other;
   if (auto status = polynomial::love_numbers(body_setup(scene, {}, degree), degrees, numbers); !status) return status;
-  // A companion that responds to every tide.
+  // The other discretisation for the errors: a degree above that of the body and of every tide. If it would exceed the
+  // largest degree, it is this largest degree, or N − 2 for a body of the largest degree.
   const int companion = std::min(std::max(degree + 2, degrees.back() + 1), scene::largest_polynomial_degree);
   if (auto status =
           polynomial::love_numbers(body_setup(scene, {}, companion > degree ? companion : degree - 2), degrees, other);

@@ -12,7 +12,7 @@
 namespace pseudorigid::app {
 namespace {
 
-/// The frequency of the same mode of the exact sphere.
+/// The frequency of the corresponding mode of the exact sphere, in internal units.
 double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   const auto [mu, lambda] = ball.moduli;
   return std::sqrt(mu) * (ball.incompressible
@@ -21,9 +21,10 @@ double exact_frequency(const ModeFrequency& f, const BallAtRest& ball) {
                                                                         std::sqrt(mu / (lambda + 2 * mu))));
 }
 
-/// The frequency of the pseudo-rigid ball, 0 if it does not have the mode. It has the five motions Q = Id + εH with H
-/// symmetric and trace-free and m̄ Ḧ = −(2 + 4γ/25)μ Vol H. If it is compressible, it also has H = Id with m̄ Ḧ = −(3λ
-/// + 2μ) Vol H. The volume is Vol = 5m̄/(ρr²).
+/// The frequency of the corresponding mode of the pseudo-rigid ball; 0 if the pseudo-rigid ball does not have the mode.
+/// Its modes of degree 2 are the five motions Q = Id + εH with H symmetric and trace-free, and m̄ Ḧ = −(2 + 4γ/25)μ Vol
+/// H. A compressible ball also has a mode of degree 0, H = Id with m̄ Ḧ = −(3λ + 2μ) Vol H. The volume is Vol =
+/// 5m̄/(ρr²).
 double reduced_frequency(const ModeFrequency& f, const BallAtRest& ball) {
   if (!f.spheroidal || f.overtone != 0) return 0;
   const auto [mu, lambda] = ball.moduli;
