@@ -76,7 +76,7 @@ struct ModelOutcome {
   std::optional<Stepping> stepping{};
   std::map<std::string, io::Manifest::Model> of_rungs{};  ///< statistics of further runs by the names of their files
   std::optional<analysis::OtherResolution>
-      other{};            ///< the motion on another discretisation, for the error in space
+      other{};            ///< the same motion on another discretisation, for the error in space
   std::string results{};  ///< text for standard output
 };
 
